@@ -15,7 +15,7 @@ mod sweep_command;
 mod terminal_command;
 mod wheel_command;
 
-use geneva_cli::Answer;
+use geneva_cli::CommandOutput;
 use geneva_documents::LEDGER;
 use geneva_evidence::without_ellipses;
 use geneva_figures::Figure;
@@ -53,7 +53,7 @@ fn pin_answer(name: &str, arguments: &[&str]) {
 }
 
 /// What is pinned of a process.
-fn page_of(Answer { stdout, stderr, code }: &Answer) -> String {
+fn page_of(CommandOutput { stdout, stderr, code }: &CommandOutput) -> String {
     let success = *code == 0;
     format!("success: {success}\nexit_code: {code}\n----- stdout -----\n{stdout}\n----- stderr -----\n{stderr}")
 }
@@ -70,13 +70,13 @@ fn until(awaited: &str, mut is_there: impl FnMut() -> bool) {
 
 /// What the process `geneva errata` writes, with its exit code: it derives every verdict, so it runs once for all tests that
 /// look at it.
-fn errata() -> &'static Answer {
-    static ERRATA: OnceLock<Answer> = OnceLock::new();
+fn errata() -> &'static CommandOutput {
+    static ERRATA: OnceLock<CommandOutput> = OnceLock::new();
     ERRATA.get_or_init(|| {
         let Output { status, stdout, stderr } = run(&["errata"]);
         let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
         let code = status.code().and_then(|code| code.try_into().ok()).expect("an exit code");
-        Answer { stdout, stderr, code }
+        CommandOutput { stdout, stderr, code }
     })
 }
 
@@ -103,7 +103,7 @@ fn written(arguments: &[&str], code: i32) -> String {
 }
 
 /// What the program's library answers to a line. Claims that one test has asked for are not judged again for another.
-fn answered(arguments: &[&str]) -> Answer {
+fn answered(arguments: &[&str]) -> CommandOutput {
     geneva_cli::answer(["geneva"].iter().chain(arguments).map(OsString::from))
 }
 

@@ -208,11 +208,11 @@ fn a_figure_in_which_nothing_turns_has_nothing_to_play() {
             .expect("a figure")
             .controls
             .iter()
-            .any(|control| matches!(control.kind, geneva_live::Kind::Player(_)));
+            .any(|control| matches!(control.kind, geneva_live::ControlKind::Player(_)));
         assert_eq!(page_text(page).contains("data-do=\"play\""), plays && moves(), "{name}");
     }
     let design = geneva_live::by_name("design").expect("a figure");
-    assert!(design.controls.iter().all(|control| !matches!(control.kind, geneva_live::Kind::Player(_))));
+    assert!(design.controls.iter().all(|control| !matches!(control.kind, geneva_live::ControlKind::Player(_))));
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! Does a pipe get text alone, and may its reader go when it likes?
 
 use crate::{errata, geneva};
-use geneva_cli::Answer;
+use geneva_cli::CommandOutput;
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
 #[test]
 fn nothing_but_text_goes_into_a_pipe() {
-    let Answer { stdout, stderr, code } = errata();
+    let CommandOutput { stdout, stderr, code } = errata();
     assert!(!stdout.contains('\u{1b}') && stderr.is_empty() && *code == 0, "{stderr}");
     for arguments in [
         &["claims", "--source", "jazar"][..],

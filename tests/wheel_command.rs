@@ -10,92 +10,14 @@ mod times;
 mod workshop;
 
 use crate::{assert_is_drawn, assert_is_plain, number, object, on_sheet, pin, refused, right, stdout};
+use geneva_ask::Needs;
 use geneva_figures::stations::{internal_mechanism, mechanism, spherical_mechanism};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
+use std::collections::BTreeMap;
 
-/// What needs the speed of the driver.
-const OF_SPEED: [&str; 7] = [
-    "rpm",
-    "indexing_time_s",
-    "dwell_time_s",
-    "peak_speed_rad_s",
-    "entry_acceleration_rad_s2",
-    "peak_acceleration_rad_s2",
-    "peak_jerk_rad_s3",
-];
-/// What needs a size.
-const OF_SIZE: [&str; 47] = [
-    "crank_radius_mm",
-    "centre_distance_mm",
-    "wheel_radius_mm",
-    "slot_length_mm",
-    "pin_diameter_mm",
-    "play_mm",
-    "bore_play_mm",
-    "slot_width_mm",
-    "slot_depth_mm",
-    "slot_end_mm",
-    "tip_radius_mm",
-    "horn_thickness_mm",
-    "slot_web_mm",
-    "bore_web_mm",
-    "locking_arc_radius_mm",
-    "locking_radius_mm",
-    "crescent_radius_mm",
-    "crescent_centre_mm",
-    "plate_radius_mm",
-    "wheel_shaft_mm",
-    "wheel_shaft_limit_mm",
-    "wheel_bore_mm",
-    "driver_shaft_mm",
-    "driver_shaft_limit_mm",
-    "driver_bore_mm",
-    "disc_web_mm",
-    "plate_rim_mm",
-    "centres_nearer_mm",
-    "centres_farther_mm",
-    "all_locking_mm",
-    "all_nearer_mm",
-    "all_farther_mm",
-    "all_crank_radius_mm",
-    "all_width_mm",
-    "all_slot_direction_at_rim_mm",
-    "all_slot_end_mm",
-    "least_clearance_mm",
-    "least_clearance_at_deg",
-    "bottom_clearance_mm",
-    "bottom_gap_mm",
-    "crank_radius_tolerance_mm",
-    "locking_gap_mm",
-    "slot_direction_tolerance_deg",
-    "dwell_backlash_deg",
-    "dwell_backlash_held_fraction",
-    "greatest_dwell_backlash_deg",
-    "greatest_dwell_backlash_until_entry_deg",
-];
-/// What needs speed and size.
-const OF_KNOCK: [&str; 3] = ["knock_mm_s", "knock_within_backlash_mm_s", "greatest_knock_mm_s"];
-/// What needs speed and inertia.
-const OF_LOAD: [&str; 15] = [
-    "inertia_kgm2",
-    "entry_wheel_torque_nm",
-    "peak_wheel_torque_nm",
-    "peak_wheel_torque_at_deg",
-    "peak_crank_torque_nm",
-    "peak_crank_torque_at_deg",
-    "peak_power_w",
-    "rms_crank_torque_nm",
-    "mean_crank_torque_nm",
-    "braking_wheel_torque_nm",
-    "braking_crank_torque_nm",
-    "braking_from_deg",
-    "braking_until_deg",
-    "peak_pin_force_n",
-    "peak_pin_force_at_deg",
-];
 const SIX_AT_360: [&str; 5] = ["wheel", "--stations", "6", "--rpm", "360"];
 
 fn in_format(arguments: &[&'static str], format: &'static str) -> Vec<&'static str> {
@@ -166,31 +88,35 @@ fn the_sheet_says_what_the_object_says() {
 
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
-    let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
-    let own = ["wheel_inertia_kgm2", "table_inertia_kgm2"];
-    let others = [&own[..], &["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa"]].concat();
-    // Of two crescents there is no number with one pin.
-    let loads = OF_LOAD.iter().copied().chain(others).chain(["crescent_web_mm"]);
-    let loads: Vec<_> = loads.collect();
-    let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n", "peak_contact_pressure_mpa"];
-    for (options, missing) in [
-        (&[][..], [&OF_SPEED[..], &OF_SIZE, &OF_KNOCK, &loads].concat()),
-        (&["--rpm", "360"], [&OF_SIZE[..], &OF_KNOCK, &loads].concat()),
-        (&["--crank-radius", "50"], [&OF_SPEED[..], &OF_KNOCK, &loads].concat()),
-        (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
+    let report = geneva_ask::answer("wheel --stations 6").expect("an answer");
+    let mut needs: BTreeMap<&str, Needs> = report.fields().map(|field| (field.key, field.needs)).collect();
+    needs.insert("at", Needs::NONE);
+    let (speed, size, pins) = (["--rpm", "360"], ["--crank-radius", "50"], ["--pins", "2"]);
+    let (table, friction) = (["--inertia", "0.1"], ["--friction-torque", "2"]);
+    let (plate, density) = (["--thickness", "8"], ["--density", "7850"]);
+    let materials = ["--pin-material", "steel", "--wheel-material", "acetal"];
+    let load = Needs::SPEED.and(Needs::INERTIA).and(Needs::TABLE_INERTIA);
+    let own = Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::INERTIA);
+    for (options, given) in [
+        (vec![], Needs::NONE),
+        (speed.to_vec(), Needs::SPEED),
+        (size.to_vec(), Needs::SIZE),
+        ([speed, size].concat(), Needs::SPEED.and(Needs::SIZE)),
+        (pins.to_vec(), Needs::SECOND_PIN),
+        ([pins, size].concat(), Needs::SECOND_PIN.and(Needs::SIZE)),
+        ([speed, table].concat(), load),
+        ([speed, table, friction, size].concat(), load.and(Needs::FRICTION_TORQUE).and(Needs::SIZE)),
+        ([size, plate, density].concat(), own),
+        ([size, plate, density, speed, table].concat(), own.and(load)),
         (
-            &["--rpm", "360", "--inertia", "0.1"],
-            [&OF_SIZE[..], &OF_KNOCK, &forces, &own, &["friction_torque_nm", "crescent_web_mm"]].concat(),
-        ),
-        (
-            &["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"],
-            [&own[..], &["peak_contact_pressure_mpa", "crescent_web_mm"]].concat(),
+            [&[speed, table, size, plate].concat()[..], &materials].concat(),
+            load.and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS),
         ),
     ] {
-        let found = object(&[&["wheel", "--stations", "6"], options].concat());
-        assert!(found.keys().eq(all.keys()), "{options:?}");
+        let found = object(&[&["wheel", "--stations", "6"], &options[..]].concat());
+        assert!(found.keys().eq(needs.keys()), "{options:?}");
         for (key, value) in found {
-            assert_eq!(value.is_null(), missing.contains(&&*key), "{key} with {options:?}");
+            assert_eq!(value.is_null(), !needs[&*key].are_met_by(given), "{key} with {options:?}");
             let kind = ["type", "at", "warnings"].contains(&&*key);
             assert!(kind || value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
         }

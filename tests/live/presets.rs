@@ -3,7 +3,7 @@
 use super::{PAGES, browser, given_on, moves, of, open};
 use crate::browser::devtools::Medium;
 use geneva_evidence::numbers_in;
-use geneva_live::{Arguments, LIVE, Preset};
+use geneva_live::{LIVE, LiveArguments, Preset};
 use serde_json::Value;
 
 /// The choice of a mechanism, by the number of its pins.
@@ -17,7 +17,7 @@ fn said(name: &str) -> Vec<f64> {
 
 /// What a preset sets: names, and values as they are written.
 fn set(preset: &Preset) -> Vec<(String, String)> {
-    let arguments = Arguments::parse(preset.arguments).expect("arguments");
+    let arguments = LiveArguments::parse(preset.arguments).expect("arguments");
     let names: Vec<String> = arguments.names().map(str::to_owned).collect();
     names.iter().map(|name| (name.clone(), arguments.text(name).expect("a value").to_owned())).collect()
 }

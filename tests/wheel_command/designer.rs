@@ -3,7 +3,7 @@
 use crate::{answered, object};
 use fastrand::Rng;
 use geneva_dynamics::line_contact::MATERIALS;
-use geneva_live::{Arguments, Live, by_name};
+use geneva_live::{Live, LiveArguments, by_name};
 use serde_json::{Map, Value};
 
 /// Settings that are tried.
@@ -87,7 +87,7 @@ fn warnings(message: &str, object: &Map<String, Value>) -> [Vec<String>; 2] {
 fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
     let words: Vec<&str> = command.iter().map(String::as_str).collect();
     let pairs = page.iter().map(|(name, value)| (*name, value.clone()));
-    let moved = match live.answer(&Arguments::of(pairs)) {
+    let moved = match live.answer(&LiveArguments::from_pairs(pairs)) {
         Ok(moved) => moved,
         Err(why) => {
             assert_eq!(answered(&words).code, 2, "the figure says: {why}; the command answers: {}", command.join(" "));
@@ -125,13 +125,13 @@ fn the_figure_and_the_command_give_the_same_numbers_and_warnings() {
 fn without_play_the_figure_warns_as_the_command_does() {
     let live = by_name("design").expect("a figure");
     for radius in ["10", "25", "33.3", "100"] {
-        let settings = Arguments::of([("radius", radius.to_owned()), ("play", "0".to_owned())]);
+        let settings = LiveArguments::from_pairs([("radius", radius.to_owned()), ("play", "0".to_owned())]);
         let message = live.answer(&settings).expect("an answer").message.expect("a warning");
         assert!(message.contains("without play, parts made exactly as drawn will jam"), "{message}");
         assert!(!message.contains("overlap"), "{message}");
     }
     // Axes that are too near are an overlap.
-    let nearer = Arguments::of([("error", "-0.2".to_owned())]);
+    let nearer = LiveArguments::from_pairs([("error", "-0.2".to_owned())]);
     let message = live.answer(&nearer).expect("an answer").message.expect("a warning");
     assert!(message.contains("overlap"), "{message}");
 }

@@ -1,16 +1,16 @@
 //! Each quantity of a wheel is stated in one file. Does it appear wherever a wheel is reported?
 
 use crate::{number, object, stdout};
-use geneva_ask::wheel::{Design, Question};
-use geneva_ask::{Answer, Rounding, Shows, Value};
-use geneva_live::Arguments;
+use geneva_ask::wheel::{WheelDesign, WheelQuestion};
+use geneva_ask::{FieldValue, MechanismReport, Rounding, SheetNumber};
+use geneva_live::LiveArguments;
 
 const ASKED: &str = "--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --at -20";
 const MATERIALS: &str = " --thickness 10 --density 8860 --pin-material steel --wheel-material phosphor-bronze";
 
-fn answer() -> Answer {
-    let question = Question::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
-    Design::new(question).and_then(|design| design.answer()).expect("an answer")
+fn answer() -> MechanismReport {
+    let question = WheelQuestion::parse(&format!("{ASKED}{MATERIALS}")).expect("arguments");
+    WheelDesign::new(question).and_then(|design| design.answer()).expect("an answer")
 }
 
 /// What the program is told, with more behind the question.
@@ -45,12 +45,12 @@ fn every_field_is_in_the_object_and_on_the_sheet() {
     let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
     let sheet = words(&sheet);
     for field in answer.fields() {
-        assert_eq!(field.value == Value::Missing, found[field.key].is_null(), "{}", field.key);
+        assert_eq!(field.value == FieldValue::Missing, found[field.key].is_null(), "{}", field.key);
         if let Some(value) = field.number() {
             assert_eq!(value, number(&found, field.key), "{}", field.key);
         }
         if let Some(line) = &field.line {
-            let unit = if line.shows == Shows::Words { "" } else { field.unit };
+            let unit = if line.shows == SheetNumber::Words { "" } else { field.unit };
             let line = words(&format!("{} {} {} {}", line.name, field.on_a_sheet(), unit, line.meaning));
             assert!(sheet.contains(&line), "{}: no line {line:?}", field.key);
         }
@@ -73,7 +73,7 @@ fn every_number_of_an_instant_is_in_the_series_and_in_the_object() {
 #[test]
 fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let live = geneva_live::by_name("design").expect("a figure");
-    let (moved, file) = (live.answer(&Arguments::default()), live.file("csv", &Arguments::default()));
+    let (moved, file) = (live.answer(&LiveArguments::default()), live.file("csv", &LiveArguments::default()));
     let (moved, file, answer) = (moved.expect("an answer"), file.expect("a file"), answer());
     // A quantity of a list in one file is there under its own name.
     assert!(!moved.further.is_empty(), "no quantity is listed for pages");
@@ -100,7 +100,7 @@ fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
 #[test]
 fn a_centre_distance_in_the_figure_is_that_of_the_command() {
     let live = geneva_live::by_name("design").expect("a figure");
-    let asked = Arguments::parse("stations=8&radius=120&size=1&play=0.06").expect("arguments");
+    let asked = LiveArguments::parse("stations=8&radius=120&size=1&play=0.06").expect("arguments");
     let moved = live.answer(&asked).expect("an answer");
     let found = object(&["wheel", "--stations", "8", "--centre-distance", "120", "--play", "0.06"]);
     let shown = |name: &str| moved.numbers.iter().find(|number| number.name == name).expect(name).value;

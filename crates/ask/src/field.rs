@@ -1,41 +1,89 @@
 //! The fields of an answer: values under keys, with units, names and meanings.
 
-use crate::written::{angle, no_greater, number, to_digits};
-use geneva_fields::{Row, Value};
+use crate::number_format::{angle, no_greater, number, to_digits};
+use geneva_fields::{DataRow, FieldValue};
 use serde::ser::{Serialize, Serializer};
 use std::borrow::Cow;
 
 /// A value under its key, in its unit, with its name and its meaning where it has a line of a sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Field {
+pub struct ReportField {
     /// Its name among the fields, which also says the unit.
     pub key: &'static str,
     /// What it is, with all its digits.
-    pub value: Value,
+    pub value: FieldValue,
     /// Its unit; nothing for a pure number.
     pub unit: &'static str,
     /// How it is rounded where it is read, unless the reader's text says otherwise.
     pub rounding: Rounding,
     /// Its line of a sheet. It has none if the title or another line says it, or the sheet doesn't need it.
-    pub line: Option<Line>,
+    pub line: Option<SheetLine>,
+    /// What the question must give for it to have a value. Only the fields of a wheel say so.
+    pub needs: Needs,
     /// Whether a figure that a reader moves lists it although the figure has no place of its own for it.
-    pub is_on_pages: bool,
+    pub is_visible_in_live_figure: bool,
 }
 
-/// The line of a field: its name, and what its number means.
+/// What a value needs of those things that a question about a wheel may leave out: a set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Needs(u16);
+
+impl Needs {
+    /// Nothing but what every question gives.
+    pub const NONE: Self = Self(0);
+    /// The speed of the driver.
+    pub const SPEED: Self = Self(1 << 0);
+    /// A length that gives the size of the wheel; for the parts of a wheel, of an external one.
+    pub const SIZE: Self = Self(1 << 1);
+    /// A moment of inertia: that of the table, or the wheel's own.
+    pub const INERTIA: Self = Self(1 << 2);
+    /// The moment of inertia of the table and all else that turns with the wheel.
+    pub const TABLE_INERTIA: Self = Self(1 << 3);
+    /// The torque of the friction that brakes the wheel.
+    pub const FRICTION_TORQUE: Self = Self(1 << 4);
+    /// The thickness of the wheel.
+    pub const THICKNESS: Self = Self(1 << 5);
+    /// The density of the wheel.
+    pub const DENSITY: Self = Self(1 << 6);
+    /// The materials of pins and wheel.
+    pub const MATERIALS: Self = Self(1 << 7);
+    /// A driver with more than one pin.
+    pub const SECOND_PIN: Self = Self(1 << 8);
+    /// The coefficient of friction of a pin in its slot.
+    pub const PIN_FRICTION: Self = Self(1 << 9);
+    /// A crank angle before a pin enters.
+    pub const BEFORE_ENTRY: Self = Self(1 << 10);
+
+    /// All of both.
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether these are all given.
+    pub const fn are_met_by(self, given: Self) -> bool {
+        self.0 & !given.0 == 0
+    }
+
+    /// These, but for others that are not given.
+    pub const fn without(self, others: Self) -> Self {
+        Self(self.0 & !others.0)
+    }
+}
+
+/// The line of a field on a sheet: its name, and what its number means.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct SheetLine {
     /// Its name; nothing where the line above has it.
     pub name: &'static str,
     /// What the number means.
     pub meaning: Cow<'static, str>,
     /// Which number it shows.
-    pub shows: Shows,
+    pub shows: SheetNumber,
 }
 
-/// The number of a line.
+/// The number that a line of a sheet shows.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shows {
+pub enum SheetNumber {
     /// The value, in its unit.
     Value,
     /// The size of a value that is signed or has a direction, in the value's unit, and the direction.
@@ -57,41 +105,49 @@ pub enum Rounding {
     Limit(usize),
 }
 
-impl Field {
+impl ReportField {
     /// A value without a unit. It has no line unless it gets one.
-    pub fn new(key: &'static str, value: impl Into<Value>) -> Self {
+    pub fn new(key: &'static str, value: impl Into<FieldValue>) -> Self {
         Self::in_unit(key, value, "")
     }
 
     /// A value with a unit, without a line: millimetres and degrees to three decimals, all else to four digits.
-    pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
+    pub fn in_unit(key: &'static str, value: impl Into<FieldValue>, unit: &'static str) -> Self {
         let rounding = if matches!(unit, "mm" | "°") { Rounding::Decimals(3) } else { Rounding::Significant(4) };
-        Self { key, value: value.into(), unit, rounding, line: None, is_on_pages: false }
+        Self {
+            key,
+            value: value.into(),
+            unit,
+            rounding,
+            line: None,
+            needs: Needs::NONE,
+            is_visible_in_live_figure: false,
+        }
     }
 
     /// The field with its line: a name, and what the number means. What is missing has none.
     pub fn line(self, name: &'static str, meaning: impl Into<Cow<'static, str>>) -> Self {
-        if self.value == Value::Missing { self } else { self.with(name, meaning.into(), Shows::Value) }
+        if self.value == FieldValue::Missing { self } else { self.with(name, meaning.into(), SheetNumber::Value) }
     }
 
     /// The field with its line under another that says the same in another unit.
-    pub fn also(self) -> Self {
+    pub fn in_other_unit(self) -> Self {
         self.line("", "")
     }
 
     /// The field with a line without a number: words say it all, also of what is missing.
     pub fn words(self, name: &'static str, words: impl Into<Cow<'static, str>>) -> Self {
-        self.with(name, words.into(), Shows::Words)
+        self.with(name, words.into(), SheetNumber::Words)
     }
 
-    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: Shows) -> Self {
-        Self { line: Some(Line { name, meaning, shows }), ..self }
+    fn with(self, name: &'static str, meaning: Cow<'static, str>, shows: SheetNumber) -> Self {
+        Self { line: Some(SheetLine { name, meaning, shows }), ..self }
     }
 
     /// The field with another number on its line: the size of what is signed or has a direction, which stands beside it.
-    pub fn of_size(mut self, size: f64, direction: String) -> Self {
+    pub fn with_size(mut self, size: f64, direction: String) -> Self {
         if let Some(line) = &mut self.line {
-            line.shows = Shows::Size(size, direction);
+            line.shows = SheetNumber::Size(size, direction);
         }
         self
     }
@@ -99,20 +155,32 @@ impl Field {
     /// The number of its line, to the digits of a sheet; nothing where words say it all.
     pub fn on_a_sheet(&self) -> String {
         match (self.line.as_ref().map(|line| &line.shows), &self.value) {
-            (Some(Shows::Size(size, _)), _) => number(*size),
-            (Some(Shows::Value), Value::Number(value)) => match self.rounding {
+            (Some(SheetNumber::Size(size, _)), _) => number(*size),
+            (Some(SheetNumber::Value), FieldValue::Number(value)) => match self.rounding {
                 Rounding::Limit(digits) => to_digits(no_greater(*value, digits), digits),
                 _ if self.unit == "°" => angle(*value),
                 _ => number(*value),
             },
-            (Some(Shows::Value), Value::Count(count)) => count.to_string(),
+            (Some(SheetNumber::Value), FieldValue::Count(count)) => count.to_string(),
             _ => String::new(),
         }
     }
 
     /// The field also on pages: a figure that a reader moves lists it under its name.
-    pub fn on_pages(self) -> Self {
-        Self { is_on_pages: true, ..self }
+    pub fn visible_in_live_figure(self) -> Self {
+        Self { is_visible_in_live_figure: true, ..self }
+    }
+
+    /// The field with what the question must give for it to have a value. In the module that a page loads it has no needs: no
+    /// page asks for them, and they would be a two-hundredth of the module.
+    pub fn needing(self, needs: Needs) -> Self {
+        if cfg!(target_family = "wasm") { self } else { Self { needs, ..self } }
+    }
+
+    /// The fields with these needs, those that have needs of their own left as they are.
+    pub(crate) fn all_needing(fields: Vec<Self>, needs: Needs) -> Vec<Self> {
+        let needing = |field: Self| if field.needs == Needs::NONE { field.needing(needs) } else { field };
+        if cfg!(target_family = "wasm") { fields } else { fields.into_iter().map(needing).collect() }
     }
 
     /// The field with its own rounding.
@@ -123,10 +191,10 @@ impl Field {
     /// Its number, or the size of its vector; none if it is something else or missing.
     pub fn number(&self) -> Option<f64> {
         match &self.value {
-            Value::Number(number) => Some(*number),
-            Value::Count(count) => Some(*count as f64),
-            Value::Object(Row(vector)) => match vector.first() {
-                Some(("magnitude", Value::Number(size))) => Some(*size),
+            FieldValue::Number(number) => Some(*number),
+            FieldValue::Count(count) => Some(*count as f64),
+            FieldValue::Object(DataRow(vector)) => match vector.first() {
+                Some(("magnitude", FieldValue::Number(size))) => Some(*size),
                 _ => None,
             },
             _ => None,
@@ -136,8 +204,8 @@ impl Field {
     /// The direction of its vector in degrees; none if it is something else, or a vector that is zero.
     pub fn direction(&self) -> Option<f64> {
         match &self.value {
-            Value::Object(Row(vector)) => match vector.get(1) {
-                Some(("direction_deg", Value::Number(degrees))) => Some(*degrees),
+            FieldValue::Object(DataRow(vector)) => match vector.get(1) {
+                Some(("direction_deg", FieldValue::Number(degrees))) => Some(*degrees),
                 _ => None,
             },
             _ => None,
@@ -148,13 +216,13 @@ impl Field {
 /// What a question gets: a title, what all numbers have in common, sections of fields, a list, and a closing note. A section
 /// without lines has no heading.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct MechanismReport {
     /// What the answer is about.
     pub title: String,
     /// What all numbers have in common.
     pub introduction: &'static str,
     /// Headings with their fields.
-    pub sections: Vec<(&'static str, Vec<Field>)>,
+    pub sections: Vec<(&'static str, Vec<ReportField>)>,
     /// A list behind the fields, such as instants, and its key.
     pub list: Option<(&'static str, Vec<Item>)>,
     /// What to add to the question for more.
@@ -167,24 +235,24 @@ pub struct Item {
     /// The heading of the section.
     pub heading: &'static str,
     /// Its fields in the order of the sheet.
-    pub fields: Vec<Field>,
+    pub fields: Vec<ReportField>,
     /// All of it as data.
-    pub row: Row,
+    pub row: DataRow,
 }
 
-impl Answer {
+impl MechanismReport {
     /// All fields of the sections.
-    pub fn fields(&self) -> impl Iterator<Item = &Field> {
+    pub fn fields(&self) -> impl Iterator<Item = &ReportField> {
         self.sections.iter().flat_map(|(_, fields)| fields)
     }
 
     /// The rows of the list.
-    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+    pub fn rows(&self) -> impl Iterator<Item = &DataRow> {
         self.list.iter().flat_map(|(_, items)| items).map(|item| &item.row)
     }
 
     /// The field with this key: of the sections, or of the first of the list.
-    pub fn field(&self, key: &str) -> Option<&Field> {
+    pub fn field(&self, key: &str) -> Option<&ReportField> {
         let first = self.list.iter().filter_map(|(_, items)| items.first()).flat_map(|item| &item.fields);
         self.fields().chain(first).find(|field| field.key == key)
     }
@@ -192,14 +260,14 @@ impl Answer {
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
-        self.fields().map(|field| &field.value).chain(in_rows).all(Value::is_finite)
+        self.fields().map(|field| &field.value).chain(in_rows).all(FieldValue::is_finite)
     }
 }
 
-impl Serialize for Answer {
+impl Serialize for MechanismReport {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let list = self.list.as_ref().map(|(key, items)| {
-            (*key, Value::List(items.iter().map(|item| Value::Object(item.row.clone())).collect()))
+            (*key, FieldValue::List(items.iter().map(|item| FieldValue::Object(item.row.clone())).collect()))
         });
         let fields = self.fields().map(|field| (field.key, field.value.clone()));
         serializer.collect_map(fields.chain(list))

@@ -6,10 +6,10 @@
 //! turns per minute into radians per second.
 //!
 //! ```
-//! use geneva_ask::wheel::{Design, Question};
+//! use geneva_ask::wheel::{WheelDesign, WheelQuestion};
 //!
-//! let question = Question::parse("--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002")?;
-//! let answer = Design::new(question)?.answer()?;
+//! let question = WheelQuestion::parse("--stations 6 --crank-radius 25 --rpm 60 --inertia 0.002")?;
+//! let answer = WheelDesign::new(question)?.answer()?;
 //! let force = answer.field("peak_pin_force_n").expect("a key of the answer");
 //! assert!(force.unit == "N" && force.number().is_some_and(|newtons| newtons > 0.0));
 //! # Ok::<(), geneva_ask::Error>(())
@@ -20,15 +20,15 @@ macro_rules! refused {
     ($($words:tt)*) => { $crate::Error::Argument(format!($($words)*)) };
 }
 
-mod compared;
 pub mod escapement;
 mod field;
+pub mod number_format;
 pub mod quick_return;
+mod timekeepers;
 pub mod wheel;
-pub mod written;
 
-pub use field::{Answer, Field, Item, Line, Rounding, Shows};
-pub use geneva_fields::{Row, Value};
+pub use field::{Item, MechanismReport, Needs, ReportField, Rounding, SheetLine, SheetNumber};
+pub use geneva_fields::{DataRow, FieldValue};
 
 use geneva_figures::FigureError;
 use geneva_kinematics::wheel::SizesError;
@@ -68,14 +68,16 @@ pub enum Error {
 /// # Errors
 ///
 /// A mechanism that is not asked so, and what is wrong with the arguments.
-pub fn answer(question: &str) -> Result<Answer, Error> {
+pub fn answer(question: &str) -> Result<MechanismReport, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
-        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.answer(),
-        "quick-return" => quick_return::Design::new(&quick_return::Question::parse(arguments)?)?.answer(),
-        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.answer(),
-        "runaway" => compared::runaway(arguments),
-        "governor" => compared::governor(arguments),
+        "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),
+        "quick-return" => {
+            quick_return::QuickReturnDesign::new(&quick_return::QuickReturnQuestion::parse(arguments)?)?.answer()
+        }
+        "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.answer(),
+        "runaway" => timekeepers::runaway(arguments),
+        "governor" => timekeepers::governor(arguments),
         other => Err(refused!("no mechanism {other}; there are wheel, quick-return, escapement, runaway and governor")),
     }
 }
@@ -86,11 +88,11 @@ pub fn answer(question: &str) -> Result<Answer, Error> {
 /// # Errors
 ///
 /// As for [`answer`].
-pub fn further(question: &str) -> Result<Vec<Field>, Error> {
+pub fn further(question: &str) -> Result<Vec<ReportField>, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
-        "wheel" => wheel::Design::new(wheel::Question::parse(arguments)?)?.further(),
-        "escapement" => escapement::Design::new(escapement::Question::parse(arguments)?)?.further(),
+        "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.further(),
+        "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.further(),
         _ => Ok(Vec::new()),
     }
 }
@@ -112,7 +114,7 @@ fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
 
 /// Arguments as they are typed, in brackets behind an error; nothing if there are none.
 fn typed(arguments: &[(&str, Option<f64>)]) -> String {
-    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), written::as_typed);
+    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), number_format::as_typed);
     let all: Vec<_> = arguments.iter().map(|(name, of)| format!("--{name} {}", value(of))).collect();
     if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }

@@ -3,9 +3,9 @@
 use crate::lookup::{claim, unknown};
 use crate::numbers::{fixed, significant};
 use anyhow::Context;
-use geneva_ask::wheel::{Design, Question};
-use geneva_ask::written::no_greater;
-use geneva_ask::{Answer, Field, Rounding};
+use geneva_ask::number_format::no_greater;
+use geneva_ask::wheel::{WheelDesign, WheelQuestion};
+use geneva_ask::{MechanismReport, ReportField, Rounding};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -93,17 +93,17 @@ pub fn question(name: &str) -> anyhow::Result<String> {
 }
 
 /// The wheel of the question of this name.
-pub fn design(name: &str) -> anyhow::Result<Design> {
+pub fn design(name: &str) -> anyhow::Result<WheelDesign> {
     let question = question(name)?;
     let arguments = question.strip_prefix("wheel ").with_context(|| format!("`{question}` asks no wheel"))?;
-    Ok(Design::new(Question::parse(arguments)?)?)
+    Ok(WheelDesign::new(WheelQuestion::parse(arguments)?)?)
 }
 
 /// The field with this key of the answer to a question as it is typed behind `geneva`, or of its further fields. Each question is
 /// asked once.
-pub fn field(question: &str, key: &str) -> anyhow::Result<Field> {
-    static ANSWERS: Asked<Answer> = Asked::new(BTreeMap::new());
-    static FURTHER: Asked<Vec<Field>> = Asked::new(BTreeMap::new());
+pub fn field(question: &str, key: &str) -> anyhow::Result<ReportField> {
+    static ANSWERS: Asked<MechanismReport> = Asked::new(BTreeMap::new());
+    static FURTHER: Asked<Vec<ReportField>> = Asked::new(BTreeMap::new());
     let answer = once(&ANSWERS, question, geneva_ask::answer)?;
     if let Some(field) = answer.field(key) {
         return Ok(field.clone());
@@ -132,7 +132,7 @@ pub fn value(question: &str, key: &str) -> anyhow::Result<f64> {
     number_of(&field(question, key)?, question)
 }
 
-fn number_of(field: &Field, question: &str) -> anyhow::Result<f64> {
+fn number_of(field: &ReportField, question: &str) -> anyhow::Result<f64> {
     field.number().with_context(|| format!("`{}` has no number: `{question}` gives too little", field.key))
 }
 
@@ -150,7 +150,7 @@ pub fn number(asked: &str) -> anyhow::Result<String> {
 }
 
 /// A number of a field, rounded as these digits say.
-fn rounded(value: f64, digits: &str, field: &Field) -> anyhow::Result<String> {
+fn rounded(value: f64, digits: &str, field: &ReportField) -> anyhow::Result<String> {
     let unsized_digits = digits.strip_prefix("size");
     let (value, digits) =
         (if unsized_digits.is_some() { value.abs() } else { value }, unsized_digits.unwrap_or(digits));
@@ -178,12 +178,12 @@ fn rounded(value: f64, digits: &str, field: &Field) -> anyhow::Result<String> {
 }
 
 /// A number with up to three decimals, as a drawing has it.
-fn as_drawn(value: f64, field: &Field) -> String {
+fn as_drawn(value: f64, field: &ReportField) -> String {
     fixed(value, 3).trim_end_matches('0').trim_end_matches('.').to_owned() + &unit(field)
 }
 
 /// A unit behind its number. The sentence says of what a ratio is.
-fn unit(field: &Field) -> String {
+fn unit(field: &ReportField) -> String {
     match field.unit {
         "" | "°" => field.unit.to_owned(),
         ratio if ratio.starts_with('×') => String::new(),
@@ -216,10 +216,10 @@ mod tests {
 
     #[test]
     fn each_rounding_is_tried_on_both_sides_of_its_step() {
-        let length = Field::in_unit("length_mm", 0.0, "mm");
-        let factor = Field::new("factor", 0.0);
-        let share = Field::new("share", 0.0).rounded(Rounding::Percent(1));
-        let most = Field::in_unit("most", 0.0, "mm").rounded(Rounding::Limit(3));
+        let length = ReportField::in_unit("length_mm", 0.0, "mm");
+        let factor = ReportField::new("factor", 0.0);
+        let share = ReportField::new("share", 0.0).rounded(Rounding::Percent(1));
+        let most = ReportField::in_unit("most", 0.0, "mm").rounded(Rounding::Limit(3));
         for (field, digits, [(below, under), (above, over)]) in [
             // A limit is rounded to the side on which it is kept.
             (&most, "", [(0.424_999, "0.424&nbsp;mm"), (0.425_001, "0.425&nbsp;mm")]),

@@ -7,7 +7,9 @@ use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_documents::quick_return::Instant as Lever;
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
-use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, Side, shown};
+use geneva_live::{
+    Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveQuantity, LiveReply, round_for_box,
+};
 use geneva_press::Book;
 use geneva_press::book::{InteractiveFigure, PageFigure};
 use geneva_press::html::escape;
@@ -16,7 +18,7 @@ use geneva_press::html::escape;
 /// numbers lead.
 struct Beside {
     name: &'static str,
-    given: fn() -> anyhow::Result<Arguments>,
+    given: fn() -> anyhow::Result<LiveArguments>,
     /// Quantities, and the claim that says the same of one setting.
     claims: &'static [(&'static str, &'static str)],
 }
@@ -24,7 +26,7 @@ struct Beside {
 const BESIDE: &[Beside] = &[
     Beside {
         name: "wheel",
-        given: || Ok(Arguments::default()),
+        given: || Ok(LiveArguments::default()),
         claims: &[
             ("blow", "jazar.tangent-entry"),
             ("velocity", "jazar.eq-5.31"),
@@ -36,7 +38,7 @@ const BESIDE: &[Beside] = &[
     },
     Beside {
         name: "design",
-        given: || Ok(Arguments::default()),
+        given: || Ok(LiveArguments::default()),
         claims: &[("centres", "jazar.centre-distance-ratio"), ("index", "jazar.duration")],
     },
     Beside {
@@ -83,7 +85,7 @@ pub fn interactive(book: &Book, name: &str) -> anyhow::Result<InteractiveFigure>
     Ok(InteractiveFigure { figure, attributes: attributes(live)? })
 }
 
-fn html(book: &Book, live: &Live, answer: &Answer) -> anyhow::Result<String> {
+fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> {
     let given = given(live.name)?;
     let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given, answer)).collect();
     let presets = live.presets.iter().map(|preset| {
@@ -96,7 +98,7 @@ fn html(book: &Book, live: &Live, answer: &Answer) -> anyhow::Result<String> {
     let others = numbers(book, live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
-    let plays = live.controls.iter().any(|control| matches!(control.kind, Kind::Player(_)));
+    let plays = live.controls.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
     let play = if plays {
         "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
          back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>"
@@ -124,11 +126,11 @@ fn html(book: &Book, live: &Live, answer: &Answer) -> anyhow::Result<String> {
 fn numbers<'a>(
     book: &Book,
     live: &Live,
-    quantities: impl Iterator<Item = &'a Quantity>,
-    answer: &Answer,
+    quantities: impl Iterator<Item = &'a LiveQuantity>,
+    answer: &LiveReply,
 ) -> anyhow::Result<String> {
     let claims = beside(live.name)?.claims;
-    let entry = |quantity: &Quantity| {
+    let entry = |quantity: &LiveQuantity| {
         let claim = claims.iter().find(|(of, _)| *of == quantity.name);
         let label = escape(quantity.label);
         let label = match claim {
@@ -158,20 +160,20 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
 }
 
 /// One control with its label, its number and its unit.
-fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> String {
+fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply) -> String {
     let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
-    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
+    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| round_for_box(*value));
     let at_first = follower.unwrap_or(control.preset).to_string();
     let value = given.text(name).map_or(at_first, str::to_owned);
     let side = match control.side {
-        Some(Side::First) => " data-side=\"first\"",
-        Some(Side::Second) => " data-side=\"second\"",
+        Some(ControlSide::First) => " data-side=\"first\"",
+        Some(ControlSide::Second) => " data-side=\"second\"",
         None => "",
     };
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
-        Kind::Choice(choices) => {
+        ControlKind::Choice(choices) => {
             let option = |(number, words): (usize, &&str)| {
                 let chosen = if number.to_string() == value { " selected" } else { "" };
                 format!("<option value=\"{number}\"{chosen}>{}</option>", escape(words))
@@ -179,10 +181,10 @@ fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> St
             let options: String = choices.iter().enumerate().map(option).collect();
             format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\"{side}>{options}</select>")
         }
-        Kind::Slider | Kind::Player(_) | Kind::Follower => {
+        ControlKind::Slider | ControlKind::Player(_) | ControlKind::Follower => {
             let play = match control.kind {
-                Kind::Player(rate) => format!(" data-play=\"{rate}\""),
-                Kind::Follower => " data-follows".to_owned(),
+                ControlKind::Player(rate) => format!(" data-play=\"{rate}\""),
+                ControlKind::Follower => " data-follows".to_owned(),
                 _ => String::new(),
             };
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
@@ -206,12 +208,12 @@ fn beside(name: &str) -> anyhow::Result<&'static Beside> {
 }
 
 /// What the page gives a figure: data of a source, and where controls stand at first.
-fn given(name: &str) -> anyhow::Result<Arguments> {
+fn given(name: &str) -> anyhow::Result<LiveArguments> {
     (beside(name)?.given)()
 }
 
 /// The answer where all controls stand as at first.
-fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
+fn at_first(live: &'static Live) -> anyhow::Result<LiveReply> {
     let given = given(live.name)?;
     loop {
         let answer = live.answer(&given).map_err(|message| anyhow!("{}: {message}", live.name))?;
@@ -222,21 +224,21 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
 }
 
 /// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
-fn lever() -> anyhow::Result<Arguments> {
+fn lever() -> anyhow::Result<LiveArguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let rpm =
         geneva_documents::LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;
     let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
-    Ok(Arguments::of(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
+    Ok(LiveArguments::from_pairs(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
-fn example() -> anyhow::Result<Arguments> {
+fn example() -> anyhow::Result<LiveArguments> {
     let row = crate::rows::example()?;
     let of = |key| crate::rows::number(row, key);
-    Ok(Arguments::of([
+    Ok(LiveArguments::from_pairs([
         ("follower", of("follower_inertia")?.to_string()),
         ("ratio", format!("{:.3}", of("inertia_ratio")?)),
         ("friction", of("friction")?.to_string()),
@@ -245,7 +247,7 @@ fn example() -> anyhow::Result<Arguments> {
 }
 
 /// The tables of Appendix E, the inertias of the runs, and the cards of the program.
-fn runs() -> anyhow::Result<Arguments> {
+fn runs() -> anyhow::Result<LiveArguments> {
     let row =
         |row: &Row| format!("{},{}", row.mechanism.slots(), Column::ALL.map(|column| row.printed(column)).join(","));
     let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
@@ -257,7 +259,7 @@ fn runs() -> anyhow::Result<Arguments> {
         Mechanism::ALL.into_iter().map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).collect::<Option<Vec<_>>>();
     let none = "a table without rows";
     let Listing { pi, interval, duration, delay, .. } = listing();
-    Ok(Arguments::of([
+    Ok(LiveArguments::from_pairs([
         ("rows", rows().iter().map(row).collect::<Vec<_>>().join(";")),
         ("inertias", drawn.context(none)?.join(";")),
         ("headed", of(&headed, Mechanism::SIX_PIN).context(none)?),

@@ -4,7 +4,7 @@ use serde::ser::{Serialize, Serializer};
 
 /// What a field says.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum FieldValue {
     /// Nothing is known, or nothing was asked for: null in JSON, an empty cell.
     Missing,
     /// Whether something is so.
@@ -16,18 +16,18 @@ pub enum Value {
     /// A word or a sentence.
     Text(String),
     /// Several, with semicolons between them in a cell.
-    List(Vec<Value>),
+    List(Vec<FieldValue>),
     /// Fields of its own: columns of their own in CSV; null in JSON if every one of them is missing.
-    Object(Row),
+    Object(DataRow),
     /// Fields of one of a list, and the words for them in a cell.
-    Worded(Row, String),
+    Worded(DataRow, String),
 }
 
 /// Keys, which are also the columns, with their values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row(pub Vec<(&'static str, Value)>);
+pub struct DataRow(pub Vec<(&'static str, FieldValue)>);
 
-impl Value {
+impl FieldValue {
     /// Whether every number in it is one.
     pub fn is_finite(&self) -> bool {
         match self {
@@ -52,20 +52,20 @@ impl Value {
     }
 }
 
-impl Row {
+impl DataRow {
     /// Whether every field of it is missing.
     pub fn is_empty(&self) -> bool {
-        self.0.iter().all(|(_, value)| *value == Value::Missing)
+        self.0.iter().all(|(_, value)| *value == FieldValue::Missing)
     }
 }
 
-impl Serialize for Row {
+impl Serialize for DataRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
     }
 }
 
-impl Serialize for Value {
+impl Serialize for FieldValue {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Missing => serializer.serialize_none(),
@@ -80,50 +80,50 @@ impl Serialize for Value {
     }
 }
 
-impl From<bool> for Value {
+impl From<bool> for FieldValue {
     fn from(flag: bool) -> Self {
         Self::Flag(flag)
     }
 }
 
-impl From<u32> for Value {
+impl From<u32> for FieldValue {
     fn from(count: u32) -> Self {
         Self::Count(count.into())
     }
 }
 
-impl From<usize> for Value {
+impl From<usize> for FieldValue {
     fn from(count: usize) -> Self {
         Self::Count(count as u64)
     }
 }
 
-impl From<f64> for Value {
+impl From<f64> for FieldValue {
     /// A zero has no sign.
     fn from(number: f64) -> Self {
         Self::Number(number + 0.0)
     }
 }
 
-impl From<&str> for Value {
+impl From<&str> for FieldValue {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 }
 
-impl From<String> for Value {
+impl From<String> for FieldValue {
     fn from(text: String) -> Self {
         Self::Text(text)
     }
 }
 
-impl<T: Into<Value>> From<Option<T>> for Value {
+impl<T: Into<FieldValue>> From<Option<T>> for FieldValue {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Missing, T::into)
     }
 }
 
-impl<T: Into<Value>> From<Vec<T>> for Value {
+impl<T: Into<FieldValue>> From<Vec<T>> for FieldValue {
     fn from(values: Vec<T>) -> Self {
         Self::List(values.into_iter().map(T::into).collect())
     }
@@ -136,9 +136,9 @@ mod tests {
     #[test]
     fn a_number_that_is_none_is_found_wherever_it_is() {
         for (value, finite) in [
-            (Value::from(f64::NAN), false),
+            (FieldValue::from(f64::NAN), false),
             (vec![1.0, f64::INFINITY].into(), false),
-            (Value::Object(Row(vec![("x", f64::NEG_INFINITY.into())])), false),
+            (FieldValue::Object(DataRow(vec![("x", f64::NEG_INFINITY.into())])), false),
             (vec![1.0].into(), true),
             (None::<f64>.into(), true),
         ] {

@@ -14,7 +14,7 @@ const HEAVIEST_MOVING: usize = 32_000;
 const HEAVIEST_OF_ALL_RUNS: usize = 40_000;
 
 /// A figure as it is written, for tests that read it back.
-pub struct Drawing<'a>(Document<'a>);
+pub struct ParsedDrawing<'a>(Document<'a>);
 
 /// The values of these columns, row by row.
 #[track_caller]
@@ -27,27 +27,27 @@ pub fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N
     series.rows.iter().map(|row| places.map(|place| row[place])).collect()
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> ParsedDrawing<'a> {
     /// Reads a figure.
     #[track_caller]
-    pub fn of(figure: &'a Figure) -> Self {
+    pub fn parse(figure: &'a Figure) -> Self {
         Self(Document::parse(&figure.svg).expect("well-formed"))
     }
 
     /// The elements of a class.
-    pub fn all(&self, class: &str) -> Vec<Node<'_, 'a>> {
+    pub fn elements(&self, class: &str) -> Vec<Node<'_, 'a>> {
         self.0.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
     }
 
     /// How many elements a class has.
     pub fn count(&self, class: &str) -> usize {
-        self.all(class).len()
+        self.elements(class).len()
     }
 
     /// An attribute of the first element of a class, as a number.
     #[track_caller]
     pub fn number(&self, class: &str, attribute: &str) -> f64 {
-        number(&self.all(class)[0], attribute)
+        number(&self.elements(class)[0], attribute)
     }
 
     /// The centre of the first circle of a class.
@@ -59,7 +59,7 @@ impl<'a> Drawing<'a> {
     /// The corners of the path of this number of a class: see [`corners`].
     #[track_caller]
     pub fn path(&self, class: &str, number: usize) -> Vec<Vector2<f64>> {
-        corners(self.all(class)[number].attribute("d").expect("a path"), 0.1)
+        corners(self.elements(class)[number].attribute("d").expect("a path"), 0.1)
     }
 
     /// The ends of the first line of a class.
@@ -77,7 +77,7 @@ impl<'a> Drawing<'a> {
 
     /// Tail and tip of an arrow: shaft and head have the class of its name.
     pub fn arrow(&self, name: &str) -> Option<[Vector2<f64>; 2]> {
-        let parts = self.all(name);
+        let parts = self.elements(name);
         (parts.len() == 2).then(|| [self.path(name, 0)[0], self.path(name, 1)[0]])
     }
 
@@ -100,21 +100,21 @@ pub fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
     node.attribute(attribute).expect("there").parse().expect("a number")
 }
 
-/// All that is asked of a figure as a reader is shown it: that it is [`drawn`], that no labels overlap or lie outside,
+/// All that is asked of a figure as a reader is shown it: that it is drawn ([`assert_drawn`]), that no labels overlap or lie outside,
 /// and that it is light.
 #[track_caller]
-pub fn sound(figure: &Figure) {
+pub fn assert_sound(figure: &Figure) {
     for line in figure.svg.lines().filter(|line| line.contains("linecap=\"square\"")) {
         assert!(!line.contains("h0"), "{}: a mark without a length has no square ends on paper", figure.id);
     }
-    drawn(figure);
+    assert_drawn(figure);
     labels_inside(figure);
     assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
 }
 
 /// What is asked of a figure of anything that can be drawn: well-formed, in true numbers, and light.
 #[track_caller]
-pub fn drawn(figure: &Figure) {
+pub fn assert_drawn(figure: &Figure) {
     well_formed(figure);
     only_numbers(figure);
     let most = match figure.id.as_str() {

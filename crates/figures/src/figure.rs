@@ -1,7 +1,7 @@
 //! A figure: the drawing, its words and its numbers.
 
 use crate::series::Series;
-use crate::svg::{Canvas, HALO, Kind};
+use crate::svg::{Canvas, DrawingKind, HALO};
 use crate::theme::PAPER;
 use std::panic::Location;
 
@@ -97,7 +97,7 @@ impl Words {
     }
 
     /// The figure that these words, this canvas and these numbers make.
-    pub fn figure(self, canvas: Canvas, kind: Kind, series: Series) -> Figure {
+    pub fn figure(self, canvas: Canvas, kind: DrawingKind, series: Series) -> Figure {
         let svg = canvas.finish(kind, &self.id, &self.title, &self.description);
         let Self { id, title, description, caption, source } = self;
         Figure { id, title, description, caption, svg, series, source }

@@ -36,4 +36,4 @@ pub use error::FigureError;
 pub use figure::Figure;
 pub(crate) use figure::Words;
 pub use number::with_minus_sign;
-pub use series::{Column, Quantity, Series};
+pub use series::{ItemValue, Series, SeriesColumn};

@@ -3,7 +3,7 @@
 use geneva_dynamics::Parameters;
 
 /// `value` with so many digits after the point; a value that rounds to zero has no sign.
-pub fn fixed(value: f64, decimals: usize) -> String {
+pub fn format_fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|b| b == b'0' || b == b'.') => digits.to_owned(),
@@ -12,8 +12,8 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 }
 
 /// `value` rounded to so many digits after the point, written without trailing zeros: coordinates and angles.
-pub fn trimmed(value: f64, decimals: usize) -> String {
-    let text = fixed(value, decimals);
+pub fn format_trimmed(value: f64, decimals: usize) -> String {
+    let text = format_fixed(value, decimals);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
@@ -22,7 +22,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     let after_first = digits.saturating_sub(1);
     let rounded = format!("{value:.after_first$e}").parse().unwrap_or(value);
     let decimals = usize::try_from(after_first as i32 - exponent(rounded)).unwrap_or(0);
-    fixed(rounded, decimals)
+    format_fixed(rounded, decimals)
 }
 
 /// A number of pins as a word.
@@ -35,12 +35,12 @@ pub fn count_word(pins: u32) -> &'static str {
 }
 
 /// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
-pub fn shown(parameters: &Parameters) -> String {
+pub fn describe_parameters(parameters: &Parameters) -> String {
     format!(
         "Shown: {} pins and {} slots, friction μ = {}, ratio of the driver's moment of inertia to the follower's: {}.",
         parameters.mechanism().pins(),
         parameters.mechanism().slots(),
-        trimmed(parameters.friction(), 4),
+        format_trimmed(parameters.friction(), 4),
         significant(parameters.inertias().ratio(), 2)
     )
 }
@@ -62,7 +62,7 @@ pub fn with_hyphens(text: &str) -> String {
 
 /// An angle given in radians, as text: degrees to a tenth, with their sign.
 pub fn degrees(radians: f64) -> String {
-    with_minus_sign(&format!("{}°", trimmed(radians.to_degrees(), 1)))
+    with_minus_sign(&format!("{}°", format_trimmed(radians.to_degrees(), 1)))
 }
 
 /// A number to so many significant digits, with a power of ten if it is very small or large; zero is 0.
@@ -112,6 +112,13 @@ pub fn power_of_ten(value: f64) -> String {
     format!("10{}", exponent.chars().map(raised).collect::<String>())
 }
 
+/// The least and the greatest of some numbers; without any, infinity and its negative.
+pub fn extent(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
+}
+
 /// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`; 1 if `least` is no positive number.
 pub fn round_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
@@ -133,8 +140,11 @@ mod tests {
 
     #[test]
     fn zero_has_no_sign() {
-        assert_eq!([fixed(-0.0, 3), fixed(-0.0004, 3), fixed(-0.0006, 3)], ["0.000", "0.000", "-0.001"]);
-        assert_eq!([trimmed(-0.0004, 3), trimmed(2.5, 3), trimmed(100.0, 0)], ["0", "2.5", "100"]);
+        assert_eq!(
+            [format_fixed(-0.0, 3), format_fixed(-0.0004, 3), format_fixed(-0.0006, 3)],
+            ["0.000", "0.000", "-0.001"]
+        );
+        assert_eq!([format_trimmed(-0.0004, 3), format_trimmed(2.5, 3), format_trimmed(100.0, 0)], ["0", "2.5", "100"]);
     }
 
     #[test]

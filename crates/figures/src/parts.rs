@@ -1,8 +1,9 @@
 //! What drawings of mechanisms are made of: links, pins and pivots; vectors, angles and senses; dimensions and scales.
 
-use crate::number::{degrees, round_step, trimmed};
+use crate::number::{degrees, format_trimmed, round_step};
 use crate::svg::{
-    Canvas, DASHED, Label, Path, Pixels, Place, Placing, Sense, Shape, angle_of, around, beside_line, heading, leader,
+    Canvas, DASHED, Label, LabelPosition, Path, Pixels, Placing, Sense, Shape, angle_of, heading, leader,
+    positions_around, positions_beside_line,
 };
 use crate::theme::{Colour, DRIVER, GRID, INK, PAPER};
 use nalgebra::Vector2;
@@ -60,12 +61,12 @@ pub fn vector(
 ) {
     of_label(canvas, label, |canvas| arrow(canvas, from, to, label.colour(), width, name));
     placing.avoid(from, to, 2.5);
-    placing.put(canvas, label, beside_line(&from.lerp(to, 0.45), to, &NEAR));
+    placing.put(canvas, label, positions_beside_line(&from.lerp(to, 0.45), to, &NEAR));
 }
 
 /// An arc about `centre` from one angle to another, with an arrow head at its end.
 pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
-    let sense = Sense::of(to - from);
+    let sense = Sense::from_rate(to - from);
     let covered = head_length(width) / radius * sense.sign();
     arc(canvas, centre, radius, from, to - 0.8 * covered, colour, width);
     // The head is a chord: it points along the arc's tangent at its own middle.
@@ -77,8 +78,9 @@ pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, t
 pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
     let end = centre + heading(to) * radius;
     let path = Path::start(&(centre + heading(from) * radius));
-    canvas
-        .draw(Shape::path(path.arc(radius, (to - from).abs() > PI, Sense::of(to - from), &end)).stroke(colour, width));
+    canvas.draw(
+        Shape::path(path.arc(radius, (to - from).abs() > PI, Sense::from_rate(to - from), &end)).stroke(colour, width),
+    );
 }
 
 /// The mark of a right angle at `corner` between two directions (offsets of any length), with sides of `size` pixels.
@@ -119,7 +121,7 @@ pub fn fixed_pivot(canvas: &mut Canvas, at: &Pixels, down: f64) {
     let (half, height) = (15.0, 24.0);
     let corner = |x: f64, y: f64| at + Vector2::new(x, y * down);
     let support = Path::start(at).line_to(&corner(-half, height)).line_to(&corner(half, height)).close();
-    canvas.draw(Shape::path(support).stroke(INK, 1.5).fill(PAPER).with("stroke-linejoin", "round"));
+    canvas.draw(Shape::path(support).stroke(INK, 1.5).fill(PAPER).attribute("stroke-linejoin", "round"));
     canvas.draw(Shape::line(&corner(-half - 7.0, height), &corner(half + 7.0, height)).stroke(INK, 1.8));
     for k in 0..5 {
         let x = -half - 2.0 + 9.0 * f64::from(k);
@@ -162,8 +164,8 @@ pub fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str
 /// The sides of a triangle, each from one point to another, in a colour, by the letter of its length.
 pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Colour, &str); N]) {
     for (from, to, colour, letter) in sides {
-        let side = Shape::line(from, to).stroke(colour, 3.0).with("stroke-linecap", "round");
-        canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
+        let side = Shape::line(from, to).stroke(colour, 3.0).attribute("stroke-linecap", "round");
+        canvas.draw(side.class(&format!("side-{letter}")).attribute("data-letter", letter));
     }
 }
 
@@ -192,10 +194,10 @@ pub fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense
 }
 
 /// Places for the label of an angle between two directions, along its arc.
-pub fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances: &[f64]) -> Vec<Place> {
+pub fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances: &[f64]) -> Vec<LabelPosition> {
     let at = |share: f64, distance: f64| {
         let towards = heading(from + share * (to - from));
-        Place { point: corner + towards * radius, towards, distance }
+        LabelPosition { point: corner + towards * radius, towards, distance }
     };
     let shares = [0.5, 0.35, 0.65, 0.2, 0.8].into_iter();
     shares.flat_map(|share| distances.iter().map(move |distance| at(share, *distance))).collect()
@@ -216,7 +218,7 @@ pub fn angle(
     of_label(canvas, label, |canvas| arc(canvas, corner, radius, from, to, INK, 1.6));
     placing.avoid_arc(corner, radius, from, to, 1.5);
     let middle = (from + to) / 2.0;
-    let elsewhere = around(&(corner + heading(middle) * radius), middle, &NEAR);
+    let elsewhere = positions_around(&(corner + heading(middle) * radius), middle, &NEAR);
     let places = along_arc(corner, radius, (from, to), &NEAR).into_iter().chain(elsewhere);
     if let Some(place) = placing.put(canvas, label, places) {
         leader(canvas, &place);
@@ -239,12 +241,12 @@ pub fn scale_bar(canvas: &mut Canvas, start: &Pixels, scale: f64, leftwards: boo
         let tick = Vector2::new(0.0, 6.0);
         canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
     }
-    let label = Label::words(&format!("{} {unit}", trimmed(value, 6)));
+    let label = Label::words(&format!("{} {unit}", format_trimmed(value, 6)));
     canvas.label(&end, &Vector2::new(side, 0.0), 14.0, &label);
 }
 
 /// The number of a step or a part of a drawing, in a circle.
-pub fn numbered(canvas: &mut Canvas, at: &Pixels, number: usize) {
+pub fn draw_number(canvas: &mut Canvas, at: &Pixels, number: usize) {
     canvas.draw(Shape::circle(at, 14.0).stroke(INK, 1.5));
     canvas.label(at, &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
 }

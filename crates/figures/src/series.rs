@@ -1,13 +1,13 @@
 //! The numbers behind a figure, and their text.
 
-use crate::number::fixed;
+use crate::number::format_fixed;
 
 /// Digits after the point to which a series is written.
 const DECIMALS: usize = 9;
 
 /// What a column of a series holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
+pub struct SeriesColumn {
     /// Symbol of the quantity, in ASCII.
     pub name: String,
     /// Its unit; `1` for a pure number.
@@ -15,13 +15,13 @@ pub struct Column {
 }
 
 /// A number that a figure takes from an item: from a wheel, say, its radius.
-pub type Quantity<T> = fn(&T) -> f64;
+pub type ItemValue<T> = fn(&T) -> f64;
 
 /// A table of numbers with named columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// The columns, in the order of each row's values.
-    pub columns: Vec<Column>,
+    pub columns: Vec<SeriesColumn>,
     /// The rows; each has one value per column.
     pub rows: Vec<Vec<f64>>,
     /// Digits after the point to which values are written.
@@ -31,14 +31,15 @@ pub struct Series {
 impl Series {
     /// A series of columns given as (name, unit) and rows of as many values, written to nine decimals.
     pub fn new<const N: usize>(columns: [(&str, &str); N], rows: impl IntoIterator<Item = [f64; N]>) -> Self {
-        let columns = columns.map(|(name, unit)| Column { name: name.to_owned(), unit: unit.to_owned() }).to_vec();
+        let columns =
+            columns.map(|(name, unit)| SeriesColumn { name: name.to_owned(), unit: unit.to_owned() }).to_vec();
         Self { columns, rows: rows.into_iter().map(|row| row.to_vec()).collect(), decimals: DECIMALS }
     }
 
     /// A series with a row for each item: of each column the name, the unit, and the value that it takes from an item.
     pub fn of_items<'a, T: 'a, const N: usize>(
         items: impl IntoIterator<Item = &'a T>,
-        columns: [(&str, &str, Quantity<T>); N],
+        columns: [(&str, &str, ItemValue<T>); N],
     ) -> Self {
         let rows = items.into_iter().map(|item| columns.map(|(.., value)| value(item)));
         Self::new(columns.map(|(name, unit, _)| (name, unit)), rows)
@@ -51,7 +52,7 @@ impl Series {
 
     /// A series of any number of columns, each row with as many values, written to nine decimals.
     pub fn of_columns(columns: impl IntoIterator<Item = (String, &'static str)>, rows: Vec<Vec<f64>>) -> Self {
-        let column = |(name, unit): (String, &str)| Column { name, unit: unit.to_owned() };
+        let column = |(name, unit): (String, &str)| SeriesColumn { name, unit: unit.to_owned() };
         Self { columns: columns.into_iter().map(column).collect(), rows, decimals: DECIMALS }
     }
 
@@ -71,7 +72,7 @@ impl Series {
     /// Values are rounded to [`decimals`](Self::decimals); zero has no sign. Each line ends with a line feed.
     pub fn to_text(&self) -> String {
         let heads = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
-        let values = self.rows.iter().map(|row| row.iter().map(|value| fixed(*value, self.decimals)).collect());
+        let values = self.rows.iter().map(|row| row.iter().map(|value| format_fixed(*value, self.decimals)).collect());
         let lines: Vec<Vec<String>> = std::iter::once(heads).chain(values).collect();
         let width = |k: usize| lines.iter().filter_map(|line| line.get(k)).map(|cell| cell.chars().count()).max();
         let mut text = String::new();
@@ -86,7 +87,7 @@ impl Series {
     /// The table as CSV: a line of names and units, then one line per row, to the same decimals. Names have no commas.
     pub fn to_csv(&self) -> String {
         let head = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
-        let values = self.rows.iter().map(|row| row.iter().map(|value| fixed(*value, self.decimals)).collect());
+        let values = self.rows.iter().map(|row| row.iter().map(|value| format_fixed(*value, self.decimals)).collect());
         let lines: Vec<Vec<String>> = std::iter::once(head).chain(values).collect();
         lines.iter().map(|line| line.join(",") + "\n").collect()
     }

@@ -104,7 +104,7 @@ impl Star {
     /// The wheel as a body, its outline so many pixels wide.
     pub fn body(&self, slot_angle: f64, view: &View, width: f64) -> Shape {
         let outline = Shape::path(self.outline(slot_angle, view)).fill(FILL).stroke(FOLLOWER, width);
-        outline.with("stroke-linejoin", "round")
+        outline.attribute("stroke-linejoin", "round")
     }
 
     /// Half the angle that a locking arc takes as seen from its centre, in radians; zero without locking arcs.

@@ -1,6 +1,6 @@
 //! The book: built, opened, tested.
 
-use crate::output::{Outcome, Streams};
+use crate::output::{Outcome, OutputStreams};
 use crate::print::PrintArguments;
 use crate::{print, progress, signals, workspace};
 use anyhow::Context;
@@ -56,7 +56,7 @@ pub struct BuildArguments {
 }
 
 /// Builds the book or tests its chapters.
-pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+pub fn run(wanted: BookArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     match wanted.action {
         None => build(&wanted.build, streams)?,
         Some(BookAction::Build(wanted)) => build(&wanted, streams)?,
@@ -67,7 +67,7 @@ pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<O
 }
 
 /// Builds the book, says where it is and how to open it, and opens it on request.
-pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Result<()> {
+pub fn build(wanted: &BuildArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
     let BuiltBook { first_page, kept } = {
@@ -96,7 +96,7 @@ pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Resu
 /// What is said once the chapters have been tested.
 pub const TESTED: &str = "Every Rust block of the book compiles and runs.\n";
 
-fn test(streams: &mut dyn Streams) -> anyhow::Result<()> {
+fn test(streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     {
         let _step = progress::step("testing the chapters");
         geneva_press::test(&BOOK, &workspace::root()?)?;

@@ -1,8 +1,8 @@
 //! The list of claims.
 
 use crate::fields;
-use crate::output::{TextLayout, count, cut, heading, style};
-use crate::typed::{self, Format, Output, formats};
+use crate::output::{TextLayout, count, heading, style, truncate_to_width};
+use crate::typed::{self, Output, OutputFormat, formats};
 use clap::Args;
 use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
@@ -14,18 +14,18 @@ use geneva_press::records;
 #[derive(Args, Debug)]
 pub struct ClaimsArguments {
     /// List only the claims of this source
-    #[arg(long, value_parser = typed::named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
+    #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
     /// List only the claims with this verdict
-    #[arg(long, value_parser = typed::named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
+    #[arg(long, value_parser = typed::value_named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
     pub verdict: Option<Verdict>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable table"),
-        (Format::Json, "An array of objects, with everything known about each claim"),
-        (Format::Csv, "The data of the JSON, one row per claim"),
+        (OutputFormat::Text, "A readable table"),
+        (OutputFormat::Json, "An array of objects, with everything known about each claim"),
+        (OutputFormat::Csv, "The data of the JSON, one row per claim"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -34,11 +34,11 @@ pub struct ClaimsArguments {
 /// The claims that are wanted, in the format that is wanted.
 pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
-    let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
+    let rows: Vec<_> = wanted_verdicts(wanted).into_iter().filter(of_verdict).collect();
     let row = |judged| records::claim(BOOK.ledger, judged);
     match wanted.format {
-        Format::Json => fields::json(&rows.into_iter().map(row).collect::<Vec<_>>()),
-        Format::Csv => fields::csv(
+        OutputFormat::Json => fields::json(&rows.into_iter().map(row).collect::<Vec<_>>()),
+        OutputFormat::Csv => fields::csv(
             LEDGER.claims().first().and_then(|claim| LEDGER.verdict(claim.id)).map(row).as_ref(),
             rows.into_iter().map(row),
         ),
@@ -47,7 +47,7 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
+pub fn wanted_verdicts(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 
@@ -90,10 +90,13 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
         }
         let what = match self::computed(judged) {
             Some(number) => {
-                format!("{}  {number:>computed$}", cut(&with_unit(&without_ellipses(claim), claim.unit), printed))
+                format!(
+                    "{}  {number:>computed$}",
+                    truncate_to_width(&with_unit(&without_ellipses(claim), claim.unit), printed)
+                )
             }
             // A form has nothing to set beside it.
-            None => cut(&with_unit(&without_ellipses(claim), claim.unit), middle),
+            None => truncate_to_width(&with_unit(&without_ellipses(claim), claim.unit), middle),
         };
         let mark = if judged.matches_record() { ' ' } else { DIFFERS };
         let id = format!("{:<before_verdict$}", claim.id);

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Show only this source
-    #[arg(long, value_parser = typed::named(LEDGER.mirrored(), |document| document.slug, |document| document.citation))]
+    #[arg(long, value_parser = typed::value_named(LEDGER.mirrored(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
     /// Compare the numbers on each line, in digits and in words, with those in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]

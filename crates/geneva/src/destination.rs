@@ -1,11 +1,16 @@
 //! Where the output goes: to standard output as it comes, or to a file that is either complete or not there.
 
-use crate::output::{STANDARD_OUTPUT, UNWRITABLE};
 use anyhow::{Context, Error, bail};
 use geneva_host::files::{NewFile, OutputOption, is_one_file};
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+/// What is asked for instead of a file.
+pub const STANDARD_OUTPUT: &str = "-";
+
+/// The message if standard output takes nothing.
+pub const UNWRITABLE: &str = "cannot write to standard output";
 
 const OPTION: OutputOption = OutputOption { name: "--output", instead: ", or - for standard output" };
 

@@ -1,6 +1,6 @@
 //! The error beside an answer when a claim no longer matches the record.
 
-use crate::output::{Streams, TextLayout, count};
+use crate::output::{OutputStreams, TextLayout, count};
 use clap::builder::styling::AnsiColor;
 use geneva_evidence::Judged;
 
@@ -8,10 +8,10 @@ use geneva_evidence::Judged;
 const MOST: usize = 10;
 
 /// Names on standard error the claims that no longer match the record, if there are any.
-pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn Streams) {
+pub fn report_differing<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn OutputStreams) {
     let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.matches_record()).collect();
     if !differing.is_empty() {
-        streams.tell(&page(&differing));
+        streams.write_stderr(&page(&differing));
     }
 }
 

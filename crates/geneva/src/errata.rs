@@ -3,7 +3,7 @@
 use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{TextLayout, count, field, heading};
-use crate::typed::{self, Format, Output, formats};
+use crate::typed::{self, Output, OutputFormat, formats};
 use clap::Args;
 use geneva_documents::LEDGER;
 use geneva_evidence::Document;
@@ -15,22 +15,22 @@ use std::slice;
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
     /// List only the mistakes in this source [default: all sources but wild]
-    #[arg(long, value_parser = typed::named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
+    #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
     /// List only the mistakes with this consequence
-    #[arg(long, value_parser = typed::named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
+    #[arg(long, value_parser = typed::value_named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
     pub consequence: Option<Consequence>,
     /// Also list what the copy we had has lost or changed; we don't know whether the original has it too
     #[arg(long)]
     pub all: bool,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "Readable paragraphs"),
-        (Format::Json, "An array of objects"),
-        (Format::Csv, "The data of the JSON, one row per mistake"),
-        (Format::Markdown, "A list by source"),
+        (OutputFormat::Text, "Readable paragraphs"),
+        (OutputFormat::Json, "An array of objects"),
+        (OutputFormat::Csv, "The data of the JSON, one row per mistake"),
+        (OutputFormat::Markdown, "A list by source"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -50,19 +50,21 @@ pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<Stri
     let first = all.first().cloned();
     let slips: Vec<_> = all.into_iter().filter(|places| of_source(places) && of_consequence(places)).collect();
     match wanted.format {
-        Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
-        Format::Csv => {
+        OutputFormat::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
+        OutputFormat::Csv => {
             // A source without mistakes has the header of the others.
             let header = first.or_else(|| LEDGER.slips().first().cloned());
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
-        Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(LEDGER.mirrored(), slice::from_ref))),
+        OutputFormat::Markdown => {
+            Ok(markdown(&slips, wanted.source.as_ref().map_or(LEDGER.mirrored(), slice::from_ref)))
+        }
         _ => Ok(text(&slips, layout)),
     }
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn derived(wanted: &ErrataArguments) -> Vec<&'static Judged> {
+pub fn wanted_verdicts(wanted: &ErrataArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 

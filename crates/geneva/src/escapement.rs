@@ -2,9 +2,9 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Format, Output, as_typed, formats, name_of};
+use crate::typed::{self, Output, OutputFormat, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::escapement::{Design, Drawing, Further, Question, Units};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion, Further, UnitSystem};
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
@@ -42,16 +42,16 @@ pub struct EscapementArguments {
     pub interval: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable sheet, which says where everything is measured from"),
-        (Format::Json, "An object with all digits: the steady state and the rise from rest"),
-        (Format::Csv, "The run from rest, one row per time"),
-        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (Format::Svg, "A drawing as a standalone file; --figure chooses which"),
+        (OutputFormat::Text, "A readable sheet, which says where everything is measured from"),
+        (OutputFormat::Json, "An object with all digits: the steady state and the rise from rest"),
+        (OutputFormat::Csv, "The run from rest, one row per time"),
+        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (OutputFormat::Svg, "A drawing as a standalone file; --figure chooses which"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
-    pub figure: Option<FigureName>,
+    pub figure: Option<EscapementFigureName>,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -68,7 +68,7 @@ pub enum UnitsName {
 
 /// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum FigureName {
+pub enum EscapementFigureName {
     /// The mechanism, to scale
     #[default]
     Mechanism,
@@ -80,12 +80,12 @@ pub enum FigureName {
 }
 
 impl EscapementArguments {
-    fn question(&self) -> Question {
+    fn question(&self) -> EscapementQuestion {
         let units = |name| match name {
-            UnitsName::InLbS => Units::InLbS,
-            UnitsName::Si => Units::Si,
+            UnitsName::InLbS => UnitSystem::InLbS,
+            UnitsName::Si => UnitSystem::Si,
         };
-        Question {
+        EscapementQuestion {
             slots: self.slots,
             friction: self.friction,
             torque: self.torque,
@@ -100,25 +100,25 @@ impl EscapementArguments {
 
 /// The escapement that is wanted, in the format that is wanted.
 pub fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<String> {
-    Format::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
-    Format::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
-    Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
-    let design = Design::new(wanted.question())?;
+    OutputFormat::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
+    OutputFormat::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
+    OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    let design = EscapementDesign::new(wanted.question())?;
     match wanted.format {
-        Format::Csv => {
+        OutputFormat::Csv => {
             let rows = design.run(wanted.duration, wanted.interval)?;
             fields::csv(rows.first(), rows.iter().cloned())
         }
-        Format::Svg => {
+        OutputFormat::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
-                FigureName::Mechanism => Drawing::Mechanism,
-                FigureName::NormalForce => Drawing::NormalForce,
-                FigureName::Run => Drawing::Run,
+                EscapementFigureName::Mechanism => EscapementDrawing::Mechanism,
+                EscapementFigureName::NormalForce => EscapementDrawing::NormalForce,
+                EscapementFigureName::Run => EscapementDrawing::Run,
             };
             Ok(design.drawing(drawing)?.standalone())
         }
-        Format::Json => fields::json(&design.answer()?),
-        Format::Fields => fields::table(&design.answer()?),
+        OutputFormat::Json => fields::json(&design.answer()?),
+        OutputFormat::Fields => fields::table(&design.answer()?),
         _ => Ok(fields::sheet(&design.answer()?, layout)),
     }
 }

@@ -2,9 +2,9 @@
 //! rows of its own, such as a cycle or a run, is a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{Answer, Field, Shows, Value};
+use geneva_ask::{FieldValue, MechanismReport, ReportField, SheetNumber};
 
-pub use geneva_press::fields::{Row, csv, json};
+pub use geneva_press::fields::{DataRow, csv, json};
 
 /// A line as it is written.
 struct Written<'a> {
@@ -16,19 +16,19 @@ struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    fn of(field: &'a Field) -> Option<Self> {
+    fn of(field: &'a ReportField) -> Option<Self> {
         let line = field.line.as_ref()?;
         let (unit, direction) = match &line.shows {
-            Shows::Value => (field.unit, ""),
-            Shows::Size(_, direction) => (field.unit, direction.as_str()),
-            Shows::Words => ("", ""),
+            SheetNumber::Value => (field.unit, ""),
+            SheetNumber::Size(_, direction) => (field.unit, direction.as_str()),
+            SheetNumber::Words => ("", ""),
         };
         Some(Self { name: line.name, number: field.on_a_sheet(), unit, direction, meaning: &line.meaning })
     }
 }
 
 /// An answer as a sheet for reading, with the numbers under one another.
-pub fn sheet(answer: &Answer, layout: TextLayout) -> String {
+pub fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
     let items = answer.list.iter().flat_map(|(_, items)| items).map(|item| (item.heading, &item.fields));
     let sections = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items);
     let sections: Vec<(_, Vec<_>)> =
@@ -66,7 +66,7 @@ pub fn sheet(answer: &Answer, layout: TextLayout) -> String {
 ///
 /// The keys are those of the JSON, also of values that are missing. A vector has a row for each of its parts. Where a sheet leaves out
 /// the name because the line above has it, the row has it too.
-pub fn table(answer: &Answer) -> anyhow::Result<String> {
+pub fn table(answer: &MechanismReport) -> anyhow::Result<String> {
     let mut above = ("", "");
     let rows = answer.fields().flat_map(|field| {
         let (name, meaning) = field.line.as_ref().map_or(("", ""), |line| {
@@ -78,7 +78,7 @@ pub fn table(answer: &Answer) -> anyhow::Result<String> {
             above
         });
         parts(field).into_iter().map(move |(key, value, unit)| {
-            Row(vec![
+            DataRow(vec![
                 ("key", key.into()),
                 ("name", name.into()),
                 ("value", value),
@@ -92,9 +92,9 @@ pub fn table(answer: &Answer) -> anyhow::Result<String> {
 }
 
 /// The numbers of a field with their keys and units: one, or those of a vector.
-fn parts(field: &Field) -> Vec<(String, Value, &'static str)> {
+fn parts(field: &ReportField) -> Vec<(String, FieldValue, &'static str)> {
     match &field.value {
-        Value::Object(Row(parts)) => parts
+        FieldValue::Object(DataRow(parts)) => parts
             .iter()
             .map(|(part, value)| {
                 let unit = if part.ends_with("_deg") { "°" } else { field.unit };

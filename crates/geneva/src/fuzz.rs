@@ -124,7 +124,7 @@ fn answered(arguments: Arguments, folder: &tempfile::TempDir) -> Option<anyhow::
         Command::Sweep(mut wanted) => {
             wanted.to.output = file(folder);
             wanted.threads = None;
-            sweep::written(&wanted).and_then(|_| Ok(std::fs::read_to_string(file(folder))?))
+            sweep::write_sweep(&wanted).and_then(|_| Ok(std::fs::read_to_string(file(folder))?))
         }
         Command::Mimic(wanted) => mimic::page(&wanted.action, layout),
         Command::Completions { shell } => completions::script(shell),

@@ -39,19 +39,19 @@ mod workspace;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
-use output::{Outcome, Own, Streams, TextLayout};
-use printable::{escaped, shown};
+use output::{Outcome, OutputStreams, ProcessStreams, TextLayout};
+use printable::{escape_and_shorten, escaped};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Runs the program with the arguments and the streams of this process.
 pub fn main() -> ExitCode {
-    respond(std::env::args_os(), &mut Own).into()
+    respond(std::env::args_os(), &mut ProcessStreams).into()
 }
 
 /// The answer to a command line where nothing is a terminal: what the process would write, and its exit code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Answer {
+pub struct CommandOutput {
     /// What goes to standard output, without colours. The rows of a sweep are not here: they are written as they come.
     pub stdout: String,
     /// What goes to standard error, without colours.
@@ -63,8 +63,8 @@ pub struct Answer {
 /// Runs a command line, the program's name first, and keeps what it says.
 ///
 /// Files are read and written, and the environment counts, as for the program.
-pub fn answer(line: impl IntoIterator<Item = OsString>) -> Answer {
-    let mut answer = Answer::default();
+pub fn answer(line: impl IntoIterator<Item = OsString>) -> CommandOutput {
+    let mut answer = CommandOutput::default();
     answer.code = respond(line, &mut answer).code();
     answer
 }
@@ -254,7 +254,7 @@ Example, in book.toml:
 }
 
 /// Does what a command line asks for, and says on these streams what there is to say.
-fn respond(line: impl IntoIterator<Item = OsString>, streams: &mut dyn Streams) -> Outcome {
+fn respond(line: impl IntoIterator<Item = OsString>, streams: &mut dyn OutputStreams) -> Outcome {
     let done = match parse(line) {
         Ok(arguments) => run(arguments, streams),
         Err(error) => output::explain(&error, streams),
@@ -265,18 +265,18 @@ fn respond(line: impl IntoIterator<Item = OsString>, streams: &mut dyn Streams) 
     })
 }
 
-fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     match arguments.command {
         None => verify_and_build(streams),
         Some(Command::Claims(wanted)) => {
             let layout = output::layout_for(&wanted.to.output, streams);
-            output::write(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
-            Ok(as_recorded(claims::derived(&wanted), streams))
+            output::write_output(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
+            Ok(as_recorded(claims::wanted_verdicts(&wanted), streams))
         }
         Some(Command::Errata(wanted)) => {
             let layout = output::layout_for(&wanted.to.output, streams);
-            output::write(&errata::page(&wanted, layout)?, &wanted.to.output, streams)?;
-            Ok(as_recorded(errata::derived(&wanted), streams))
+            output::write_output(&errata::page(&wanted, layout)?, &wanted.to.output, streams)?;
+            Ok(as_recorded(errata::wanted_verdicts(&wanted), streams))
         }
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted, streams.layout())?;
@@ -287,7 +287,7 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
         Some(Command::QuickReturn(wanted)) => say(|layout| quick_return::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Escapement(wanted)) => say(|layout| escapement::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Sweep(wanted)) => {
-            if let Some(told) = sweep::written(&wanted)? {
+            if let Some(told) = sweep::write_sweep(&wanted)? {
                 streams.print(&streams.layout().folded(&told))?;
             }
             Ok(Outcome::AsRecorded)
@@ -309,15 +309,15 @@ fn run(arguments: Arguments, streams: &mut dyn Streams) -> anyhow::Result<Outcom
 fn say(
     page: impl FnOnce(TextLayout) -> anyhow::Result<String>,
     to: &typed::Output,
-    streams: &mut dyn Streams,
+    streams: &mut dyn OutputStreams,
 ) -> anyhow::Result<Outcome> {
     let page = page(output::layout_for(&to.output, streams))?;
-    output::write(&page, &to.output, streams)?;
+    output::write_output(&page, &to.output, streams)?;
     Ok(Outcome::AsRecorded)
 }
 
 /// Checks all claims and builds the book, even if some verdict differs: what happens without arguments.
-fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+fn verify_and_build(streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     let verdicts = {
         let _step = progress::step("deriving the verdicts");
         geneva_documents::LEDGER.verdicts()
@@ -330,10 +330,10 @@ fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
 /// Whether each of these verdicts matches the record. Those that differ are named on standard error.
 fn as_recorded<'a>(
     verdicts: impl IntoIterator<Item = &'a geneva_evidence::Judged>,
-    streams: &mut dyn Streams,
+    streams: &mut dyn OutputStreams,
 ) -> Outcome {
     let verdicts: Vec<_> = verdicts.into_iter().collect();
-    differing::tell(verdicts.iter().copied(), streams);
+    differing::report_differing(verdicts.iter().copied(), streams);
     Outcome::as_recorded_if(verdicts.into_iter().all(geneva_evidence::Judged::matches_record))
 }
 
@@ -355,7 +355,7 @@ fn parse(line: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Er
         let long: Vec<_> = error
             .context()
             .filter_map(|(kind, value)| match value {
-                ContextValue::String(typed) => Some((kind, shown(typed))),
+                ContextValue::String(typed) => Some((kind, escape_and_shorten(typed))),
                 _ => None,
             })
             .filter(|(_, shown)| shown.ends_with('…'))

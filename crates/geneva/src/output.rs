@@ -1,7 +1,7 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
-use crate::Answer;
-use crate::destination::Destination;
+use crate::CommandOutput;
+use crate::destination::{Destination, STANDARD_OUTPUT, UNWRITABLE};
 use crate::printable::{chain, escaped_lines};
 use crate::version;
 use anstream::adapter::strip_str;
@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-pub use geneva_ask::written::count;
+pub use geneva_ask::number_format::count;
 pub use geneva_host::layout::TextLayout;
 
 /// What a command found.
@@ -52,28 +52,25 @@ impl From<Outcome> for ExitCode {
 }
 
 /// Where the words of a command go.
-pub trait Streams {
+pub trait OutputStreams {
     /// Takes text for standard output.
     fn print(&mut self, text: &str) -> anyhow::Result<()>;
 
     /// Takes text for standard error.
-    fn tell(&mut self, text: &str);
+    fn write_stderr(&mut self, text: &str);
 
     /// How the text for standard output is laid out.
     fn layout(&self) -> TextLayout;
 }
 
 /// The streams of this process.
-pub struct Own;
-
-/// The message if standard output takes nothing.
-pub const UNWRITABLE: &str = "cannot write to standard output";
+pub struct ProcessStreams;
 
 // A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in
 // its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
 // `subprocess.DEVNULL`. So it counts as /dev/null.
 
-impl Streams for Own {
+impl OutputStreams for ProcessStreams {
     /// Writes text without its colours unless a terminal shows them and `NO_COLOR` is not set.
     ///
     /// A reader that has seen enough and closes the pipe is no error.
@@ -85,7 +82,7 @@ impl Streams for Own {
         }
     }
 
-    fn tell(&mut self, text: &str) {
+    fn write_stderr(&mut self, text: &str) {
         let text = TextLayout::of_errors().map_or(Cow::Borrowed(text), |layout| layout.folded(text).into());
         // Nobody is left to be told if this fails.
         let _ = anstream::stderr().lock().write_all(text.as_bytes());
@@ -96,13 +93,13 @@ impl Streams for Own {
     }
 }
 
-impl Streams for Answer {
+impl OutputStreams for CommandOutput {
     fn print(&mut self, text: &str) -> anyhow::Result<()> {
         self.stdout += &strip_str(text).to_string();
         Ok(())
     }
 
-    fn tell(&mut self, text: &str) {
+    fn write_stderr(&mut self, text: &str) {
         self.stderr += &strip_str(text).to_string();
     }
 
@@ -111,16 +108,13 @@ impl Streams for Answer {
     }
 }
 
-/// What is asked for instead of a file.
-pub const STANDARD_OUTPUT: &str = "-";
-
 /// How the text of an answer is laid out that goes where it was asked for: to standard output, or to a file.
-pub fn layout_for(asked: &str, streams: &dyn Streams) -> TextLayout {
+pub fn layout_for(asked: &str, streams: &dyn OutputStreams) -> TextLayout {
     if asked == STANDARD_OUTPUT { streams.layout() } else { TextLayout::default() }
 }
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
-pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Result<()> {
+pub fn write_output(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
         return streams.print(text);
     }
@@ -133,20 +127,20 @@ pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Resu
 }
 
 /// Writes an error and its causes to standard error.
-pub fn complain(error: &anyhow::Error, streams: &mut dyn Streams) {
+pub fn complain(error: &anyhow::Error, streams: &mut dyn OutputStreams) {
     let red = AnsiColor::Red.on_default().bold();
-    streams.tell(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
+    streams.write_stderr(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
 }
 
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
-pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+pub fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if error.kind() == ErrorKind::DisplayVersion {
         streams.print(&streams.layout().folded(&version::page()))?;
         return Ok(Outcome::AsRecorded);
     }
     let text = error.render().ansi().to_string();
     if error.use_stderr() {
-        streams.tell(&text);
+        streams.write_stderr(&text);
         return Ok(Outcome::Failed);
     }
     streams.print(&streams.layout().folded(&text))?;
@@ -176,7 +170,7 @@ pub fn field(name: &str, text: &str, layout: TextLayout) -> String {
 }
 
 /// `text` in `width` columns, cut with an ellipsis if it is longer.
-pub fn cut(text: &str, width: usize) -> String {
+pub fn truncate_to_width(text: &str, width: usize) -> String {
     if columns(text) <= width {
         return format!("{text}{}", " ".repeat(width - columns(text)));
     }
@@ -190,8 +184,8 @@ mod tests {
 
     #[test]
     fn what_is_cut_says_so() {
-        assert_eq!(cut("β = 42°", 7), "β = 42°");
-        assert_eq!(cut("β = 42°", 5), "β = …");
-        assert_eq!(cut("β", 3), "β  ");
+        assert_eq!(truncate_to_width("β = 42°", 7), "β = 42°");
+        assert_eq!(truncate_to_width("β = 42°", 5), "β = …");
+        assert_eq!(truncate_to_width("β", 3), "β  ");
     }
 }

@@ -1,7 +1,7 @@
 //! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
 
 use crate::book::TESTED;
-use crate::output::{Outcome, Streams};
+use crate::output::{Outcome, OutputStreams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
 use clap::{Args, Subcommand};
@@ -18,12 +18,12 @@ const TESTS: &str = "test";
 pub struct PreprocessArguments {
     /// A question instead of a book.
     #[command(subcommand)]
-    pub question: Option<Question>,
+    pub question: Option<PreprocessorQuestion>,
 }
 
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
-pub enum Question {
+pub enum PreprocessorQuestion {
     /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
@@ -33,8 +33,8 @@ pub enum Question {
 }
 
 /// Answers the question, or processes the book on standard input.
-pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
-    if let Some(Question::Supports { renderer }) = call.question {
+pub fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
+    if let Some(PreprocessorQuestion::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Press(&BOOK).supports_renderer(&renderer)?));
     }
     ensure!(
@@ -53,7 +53,7 @@ pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Resu
         // the project, by mdBook's library, and mdBook gets chapters in which nothing is left to be tested.
         geneva_press::test(&BOOK, context.root.parent().unwrap_or(&context.root))?;
         book.for_each_chapter_mut(|chapter| chapter.content.clear());
-        streams.tell(TESTED);
+        streams.write_stderr(TESTED);
     }
     streams.print(&serde_json::to_string(&book)?)?;
     Ok(Outcome::AsRecorded)

@@ -1,6 +1,6 @@
 //! The book as a PDF, printed by a browser.
 
-use crate::output::Streams;
+use crate::output::OutputStreams;
 use crate::{progress, signals, workspace};
 use anyhow::{Context, bail, ensure};
 use clap::Args;
@@ -27,7 +27,7 @@ const PRINTS: usize = 4;
 
 /// Prints the book: builds it in a folder of its own, has a browser print the document, puts the numbers of the pages into
 /// its contents, and has it printed again.
-pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result<()> {
+pub fn run(wanted: &PrintArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     let browser = browser()?;
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("geneva-verified.pdf"));

@@ -1,6 +1,6 @@
 //! Text that others wrote, made harmless for a terminal, and errors in one line.
 
-pub use geneva_host::printable::{escaped, escaped_lines, in_words, shown, shown_path};
+pub use geneva_host::printable::{escape_and_shorten, escaped, escaped_lines, in_words, shown_path};
 
 use std::io;
 

@@ -1,10 +1,10 @@
 //! `geneva proofread`: the command of the crate `proofread`, on this program's streams.
 
-use crate::output::{Outcome, Streams};
+use crate::output::{Outcome, OutputStreams};
 use proofread::cli::{self, ProofreadArguments};
 
 /// Streams that count as those of the command.
-struct Through<'s>(&'s mut dyn Streams);
+struct Through<'s>(&'s mut dyn OutputStreams);
 
 impl cli::CommandStreams for Through<'_> {
     fn print(&mut self, text: &str) -> Result<(), String> {
@@ -12,7 +12,7 @@ impl cli::CommandStreams for Through<'_> {
     }
 
     fn print_error(&mut self, text: &str) {
-        self.0.tell(text);
+        self.0.write_stderr(text);
     }
 
     fn layout(&self) -> cli::TextLayout {
@@ -21,7 +21,7 @@ impl cli::CommandStreams for Through<'_> {
 }
 
 /// Runs the command, which says all there is to say.
-pub fn run(arguments: &ProofreadArguments, streams: &mut dyn Streams) -> Outcome {
+pub fn run(arguments: &ProofreadArguments, streams: &mut dyn OutputStreams) -> Outcome {
     match cli::run(arguments, &mut Through(streams)) {
         0 => Outcome::AsRecorded,
         1 => Outcome::Differs,

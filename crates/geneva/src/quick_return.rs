@@ -2,9 +2,9 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Format, Output, formats, name_of};
+use crate::typed::{self, Output, OutputFormat, formats, name_of};
 use clap::{Args, ValueEnum};
-use geneva_ask::quick_return::{Design, Drawing, Place, Question};
+use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnDrawing, QuickReturnQuestion};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
@@ -19,7 +19,7 @@ pub struct QuickReturnArguments {
     pub crank: f64,
     /// Where the mechanism is: one of the two.
     #[command(flatten)]
-    pub angle: Angle,
+    pub angle: AngleArguments,
     /// At which of the two points where the lever's ray meets the crank's circle the pin is; only with --lever-angle
     /// [default: far]
     #[arg(long, value_enum, requires = "lever_angle", conflicts_with = "crank_angle")]
@@ -29,15 +29,15 @@ pub struct QuickReturnArguments {
     pub rpm: f64,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable sheet, which says where everything is measured from and in which sense"),
-        (Format::Json, "An object with all digits; a zero vector has null for its direction"),
-        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (Format::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
+        (OutputFormat::Text, "A readable sheet, which says where everything is measured from and in which sense"),
+        (OutputFormat::Json, "An object with all digits; a zero vector has null for its direction"),
+        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (OutputFormat::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
-    pub figure: Option<FigureName>,
+    pub figure: Option<QuickReturnFigureName>,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -46,7 +46,7 @@ pub struct QuickReturnArguments {
 /// Where the mechanism is, by one of its two angles.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
-pub struct Angle {
+pub struct AngleArguments {
     /// Direction from the crank's axis to the pin, in degrees counter-clockwise from the direction that points from
     /// the lever's pivot to the crank's axis; give this or --lever-angle
     #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
@@ -69,7 +69,7 @@ pub enum BranchName {
 
 /// The drawings of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum FigureName {
+pub enum QuickReturnFigureName {
     /// The mechanism
     #[default]
     Mechanism,
@@ -81,32 +81,32 @@ pub enum FigureName {
 
 impl QuickReturnArguments {
     /// One of the two angles was given; the parser sees to that.
-    fn question(&self) -> Question {
+    fn question(&self) -> QuickReturnQuestion {
         let branch = match self.branch.unwrap_or_default() {
             BranchName::Near => Branch::Near,
             BranchName::Far => Branch::Far,
         };
         let place = match (self.angle.crank_angle, self.angle.lever_angle) {
-            (_, Some(lever)) => Place::Lever(lever, branch),
-            (crank, None) => Place::Crank(crank.unwrap_or_default()),
+            (_, Some(lever)) => LinkageAngle::Lever(lever, branch),
+            (crank, None) => LinkageAngle::Crank(crank.unwrap_or_default()),
         };
-        Question { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
+        QuickReturnQuestion { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
     }
 }
 
 /// The mechanism that is wanted, in the format that is wanted.
 pub fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
-    Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
-    let design = Design::new(&wanted.question())?;
+    OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    let design = QuickReturnDesign::new(&wanted.question())?;
     let answer = design.answer()?;
     match wanted.format {
-        Format::Json => fields::json(&answer),
-        Format::Fields => fields::table(&answer),
-        Format::Svg => {
+        OutputFormat::Json => fields::json(&answer),
+        OutputFormat::Fields => fields::table(&answer),
+        OutputFormat::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
-                FigureName::Mechanism => Drawing::Mechanism,
-                FigureName::Velocity => Drawing::Velocity,
-                FigureName::Acceleration => Drawing::Acceleration,
+                QuickReturnFigureName::Mechanism => QuickReturnDrawing::Mechanism,
+                QuickReturnFigureName::Velocity => QuickReturnDrawing::Velocity,
+                QuickReturnFigureName::Acceleration => QuickReturnDrawing::Acceleration,
             };
             Ok(design.drawing(drawing).standalone())
         }

@@ -1,6 +1,6 @@
 //! How many threads compute: as many as an option or the variable `RAYON_NUM_THREADS` says, or as the machine has.
 
-use crate::printable::{in_words, shown};
+use crate::printable::{escape_and_shorten, in_words};
 use crate::typed::{self, MOST_THREADS};
 use anyhow::{anyhow, ensure};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -44,7 +44,11 @@ impl Threads {
         let number = typed::threads(&value).ok();
         let way_out =
             format!("give an integer from 1 to {MOST_THREADS}, 0 for as many as the machine has, or unset it");
-        ensure!(number.is_some(), "the variable {VARIABLE} is '{}', not a number of threads; {way_out}", shown(&value));
+        ensure!(
+            number.is_some(),
+            "the variable {VARIABLE} is '{}', not a number of threads; {way_out}",
+            escape_and_shorten(&value)
+        );
         Ok(Self { number: number.map_or(1, NonZeroUsize::get), given: Given::Variable })
     }
 

@@ -4,7 +4,7 @@
 //! The parser of an option returns a number that the option may have. If one number is possible only with another, the
 //! command says so.
 
-use crate::printable::shown;
+use crate::printable::escape_and_shorten;
 use anyhow::bail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -13,7 +13,7 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-pub use geneva_ask::written::{as_typed, rounded};
+pub use geneva_ask::number_format::{as_typed, rounded};
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -49,7 +49,10 @@ pub fn zero_or_more(text: &str) -> Result<f64, String> {
         format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
     })?;
     if value < 0.0 || value.is_nan() {
-        return Err(format!("{} is not zero or more; give zero, or a number up to {most:e}", shown(text.trim())));
+        return Err(format!(
+            "{} is not zero or more; give zero, or a number up to {most:e}",
+            escape_and_shorten(text.trim())
+        ));
     }
     if value == 0.0 { Ok(value) } else { computable(text, value) }
 }
@@ -86,7 +89,7 @@ pub fn finite_degrees(text: &str) -> Result<f64, String> {
     } else {
         Err(format!(
             "{} is not a usable angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
-            shown(text.trim())
+            escape_and_shorten(text.trim())
         ))
     }
 }
@@ -123,7 +126,7 @@ pub fn number(text: &str) -> Option<f64> {
 }
 
 /// One of the values in a list, by its name; help says what each means.
-pub fn named<T: Copy + Send + Sync + 'static>(
+pub fn value_named<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     slug: fn(T) -> &'static str,
     meaning: fn(T) -> &'static str,
@@ -140,7 +143,10 @@ fn above_zero(text: &str, what: &str) -> Result<f64, String> {
             "not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma"
         )),
         Some(value) if value > 0.0 => computable(text, value),
-        Some(_) => Err(format!("{} is not above zero; give a {what} from {least:e} to {most:e}", shown(text.trim()))),
+        Some(_) => Err(format!(
+            "{} is not above zero; give a {what} from {least:e} to {most:e}",
+            escape_and_shorten(text.trim())
+        )),
     }
 }
 
@@ -151,7 +157,7 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     Err(format!(
         "{} is too large or too small to compute with; give a number between {least:e} and {most:e}",
-        shown(text.trim())
+        escape_and_shorten(text.trim())
     ))
 }
 
@@ -165,7 +171,7 @@ pub struct Output {
 
 /// Output formats. A word means the same to every command that knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum OutputFormat {
     /// Readable text.
     Text,
     /// Text as a line printer wrote it.
@@ -188,7 +194,7 @@ pub enum Format {
     Markdown,
 }
 
-impl Format {
+impl OutputFormat {
     /// Its name at the command line.
     pub fn name(self) -> &'static str {
         match self {
@@ -217,10 +223,10 @@ impl Format {
 }
 
 /// The formats of a command, each with its help. A command without a series says what to use instead of CSV.
-pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
-    let has_series = known.iter().any(|(format, _)| *format == Format::Csv);
+pub fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValueParser<Value = OutputFormat> {
+    let has_series = known.iter().any(|(format, _)| *format == OutputFormat::Csv);
     let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
-    let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
+    let refused = (!has_series).then(|| PossibleValue::new(OutputFormat::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
         format.ok_or(

@@ -5,11 +5,13 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Format, Output, as_typed, formats};
+use crate::typed::{self, Output, OutputFormat, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{ARGUMENTS, ActsOn, Argument, Design, Kind, Place, Question, Times, proposals, speeds};
+use geneva_ask::wheel::{
+    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Times, WheelDesign, WheelKind, WheelQuestion, proposals, speeds,
+};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
@@ -17,7 +19,7 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 pub struct WheelArguments {
     /// What is asked of the wheel.
     #[command(flatten)]
-    pub asked: Asked,
+    pub asked: WheelOptions,
     /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --rpm, to get the wheels that
     /// come nearest. With --stations it is the longest that you allow, and you get the pins and speeds that fulfil both
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
@@ -27,16 +29,16 @@ pub struct WheelArguments {
     pub dwell_time: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A readable sheet, which says where everything is measured from"),
-        (Format::Json, "An object with all digits; null for values that need an option you didn't give"),
-        (Format::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
-        (Format::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (Format::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
-        (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
-        (Format::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
-        (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
+        (OutputFormat::Text, "A readable sheet, which says where everything is measured from"),
+        (OutputFormat::Json, "An object with all digits; null for values that need an option you didn't give"),
+        (OutputFormat::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
+        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (OutputFormat::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
+        (OutputFormat::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
+        (OutputFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
+        (OutputFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -44,9 +46,9 @@ pub struct WheelArguments {
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
 #[derive(Clone, Debug)]
-pub struct Asked(Question);
+pub struct WheelOptions(WheelQuestion);
 
-impl Args for Asked {
+impl Args for WheelOptions {
     fn augment_args(command: Command) -> Command {
         command.args(ARGUMENTS.iter().map(option))
     }
@@ -56,9 +58,9 @@ impl Args for Asked {
     }
 }
 
-impl FromArgMatches for Asked {
+impl FromArgMatches for WheelOptions {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let mut asked = Self(Question::default());
+        let mut asked = Self(WheelQuestion::default());
         asked.update_from_arg_matches(matches)?;
         Ok(asked)
     }
@@ -70,13 +72,15 @@ impl FromArgMatches for Asked {
         let Self(question) = self;
         for Argument { name, place, .. } in &ARGUMENTS {
             match place {
-                Place::Stations(at) | Place::Pins(at) => *at(question) = typed(matches, name),
-                Place::Kind(at) => *at(question) = typed(matches, name),
-                Place::Material(at) => *at(question) = typed(matches, name),
-                Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => {
+                ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                     *at(question) = typed(matches, name)
                 }
-                Place::Degrees(at) => *at(question) = matches.get_many(name).into_iter().flatten().copied().collect(),
+                ArgumentSlot::Degrees(at) => {
+                    *at(question) = matches.get_many(name).into_iter().flatten().copied().collect()
+                }
             }
         }
         Ok(())
@@ -92,19 +96,21 @@ fn option(argument: &Argument) -> Arg {
         others.map(|other| other.name).collect::<Vec<_>>()
     };
     let option = match place {
-        Place::Stations(_) => option
+        ArgumentSlot::Stations(_) => option
             .value_parser(typed::stations)
             .allow_negative_numbers(true)
             .required_unless_present_any(["index_time", "dwell_time"]),
-        Place::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
-        Place::Kind(_) => option.value_parser(typed::named(&Kind::ALL, Kind::name, Kind::meaning)),
-        Place::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
-        Place::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
-        Place::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        Place::Material(_) => option
+        ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
+        ArgumentSlot::Kind(_) => {
+            option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
+        }
+        ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
+        ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
+        ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Material(_) => option
             .value_parser(materials())
-            .requires_all(others(|argument| matches!(argument.place, Place::Material(_)))),
-        Place::Degrees(_) => {
+            .requires_all(others(|argument| matches!(argument.place, ArgumentSlot::Material(_)))),
+        ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
         }
     };
@@ -125,40 +131,40 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
-        beside_times(&question, format)?;
+        reject_with_times(&question, format)?;
         let times = Times { index, dwell };
         let answer = match question.stations {
             Some(stations) => speeds(times, stations, question.kind)?,
             None => proposals(times, question.kind),
         };
         return match format {
-            Format::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
-            Format::Json => fields::json(&answer),
+            OutputFormat::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
+            OutputFormat::Json => fields::json(&answer),
             _ => Ok(fields::sheet(&answer, layout)),
         };
     }
-    let design = Design::new(question)?;
-    if matches!(format, Format::Dxf | Format::Scad | Format::Stl) {
-        design.is_made_from(format.name())?;
+    let design = WheelDesign::new(question)?;
+    if matches!(format, OutputFormat::Dxf | OutputFormat::Scad | OutputFormat::Stl) {
+        design.require_external(format.name())?;
     }
-    refused(&design.question, format)?;
+    reject_without_effect(&design.question, format)?;
     Ok(match format {
-        Format::Svg => design.drawing().standalone(),
-        Format::Dxf => design.dxf()?,
-        Format::Scad => design.scad()?,
-        Format::Stl => design.stl()?,
-        Format::Csv => {
+        OutputFormat::Svg => design.drawing().standalone(),
+        OutputFormat::Dxf => design.dxf()?,
+        OutputFormat::Scad => design.scad()?,
+        OutputFormat::Stl => design.stl()?,
+        OutputFormat::Csv => {
             let rows = design.cycle()?;
             fields::csv(rows.first(), rows.iter().cloned())?
         }
-        Format::Json => fields::json(&design.answer()?)?,
-        Format::Fields => fields::table(&design.answer()?)?,
+        OutputFormat::Json => fields::json(&design.answer()?)?,
+        OutputFormat::Fields => fields::table(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
-fn none_of(wanted: &Question, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
+fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
     match wanted.numbers().into_iter().find(|(argument, _)| refused(argument)) {
         Some((Argument { name, .. }, value)) => bail!("--{name} {} has no effect {why}", as_typed(value)),
         None => Ok(()),
@@ -166,8 +172,8 @@ fn none_of(wanted: &Question, refused: impl Fn(&Argument) -> bool, why: &str) ->
 }
 
 /// Refuses options that have no effect beside the wanted times.
-fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
-    none_of(
+fn reject_with_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+    reject_any(
         wanted,
         |argument| argument.name != "stations",
         "with --index-time and --dwell-time, which propose wheels and their speeds; leave it out now, and give it with the \
@@ -180,7 +186,7 @@ fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
             material.name
         );
     }
-    if format == Format::Fields {
+    if format == OutputFormat::Fields {
         bail!(
             "--format fields is for one wheel, but --index-time and --dwell-time propose several; choose --format csv, which has \
              a row for each"
@@ -197,56 +203,56 @@ fn beside_times(wanted: &Question, format: Format) -> anyhow::Result<()> {
 }
 
 /// Refuses options that have no effect for this one wheel.
-fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
-    let is_external = wanted.kind.is_none_or(|kind| kind == Kind::External);
+fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+    let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
-        none_of(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
     }
     if !gives_numbers(format) {
         let name = format.name();
         let why = format!(
             "on --format {name}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
         );
-        none_of(wanted, acts_on(ActsOn::Motion), &why)?;
+        reject_any(wanted, acts_on(ActsOn::Motion), &why)?;
         if !is_external {
             let why = format!(
                 "on --format {name}, whose drawing is not to scale; leave it out, or choose --format text, json or csv"
             );
-            none_of(wanted, acts_on(ActsOn::Size), &why)?;
+            reject_any(wanted, acts_on(ActsOn::Size), &why)?;
         }
     }
-    if format == Format::Fields {
+    if format == OutputFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
-        none_of(wanted, is(&["at", "at-wheel"]), why)?;
+        reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
     }
     let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
-        none_of(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
     }
     if wanted.thickness.is_none() {
-        none_of(wanted, is(&["density"]), "without a thickness; add --thickness MM")?;
+        reject_any(wanted, is_named(&["density"]), "without a thickness; add --thickness MM")?;
     }
     if gives_numbers(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
         let why = "without a density or materials; add --density KGM3 for the mass, or --pin-material and --wheel-material \
                    for the pressure";
-        none_of(wanted, is(&["thickness"]), why)?;
+        reject_any(wanted, is_named(&["thickness"]), why)?;
     }
-    if matches!(format, Format::Svg | Format::Dxf) {
+    if matches!(format, OutputFormat::Svg | OutputFormat::Dxf) {
         let why = format!(
             "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
             format.name()
         );
-        none_of(wanted, is(&["thickness"]), &why)?;
+        reject_any(wanted, is_named(&["thickness"]), &why)?;
     }
     if wanted.rpm.is_none() {
-        none_of(wanted, is(&["inertia", "friction-torque"]), "without a speed; add --rpm R")?;
+        reject_any(wanted, is_named(&["inertia", "friction-torque"]), "without a speed; add --rpm R")?;
     }
     if wanted.inertia.is_none() && wanted.density.is_none() {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        none_of(wanted, is(&["friction-torque"]), why)?;
+        reject_any(wanted, is_named(&["friction-torque"]), why)?;
     }
     let Some(material) = wanted.pin_material else { return Ok(()) };
     let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
@@ -254,7 +260,7 @@ fn refused(wanted: &Question, format: Format) -> anyhow::Result<()> {
         "because only external wheels have parts in mm; leave it out, or choose --type external"
     } else if !gives_numbers(format) {
         "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
-    } else if format == Format::Csv {
+    } else if format == OutputFormat::Csv {
         "on --format csv, which has no pressures; leave it out, or choose --format text or json"
     } else if !has_load || !is_sized {
         "without a load; add --crank-radius MM, --rpm R and --inertia KGM2"
@@ -272,13 +278,13 @@ fn acts_on(what: ActsOn) -> impl Fn(&Argument) -> bool {
 }
 
 /// Whether an argument has one of these names.
-fn is(names: &[&str]) -> impl Fn(&Argument) -> bool {
+fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
     move |argument| names.contains(&argument.name)
 }
 
 /// Whether a format gives numbers, and not shapes.
-fn gives_numbers(format: Format) -> bool {
-    matches!(format, Format::Text | Format::Json | Format::Csv | Format::Fields)
+fn gives_numbers(format: OutputFormat) -> bool {
+    matches!(format, OutputFormat::Text | OutputFormat::Json | OutputFormat::Csv | OutputFormat::Fields)
 }
 
 #[cfg(test)]
@@ -298,7 +304,7 @@ mod tests {
         );
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
-        let Asked(asked) = Asked::from_arg_matches(&command.get_matches_from(line)).expect("options");
-        assert_eq!(format!("{asked:?}"), format!("{:?}", Question::parse(words).expect("arguments")));
+        let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
+        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
     }
 }

@@ -6,7 +6,7 @@
 //! git is made by [`Repository::ask`], for a repository that was found by its `.git`. What is asked here reads the objects of the
 //! repository alone: neither the index nor the work tree, on which filters and drivers run.
 
-use crate::printable::{in_words, shown, shown_path};
+use crate::printable::{escape_and_shorten, in_words, shown_path};
 use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -61,7 +61,7 @@ pub struct Blob {
 impl Repository {
     /// The repository that a file or folder belongs to: the nearest folder above it, or itself, that has a `.git`.
     /// None if there is no such folder or the path leads nowhere.
-    pub fn around(path: &Path) -> Option<Self> {
+    pub fn containing(path: &Path) -> Option<Self> {
         let path = std::fs::canonicalize(path).ok()?;
         let top = path.ancestors().find(|folder| is_repository(&folder.join(".git")))?;
         Some(Self { top: top.to_owned() })
@@ -173,7 +173,11 @@ fn is_name(name: &str) -> bool {
 }
 
 fn named(name: &str) -> Result<&str, String> {
-    if is_name(name) { Ok(name) } else { Err(format!("`{}` is no full name of an object of git", shown(name))) }
+    if is_name(name) {
+        Ok(name)
+    } else {
+        Err(format!("`{}` is no full name of an object of git", escape_and_shorten(name)))
+    }
 }
 
 /// What git answered.

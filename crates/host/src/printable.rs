@@ -34,7 +34,7 @@ fn escaped_but<'a>(text: &'a str, kept: &[char]) -> Cow<'a, str> {
 }
 
 /// A value as it was typed: harmless, and cut with an ellipsis where it is long.
-pub fn shown(typed: &str) -> String {
+pub fn escape_and_shorten(typed: &str) -> String {
     let text = escaped(typed);
     if text.chars().count() <= MOST_SHOWN {
         return text.into_owned();
@@ -65,9 +65,9 @@ mod tests {
     fn what_a_terminal_obeys_is_told_in_words() {
         assert_eq!(escaped("a\u{1b}[31m\u{7}\0\u{9b}\u{202e}b\n"), r"a\u{1b}[31m\u{7}\u{0}\u{9b}\u{202e}b\u{a}");
         assert_eq!(escaped_lines("β = 1\n\t2\r"), "β = 1\n\t2\\u{d}");
-        assert_eq!(shown(&"1".repeat(3000)).chars().count(), MOST_SHOWN);
-        assert!(shown(&"1".repeat(3000)).ends_with('…'));
-        assert_eq!(shown("−7"), "−7");
+        assert_eq!(escape_and_shorten(&"1".repeat(3000)).chars().count(), MOST_SHOWN);
+        assert!(escape_and_shorten(&"1".repeat(3000)).ends_with('…'));
+        assert_eq!(escape_and_shorten("−7"), "−7");
     }
 
     #[test]

@@ -1,19 +1,18 @@
 //! What a figure answers.
 
-use crate::control::Quantity;
-use geneva_ask::written::no_greater;
-use geneva_ask::{Field, Rounding};
+use geneva_ask::number_format::no_greater;
+use geneva_ask::{ReportField, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 
-/// A drawing and its numbers.
+/// What a live figure replies: a drawing and its numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct LiveReply {
     /// The drawing with its words and its series.
     pub figure: Figure,
     /// What is told beside it.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<LiveNumber>,
     /// What is told, too, that isn't one of the figure's own quantities.
-    pub further: Vec<Quantity>,
+    pub further: Vec<LiveQuantity>,
     /// Where controls stand that follow the others.
     pub followers: Vec<(&'static str, f64)>,
     /// What is to be said of the setting, if anything.
@@ -22,15 +21,38 @@ pub struct Answer {
     pub progress: Option<Progress>,
 }
 
-/// A number with its text.
+/// A number that a live figure shows, with its text.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Number {
+pub struct LiveNumber {
     /// Its name among the figure's quantities.
     pub name: &'static str,
     /// All its digits, in the unit of the text.
     pub value: f64,
     /// As it is read, with its unit.
     pub text: String,
+}
+
+/// A quantity that a live figure shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiveQuantity {
+    /// Its name in the answer.
+    pub name: &'static str,
+    /// What it is called.
+    pub label: &'static str,
+    /// The key of the field that it is; none if the figure has it from elsewhere.
+    pub key: Option<&'static str>,
+}
+
+impl LiveQuantity {
+    /// A number that the figure finds itself.
+    pub const fn new(name: &'static str, label: &'static str) -> Self {
+        Self { name, label, key: None }
+    }
+
+    /// A number that is the field with this key.
+    pub const fn field(name: &'static str, label: &'static str, key: &'static str) -> Self {
+        Self { name, label, key: Some(key) }
+    }
 }
 
 /// So many of so many parts of a long calculation.
@@ -42,9 +64,9 @@ pub struct Progress {
     pub all: usize,
 }
 
-impl Answer {
+impl LiveReply {
     /// A drawing and its numbers.
-    pub fn new(figure: Figure, numbers: impl IntoIterator<Item = Number>) -> Self {
+    pub fn new(figure: Figure, numbers: impl IntoIterator<Item = LiveNumber>) -> Self {
         let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
         Self { figure, numbers, further, followers, message: None, progress: None }
     }
@@ -52,12 +74,12 @@ impl Answer {
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
     /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`.
     pub fn to_json(&self) -> String {
-        let number = |Number { name, value, text }: &Number| {
+        let number = |LiveNumber { name, value, text }: &LiveNumber| {
             let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
             format!("{{\"name\":{},\"value\":{value},\"text\":{}}}", string(name), string(text))
         };
         let follower =
-            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), shown(*value));
+            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), round_for_box(*value));
         let progress = self
             .progress
             .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
@@ -95,11 +117,11 @@ fn string(text: &str) -> String {
 }
 
 /// The value of a control, to as many decimals as a box has room for. A zero has no sign.
-pub fn shown(value: f64) -> f64 {
+pub fn round_for_box(value: f64) -> f64 {
     (value * 1e4).round() / 1e4 + 0.0
 }
 
-impl Number {
+impl LiveNumber {
     /// A number to so many digits after the point, with its unit.
     pub fn new(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
         // What rounds to zero has no sign.
@@ -118,7 +140,7 @@ impl Number {
     }
 
     /// The number of an answer's field, rounded as the field says, with its unit.
-    pub fn of(name: &'static str, field: &Field) -> Option<Self> {
+    pub fn from_field(name: &'static str, field: &ReportField) -> Option<Self> {
         let value = field.number()?;
         Some(match field.rounding {
             Rounding::Significant(digits) => Self::significant(name, value, digits, field.unit),
@@ -137,12 +159,13 @@ mod tests {
 
     #[test]
     fn numbers_are_read_with_a_true_minus_and_no_negative_zero() {
-        assert_eq!(Number::new("a", -1.25, 1, "rad/s").text, "−1.2 rad/s");
-        assert_eq!(Number::new("a", -0.04, 1, "°").text, "0.0°");
-        assert_eq!(Number::new("a", -0.0, 0, "").value.to_bits(), 0);
-        assert_eq!(Number::significant("a", 0.012_345, 3, "").text, "0.0123");
-        assert_eq!(Number::significant("a", 1234.5, 3, "ms").text, "1234 ms");
-        let most = Number::of("a", &Field::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2))).expect("a number");
+        assert_eq!(LiveNumber::new("a", -1.25, 1, "rad/s").text, "−1.2 rad/s");
+        assert_eq!(LiveNumber::new("a", -0.04, 1, "°").text, "0.0°");
+        assert_eq!(LiveNumber::new("a", -0.0, 0, "").value.to_bits(), 0);
+        assert_eq!(LiveNumber::significant("a", 0.012_345, 3, "").text, "0.0123");
+        assert_eq!(LiveNumber::significant("a", 1234.5, 3, "ms").text, "1234 ms");
+        let most = LiveNumber::from_field("a", &ReportField::in_unit("a", 0.0349, "mm").rounded(Rounding::Limit(2)))
+            .expect("a number");
         assert_eq!((most.value, most.text.as_str()), (0.0349, "0.034 mm"));
     }
 }

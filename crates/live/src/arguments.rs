@@ -10,9 +10,9 @@ const QUOTED: usize = 40;
 
 /// Names and values, as in the part of an address after `?`: `stations=6&crank=-20`, each name once.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Arguments(BTreeMap<String, String>);
+pub struct LiveArguments(BTreeMap<String, String>);
 
-impl Arguments {
+impl LiveArguments {
     /// Reads a query as a form writes it (`application/x-www-form-urlencoded`): a blank is `+`, and any byte may be `%` and
     /// two hexadecimal digits. A name without `=` has an empty value.
     ///
@@ -33,7 +33,7 @@ impl Arguments {
     }
 
     /// The arguments with these names and values; the last value of a name counts.
-    pub fn of<'a>(pairs: impl IntoIterator<Item = (&'a str, String)>) -> Self {
+    pub fn from_pairs<'a>(pairs: impl IntoIterator<Item = (&'a str, String)>) -> Self {
         Self(pairs.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     }
 
@@ -60,18 +60,18 @@ impl Arguments {
     }
 
     /// The value of a name without which there is no figure.
-    pub fn given(&self, name: &str) -> Result<&str, String> {
+    pub fn required(&self, name: &str) -> Result<&str, String> {
         self.text(name).ok_or_else(|| format!("`{name}` is missing: the page that shows the figure gives it"))
     }
 
     /// The number of a name without which there is no figure.
-    pub fn given_number(&self, name: &str) -> Result<f64, String> {
-        number(name, self.given(name)?)
+    pub fn required_number(&self, name: &str) -> Result<f64, String> {
+        number(name, self.required(name)?)
     }
 
     /// The word of a name without which there is no figure, which must be one of these.
-    pub fn given_word<'a>(&self, name: &str, words: &[&'a str]) -> Result<&'a str, String> {
-        let text = self.given(name)?;
+    pub fn required_word<'a>(&self, name: &str, words: &[&'a str]) -> Result<&'a str, String> {
+        let text = self.required(name)?;
         let word = words.iter().find(|word| **word == text).copied();
         word.ok_or_else(|| format!("{name} `{}`: give one of {}", quoted(text), words.join(", ")))
     }
@@ -133,27 +133,27 @@ mod tests {
     #[test]
     fn a_query_is_read_back_as_it_was_written() {
         for value in ["3e+2", "−2.5", "a b&c=d%26", "1,2;3", "\n\n<img>", ""] {
-            let arguments = Arguments::of([("b", value.to_owned()), ("a", "1".to_owned())]);
-            assert_eq!(Arguments::parse(&arguments.to_query()), Ok(arguments), "{value}");
+            let arguments = LiveArguments::from_pairs([("b", value.to_owned()), ("a", "1".to_owned())]);
+            assert_eq!(LiveArguments::parse(&arguments.to_query()), Ok(arguments), "{value}");
         }
-        let arguments = Arguments::parse("b=x+y&a=3e%2B2&c&").expect("a query");
+        let arguments = LiveArguments::parse("b=x+y&a=3e%2B2&c&").expect("a query");
         assert_eq!(arguments.to_query(), "a=3e%2B2&b=x+y&c=");
         assert_eq!((arguments.text("b"), arguments.text("c"), arguments.text("d")), (Some("x y"), Some(""), None));
-        assert_eq!(arguments.given_number("a"), Ok(300.0));
-        assert!(arguments.given("d").is_err_and(|why| why.contains("`d` is missing")));
+        assert_eq!(arguments.required_number("a"), Ok(300.0));
+        assert!(arguments.required("d").is_err_and(|why| why.contains("`d` is missing")));
     }
 
     #[test]
     fn a_name_that_is_given_twice_is_refused() {
         for query in ["unit=m&crank=1&unit=mm", "a=1&%61=2", "a&a"] {
-            assert!(Arguments::parse(query).is_err_and(|why| why.contains("is given twice")), "{query}");
+            assert!(LiveArguments::parse(query).is_err_and(|why| why.contains("is given twice")), "{query}");
         }
     }
 
     #[test]
     fn what_is_not_encoded_is_refused() {
         for query in ["a=%", "a=%2", "a=%zz", "a=%ff", "%C3=1"] {
-            assert!(Arguments::parse(query).is_err_and(|why| why.contains("is not encoded")), "{query}");
+            assert!(LiveArguments::parse(query).is_err_and(|why| why.contains("is not encoded")), "{query}");
         }
     }
 
@@ -173,9 +173,12 @@ mod tests {
 
     #[test]
     fn a_word_comes_from_its_list() {
-        let arguments = Arguments::of([("unit", "<img>".to_owned())]);
-        let why = arguments.given_word("unit", &["m", "mm"]).expect_err("no unit");
+        let arguments = LiveArguments::from_pairs([("unit", "<img>".to_owned())]);
+        let why = arguments.required_word("unit", &["m", "mm"]).expect_err("no unit");
         assert_eq!(why, "unit `<img>`: give one of m, mm");
-        assert_eq!(Arguments::of([("unit", "mm".to_owned())]).given_word("unit", &["m", "mm"]), Ok("mm"));
+        assert_eq!(
+            LiveArguments::from_pairs([("unit", "mm".to_owned())]).required_word("unit", &["m", "mm"]),
+            Ok("mm")
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! What a reader may move in a figure, and what is told.
 
-use crate::answer::Answer;
-use crate::arguments::{Arguments, computable, quoted};
+use crate::answer::{LiveQuantity, LiveReply};
+use crate::arguments::{LiveArguments, computable, quoted};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
 pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
@@ -22,15 +22,15 @@ pub struct Live {
     /// Arguments that come with the page: data of a source.
     pub given: &'static [&'static str],
     /// What is told beside the drawing, in its order.
-    pub quantities: &'static [Quantity],
+    pub quantities: &'static [LiveQuantity],
     /// What is told apart from it, in its order: what has no room in the drawing.
-    pub others: &'static [Quantity],
+    pub others: &'static [LiveQuantity],
     /// What the pointer moves in the drawing.
-    pub drag: Option<Drag>,
+    pub drag: Option<PointerDrag>,
     /// What can be taken away.
-    pub files: &'static [File],
+    pub files: &'static [LiveFile],
     /// Draws it.
-    pub draw: fn(&Settings) -> Result<Answer, String>,
+    pub draw: fn(&Settings) -> Result<LiveReply, String>,
 }
 
 /// One thing that may be moved.
@@ -53,9 +53,9 @@ pub struct Control {
     /// Where it stands at first, unless the page gives another value or it follows the others.
     pub preset: f64,
     /// How it is moved.
-    pub kind: Kind,
+    pub kind: ControlKind,
     /// On which of two sides it is, if those of one side follow from those of the other.
-    pub side: Option<Side>,
+    pub side: Option<ControlSide>,
 }
 
 impl Control {
@@ -68,11 +68,22 @@ impl Control {
         step: f64,
         preset: f64,
     ) -> Self {
-        Self { name, label, unit, least, most, range: [least, most], step, preset, kind: Kind::Slider, side: None }
+        Self {
+            name,
+            label,
+            unit,
+            least,
+            most,
+            range: [least, most],
+            step,
+            preset,
+            kind: ControlKind::Slider,
+            side: None,
+        }
     }
 
     /// The control with a wider range for numbers that are typed, in its unit.
-    pub const fn typed(self, range: [f64; 2]) -> Self {
+    pub const fn with_typed_range(self, range: [f64; 2]) -> Self {
         Self { range, ..self }
     }
 
@@ -84,16 +95,16 @@ impl Control {
         ends: [f64; 2],
         step: f64,
     ) -> Self {
-        Self { kind: Kind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
+        Self { kind: ControlKind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
     }
 
     /// The control with a button that moves it by itself: by so much in a second, over and over.
     pub const fn playing(self, rate: f64) -> Self {
-        Self { kind: Kind::Player(rate), ..self }
+        Self { kind: ControlKind::Player(rate), ..self }
     }
 
     /// The control on one of the two sides, of which the reader moves one and the answer tells the other.
-    pub const fn on_side(self, side: Side) -> Self {
+    pub const fn on_side(self, side: ControlSide) -> Self {
         Self { side: Some(side), ..self }
     }
 
@@ -105,7 +116,7 @@ impl Control {
         preset: usize,
     ) -> Self {
         let most = (choices.len() - 1) as f64;
-        let kind = Kind::Choice(choices);
+        let kind = ControlKind::Choice(choices);
         Self {
             name,
             label,
@@ -133,7 +144,7 @@ impl Control {
 
     /// What is wrong with a text that is no value of the control: the text, and what the control may be.
     fn refusal(&self, text: &str) -> String {
-        if let Kind::Choice(choices) = self.kind {
+        if let ControlKind::Choice(choices) = self.kind {
             let choices = choices.iter().enumerate().map(|(number, choice)| format!("{number} ({choice})"));
             let choices = choices.collect::<Vec<_>>().join(", ");
             return format!("{} `{}`: none of the choices; give one of {choices}", self.name, quoted(text.trim()));
@@ -149,9 +160,9 @@ impl Control {
     }
 }
 
-/// How a value is moved.
+/// How the value of a control is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ControlKind {
     /// By a slider and a box for the number.
     Slider,
     /// By a slider and a box, and by itself: by so much in a second, over and over.
@@ -164,7 +175,7 @@ pub enum Kind {
 
 /// Two ways to say the same, such as by the crank's angle or by the lever's: what is moved last counts, and the rest follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ControlSide {
     /// What counts at first.
     First,
     /// What follows at first.
@@ -180,32 +191,9 @@ pub struct Preset {
     pub arguments: &'static str,
 }
 
-/// A number that is told.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
-    /// Its name in the answer.
-    pub name: &'static str,
-    /// What it is called.
-    pub label: &'static str,
-    /// The key of the field that it is; none if the figure has it from elsewhere.
-    pub key: Option<&'static str>,
-}
-
-impl Quantity {
-    /// A number that the figure finds itself.
-    pub const fn new(name: &'static str, label: &'static str) -> Self {
-        Self { name, label, key: None }
-    }
-
-    /// A number that is the field with this key.
-    pub const fn field(name: &'static str, label: &'static str, key: &'static str) -> Self {
-        Self { name, label, key: Some(key) }
-    }
-}
-
 /// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.
 #[derive(Clone, Copy, Debug)]
-pub struct Drag {
+pub struct PointerDrag {
     /// Which control.
     pub control: &'static str,
     /// Its value in degrees where the pointer is at the right of the circle's centre.
@@ -216,7 +204,7 @@ pub struct Drag {
 
 /// A file that is made of a setting.
 #[derive(Debug)]
-pub struct File {
+pub struct LiveFile {
     /// Its ending.
     pub name: &'static str,
     /// What it is.
@@ -229,7 +217,7 @@ pub struct File {
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
     live: &'a Live,
-    arguments: &'a Arguments,
+    arguments: &'a LiveArguments,
 }
 
 impl Live {
@@ -238,7 +226,7 @@ impl Live {
     /// # Errors
     ///
     /// What is wrong with the arguments, and what to give.
-    pub fn answer(&self, arguments: &Arguments) -> Result<Answer, String> {
+    pub fn answer(&self, arguments: &LiveArguments) -> Result<LiveReply, String> {
         let answer = (self.draw)(&self.settings(arguments)?)?;
         let is_shown = |text: &str| !text.contains("NaN") && !text.contains("inf");
         if answer.numbers.iter().all(|number| is_shown(&number.text)) && !answer.figure.svg.contains("NaN") {
@@ -253,7 +241,7 @@ impl Live {
     /// # Errors
     ///
     /// As for [`answer`](Self::answer), and for an ending of none of its files.
-    pub fn file(&self, ending: &str, arguments: &Arguments) -> Result<String, String> {
+    pub fn file(&self, ending: &str, arguments: &LiveArguments) -> Result<String, String> {
         let file = self.files.iter().find(|file| file.name == ending);
         let file = file.ok_or_else(|| {
             let endings: Vec<_> = self.files.iter().map(|file| file.name).collect();
@@ -267,7 +255,7 @@ impl Live {
         (file.make)(&self.settings(arguments)?)
     }
 
-    fn settings<'a>(&'a self, arguments: &'a Arguments) -> Result<Settings<'a>, String> {
+    fn settings<'a>(&'a self, arguments: &'a LiveArguments) -> Result<Settings<'a>, String> {
         let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
         if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
             let names = names().collect::<Vec<_>>().join(", ");
@@ -285,7 +273,7 @@ impl Settings<'_> {
     }
 
     /// The value of a control that may follow others, in its unit; none until it is moved, or with an empty value.
-    pub fn moved(&self, name: &str) -> Result<Option<f64>, String> {
+    pub fn value_if_moved(&self, name: &str) -> Result<Option<f64>, String> {
         let control = self.control(name)?;
         self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| control.read(text)).transpose()
     }
@@ -297,7 +285,7 @@ impl Settings<'_> {
             Ok(value as u32)
         } else {
             let control = self.control(name)?;
-            if matches!(control.kind, Kind::Choice(_)) {
+            if matches!(control.kind, ControlKind::Choice(_)) {
                 return Err(control.refusal(&value.to_string()));
             }
             let [least, most] = control.range;
@@ -311,7 +299,7 @@ impl Settings<'_> {
     }
 
     /// What came with the page.
-    pub fn arguments(&self) -> &Arguments {
+    pub fn arguments(&self) -> &LiveArguments {
         self.arguments
     }
 

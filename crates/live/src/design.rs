@@ -1,9 +1,9 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{self, Answer, Number};
-use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
+use crate::control::{Control, ControlKind, Live, LiveFile, Preset, Settings};
 use geneva_ask::Error;
-use geneva_ask::wheel::{Design, Effort, Question};
+use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, Warning};
@@ -16,20 +16,26 @@ pub const LIVE: Live = Live {
            grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
            pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
     controls: &[
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
-        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
-        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).with_typed_range([3.0, 100.0]),
+        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).with_typed_range([1.0, 50.0]),
+        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).with_typed_range([0.1, 10_000.0]),
         Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0),
-        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
-        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]),
-        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
-        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
-        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),
+        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).with_typed_range([0.001, 10_000.0]),
+        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01)
+            .with_typed_range([0.0, 1000.0]),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
+            .with_typed_range([0.001, 100_000.0]),
+        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002)
+            .with_typed_range([0.0, 1e6]),
+        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1)
+            .with_typed_range([0.0, 1e6]),
+        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
+            .with_typed_range([-10_000.0, 10_000.0]),
         Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
-            .typed([0.001, 10_000.0]),
-        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).typed([0.0, 1000.0]),
-        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0).typed([0.001, 10_000.0]),
+            .with_typed_range([0.001, 10_000.0]),
+        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).with_typed_range([0.0, 1000.0]),
+        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0)
+            .with_typed_range([0.001, 10_000.0]),
         Control::choice("material", "the wheel is made of", &OF, 3),
     ],
     presets: &[
@@ -51,53 +57,61 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity::field("centres", "centre distance", "centre_distance_mm"),
-        Quantity::new("clearance", "least clearance"),
-        Quantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
-        Quantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
-        Quantity::field("index", "indexing time", "indexing_time_s"),
-        Quantity::field("dwell", "dwell time", "dwell_time_s"),
-        Quantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
-        Quantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
-        Quantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
-        Quantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
-        Quantity::field("power", "greatest power", "peak_power_w"),
-        Quantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
-        Quantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
-        Quantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
-        Quantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
+        LiveQuantity::field("centres", "centre distance", "centre_distance_mm"),
+        LiveQuantity::new("clearance", "least clearance"),
+        LiveQuantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
+        LiveQuantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
+        LiveQuantity::field("index", "indexing time", "indexing_time_s"),
+        LiveQuantity::field("dwell", "dwell time", "dwell_time_s"),
+        LiveQuantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
+        LiveQuantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
+        LiveQuantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
+        LiveQuantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
+        LiveQuantity::field("power", "greatest power", "peak_power_w"),
+        LiveQuantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
+        LiveQuantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
+        LiveQuantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
+        LiveQuantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
     ],
     others: &[
-        Quantity::new("crank-radius", "crank radius"),
-        Quantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
-        Quantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
-        Quantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
-        Quantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
-        Quantity::new("where", "the least clearance is"),
-        Quantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
-        Quantity::field("before", "greatest backlash is before entry by", "greatest_dwell_backlash_until_entry_deg"),
-        Quantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
-        Quantity::field("slot", "slot, width × depth", "slot_width_mm"),
-        Quantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
-        Quantity::field("locking-play", "locking play", "play_mm"),
-        Quantity::field("bore-play", "bore play", "bore_play_mm"),
-        Quantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
-        Quantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
-        Quantity::field("horn-thickness", "horn thickness", "horn_thickness_mm"),
-        Quantity::field("web-between-slots", "web between slots", "slot_web_mm"),
-        Quantity::field("crescent-radius", "crescent radius", "crescent_radius_mm"),
-        Quantity::field("crescent-centre-from-driver", "crescent centre from the driver's axis", "crescent_centre_mm"),
-        Quantity::field("wheel-bore-diameter", "diameter of the wheel's bore", "wheel_bore_mm"),
-        Quantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
+        LiveQuantity::new("crank-radius", "crank radius"),
+        LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
+        LiveQuantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
+        LiveQuantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
+        LiveQuantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
+        LiveQuantity::new("where", "the least clearance is"),
+        LiveQuantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
+        LiveQuantity::field(
+            "before",
+            "greatest backlash is before entry by",
+            "greatest_dwell_backlash_until_entry_deg",
+        ),
+        LiveQuantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
+        LiveQuantity::field("slot", "slot, width × depth", "slot_width_mm"),
+        LiveQuantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
+        LiveQuantity::field("locking-play", "locking play", "play_mm"),
+        LiveQuantity::field("bore-play", "bore play", "bore_play_mm"),
+        LiveQuantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
+        LiveQuantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
+        LiveQuantity::field("horn-thickness", "horn thickness", "horn_thickness_mm"),
+        LiveQuantity::field("web-between-slots", "web between slots", "slot_web_mm"),
+        LiveQuantity::field("crescent-radius", "crescent radius", "crescent_radius_mm"),
+        LiveQuantity::field(
+            "crescent-centre-from-driver",
+            "crescent centre from the driver's axis",
+            "crescent_centre_mm",
+        ),
+        LiveQuantity::field("wheel-bore-diameter", "diameter of the wheel's bore", "wheel_bore_mm"),
+        LiveQuantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
     ],
     drag: None,
     files: &[
-        File {
+        LiveFile {
             name: "dxf",
             label: "Drawing for the machine (DXF)",
             make: |settings| design(settings)?.dxf().map_err(words),
         },
-        File {
+        LiveFile {
             name: "svg",
             label: "Drawing with sizes (SVG)",
             make: |settings| {
@@ -105,7 +119,7 @@ pub const LIVE: Live = Live {
                 Ok(stations::dimensions(design.sizes.as_ref().ok_or(NO_SIZES)?).standalone())
             },
         },
-        File { name: "csv", label: "These numbers (CSV)", make: numbers_file },
+        LiveFile { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
     draw,
 };
@@ -114,18 +128,18 @@ pub const LIVE: Live = Live {
 const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
 
 /// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
-fn design(settings: &Settings) -> Result<Design, String> {
+fn design(settings: &Settings) -> Result<WheelDesign, String> {
     let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
     let (size, is_crank) = (settings.value("radius")?, settings.choice("size")? == 0);
-    let question = Question {
+    let question = WheelQuestion {
         stations: Some(settings.count("stations")?),
         pins: Some(settings.count("pins")?),
         crank_radius: Some(size).filter(|_| is_crank),
         centre_distance: Some(size).filter(|_| !is_crank),
-        pin_diameter: settings.moved("pin")?,
-        play: settings.moved("play")?,
-        bore_play: settings.moved("bore-play")?,
-        wheel_shaft: settings.moved("wheel-shaft")?,
+        pin_diameter: settings.value_if_moved("pin")?,
+        play: settings.value_if_moved("play")?,
+        bore_play: settings.value_if_moved("bore-play")?,
+        wheel_shaft: settings.value_if_moved("wheel-shaft")?,
         rpm: Some(settings.value("speed")?),
         inertia: Some(settings.value("inertia")?),
         friction_torque: Some(settings.value("friction")?),
@@ -134,10 +148,10 @@ fn design(settings: &Settings) -> Result<Design, String> {
         pin_material: Some(MATERIALS[0]),
         wheel_material: Some(wall),
         centre_error: settings.value("error")?,
-        effort: Effort { clearance: 40_000, tolerance: 12_000 },
-        ..Question::default()
+        effort: SearchEffort { clearance: 40_000, tolerance: 12_000 },
+        ..WheelQuestion::default()
     };
-    Design::new(question).map_err(words)
+    WheelDesign::new(question).map_err(words)
 }
 
 /// A wheel without a size, which the controls always give.
@@ -161,7 +175,7 @@ fn decimals(tolerance: f64) -> usize {
 
 /// Names, values and texts of all numbers, a line for each.
 fn numbers_file(settings: &Settings) -> Result<String, String> {
-    let Answer { numbers, followers, further, .. } = draw(settings)?;
+    let LiveReply { numbers, followers, further, .. } = draw(settings)?;
     let label = |name: &str| {
         let all = LIVE.quantities.iter().chain(LIVE.others).chain(&further);
         all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
@@ -169,11 +183,11 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     let mut lines = vec!["quantity,value,text".to_owned()];
     for control in LIVE.controls {
         let value = match followers.iter().find(|(name, _)| *name == control.name) {
-            Some((_, value)) => answer::shown(*value),
+            Some((_, value)) => answer::round_for_box(*value),
             None => settings.value(control.name)?,
         };
         let text = match control.kind {
-            Kind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
+            ControlKind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
             _ => format!("{value} {}", control.unit),
         };
         lines.push(format!("\"{}\",{value:?},\"{}\"", control.label, text.trim_end()));
@@ -182,10 +196,10 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
     Ok(lines.join("\n") + "\n")
 }
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
     let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let mut fields = design.shown(&sizes.wheel).map_err(words)?;
+    let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
     let blow = design.blow(sizes);
     let is_met = blow.number().is_some();
     // With the axes apart the backlash is another.
@@ -197,24 +211,24 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     fields.retain(|field| is_known(field.key));
     fields.push(blow);
     let clearance = design.clearance().map_err(words)?;
-    let number = |of: &Quantity| match of.key {
-        Some(key) => {
-            Number::of(of.name, fields.iter().find(|field| field.key == key)?).map(|number| worded(number, key, sizes))
-        }
+    let number = |of: &LiveQuantity| match of.key {
+        Some(key) => LiveNumber::from_field(of.name, fields.iter().find(|field| field.key == key)?)
+            .map(|number| worded(number, key, sizes)),
         None => match of.name {
-            "crank-radius" => Some(Number::new("crank-radius", sizes.crank_radius, 3, "mm")),
+            "crank-radius" => Some(LiveNumber::new("crank-radius", sizes.crank_radius, 3, "mm")),
             "clearance" => clearance
-                .map(|(nearest, tolerance)| Number::new("clearance", nearest.distance, decimals(tolerance), "mm")),
+                .map(|(nearest, tolerance)| LiveNumber::new("clearance", nearest.distance, decimals(tolerance), "mm")),
             "where" => clearance.map(|(nearest, _)| place(&nearest)),
             _ => None,
         },
     };
-    let further: Vec<Quantity> = fields
+    let further: Vec<LiveQuantity> = fields
         .iter()
-        .filter(|field| field.is_on_pages && field.number().is_some())
-        .filter_map(|field| Some(Quantity::field(field.key, field.line.as_ref()?.name, field.key)))
+        .filter(|field| field.is_visible_in_live_figure && field.number().is_some())
+        .filter_map(|field| Some(LiveQuantity::field(field.key, field.line.as_ref()?.name, field.key)))
         .collect();
-    let numbers: Vec<Number> = LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
+    let numbers: Vec<LiveNumber> =
+        LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
     let followers = vec![
         ("pin", sizes.pin_diameter),
         ("play", sizes.play.slot),
@@ -225,7 +239,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let overlaps = clearance.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
     let message = message(&design.warnings(), error, is_met, overlaps, is_late);
-    Ok(Answer { further, followers, message, ..Answer::new(stations::dimensions_on_a_page(sizes), numbers) })
+    Ok(LiveReply { further, followers, message, ..LiveReply::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
 
 const BACKLASH: &str = "dwell_backlash_deg";
@@ -234,7 +248,7 @@ const GREATEST: &str = "greatest_dwell_backlash_deg";
 const BEFORE: &str = "greatest_dwell_backlash_until_entry_deg";
 
 /// A field's number with the words that the figure puts beside it.
-fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
+fn worded(number: LiveNumber, key: &str, sizes: &Sizes) -> LiveNumber {
     let text = match key {
         BACKLASH => format!("±{}", number.text),
         HELD => format!("{} of the dwell", number.text),
@@ -242,15 +256,15 @@ fn worded(number: Number, key: &str, sizes: &Sizes) -> Number {
         "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
         _ => return number,
     };
-    Number { text, ..number }
+    LiveNumber { text, ..number }
 }
 
 /// Where the least clearance is.
-fn place(nearest: &ClosestApproach) -> Number {
-    let at = Number::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
+fn place(nearest: &ClosestApproach) -> LiveNumber {
+    let at = LiveNumber::new("where", nearest.crank_angle.to_degrees().abs(), 1, "°");
     let is_at_rest = nearest.contact == ContactPair::LockingDisc;
     let text = if is_at_rest { "in the dwell".to_owned() } else { format!("at {} of the crank", at.text) };
-    Number { text, ..at }
+    LiveNumber { text, ..at }
 }
 
 /// What is to be said of the setting: first what is wrong with it, then the warnings of the command.

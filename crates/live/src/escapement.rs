@@ -1,7 +1,7 @@
 //! The escapement from rest to its steady motion.
 
-use crate::answer::{Answer, Number, shown};
-use crate::control::{Control, Live, Preset, Quantity, Settings};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
+use crate::control::{Control, Live, Preset, Settings};
 use geneva_ask::escapement::rates;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
@@ -24,10 +24,10 @@ pub const LIVE: Live = Live {
     controls: &[
         Control::slider("share", "share of the time shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
-        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
+        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).with_typed_range([0.0, 10.0]),
         Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1)
-            .typed([0.001, 1000.0]),
-        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).typed([0.001, 1e6]),
+            .with_typed_range([0.001, 1000.0]),
+        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).with_typed_range([0.001, 1e6]),
     ],
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },
@@ -36,13 +36,13 @@ pub const LIVE: Live = Live {
     ],
     given: &["follower"],
     quantities: &[
-        Quantity::field("rate", "change of rate with one per cent more friction", "friction_rate_s_a_day"),
-        Quantity::new("entry", "terminal speed, at entry"),
-        Quantity::new("least", "least speed"),
-        Quantity::new("greatest", "greatest speed"),
-        Quantity::new("period", "from pin to pin"),
-        Quantity::new("engagements", "engagements until within 1 % of the terminal speed"),
-        Quantity::new("critical", "may jam from μ ="),
+        LiveQuantity::field("rate", "change of rate with one per cent more friction", "friction_rate_s_a_day"),
+        LiveQuantity::new("entry", "terminal speed, at entry"),
+        LiveQuantity::new("least", "least speed"),
+        LiveQuantity::new("greatest", "greatest speed"),
+        LiveQuantity::new("period", "from pin to pin"),
+        LiveQuantity::new("engagements", "engagements until within 1 % of the terminal speed"),
+        LiveQuantity::new("critical", "may jam from μ ="),
     ],
     others: &[],
     drag: None,
@@ -53,15 +53,15 @@ pub const LIVE: Live = Live {
 /// The mechanisms in the order of the choice.
 const MECHANISMS: [Mechanism; 3] = [Mechanism::SIX_PIN, Mechanism::FOUR_PIN, Mechanism::THREE_PIN];
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let mechanism = MECHANISMS[settings.choice("mechanism")?];
-    let follower = settings.arguments().given_number("follower")?;
+    let follower = settings.arguments().required_number("follower")?;
     let inertias = Inertias::new(settings.value("ratio")? * follower, follower).map_err(|error| error.to_string())?;
     let (torque, friction, share) =
         (settings.value("torque")?, settings.value("friction")?, settings.value("share")? / 100.0);
     let words = |error: DynamicsError| error.to_string();
     let limit = critical_friction(mechanism, inertias.ratio()).map_err(words)?;
-    let critical = Number::new("critical", limit.friction, 3, "");
+    let critical = LiveNumber::new("critical", limit.friction, 3, "");
     let parameters = match Parameters::new(mechanism, inertias, torque, friction) {
         Err(DynamicsError::TooMuchFriction { asked, limit, angle }) => {
             // Where it jams, and why.
@@ -69,14 +69,14 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
             let message = Some(format!(
                 "friction μ {}: from {limit:.4} on, the equation of motion has no single solution {:.1}° from the line of \
                  centres, where the drawing shows it. Give less friction, or a driver with more inertia.",
-                shown(asked),
+                round_for_box(asked),
                 angle.to_degrees()
             ));
             let caption =
                 "The escapement with its driver at the angle where it may jam: with so much friction, its equation of \
                            motion has no single solution there."
                     .to_owned();
-            return Ok(Answer { message, ..Answer::new(Figure { caption, ..figure }, [critical]) });
+            return Ok(LiveReply { message, ..LiveReply::new(Figure { caption, ..figure }, [critical]) });
         }
         other => other.map_err(words)?,
     };
@@ -86,28 +86,28 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     // The speeds depend on these two as well.
     figure.caption += &format!(
         " The torque is {}\u{a0}in\u{a0}lb, and the follower's moment of inertia is always {}\u{a0}·\u{a0}10⁻⁶\u{a0}in\u{a0}lb\u{a0}s².",
-        shown(torque),
-        shown(1e6 * follower)
+        round_for_box(torque),
+        round_for_box(1e6 * follower)
     );
     let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
-        Err(DynamicsError::TooMany { .. }) => Number {
+        Err(DynamicsError::TooMany { .. }) => LiveNumber {
             text: format!("more than {MOST_ENGAGEMENTS}"),
-            ..Number::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
+            ..LiveNumber::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
         },
-        settled => Number::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
+        settled => LiveNumber::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
     };
     let rates = rates(&parameters).map_err(words)?;
     let rate = rates.iter().find(|field| field.key == "friction_rate_s_a_day");
-    let rate = rate.and_then(|field| Number::of("rate", field)).ok_or("the friction has no rate")?;
-    let speed = |name, speed| Number::significant(name, speed, 4, "rad/s");
+    let rate = rate.and_then(|field| LiveNumber::from_field("rate", field)).ok_or("the friction has no rate")?;
+    let speed = |name, speed| LiveNumber::significant(name, speed, 4, "rad/s");
     let numbers = [
         rate,
         speed("entry", steady.entry_speed),
         speed("least", steady.minimum.speed),
         speed("greatest", steady.peak.speed),
-        Number::significant("period", 1000.0 * steady.period, 4, "ms"),
+        LiveNumber::significant("period", 1000.0 * steady.period, 4, "ms"),
         engagements,
         critical,
     ];
-    Ok(Answer::new(figure, numbers))
+    Ok(LiveReply::new(figure, numbers))
 }

@@ -19,9 +19,9 @@ mod mistake;
 mod polygon;
 mod wheel;
 
-pub use answer::{Answer, Number, Progress, shown};
-pub use arguments::Arguments;
-pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity, Side};
+pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
+pub use arguments::LiveArguments;
+pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
@@ -31,7 +31,7 @@ pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// The answer to a question, `name?arguments`, as a JSON object: see [`Answer::to_json`]. The question `name.dxf?arguments`
+/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.dxf?arguments`
 /// asks for the file with that ending, and the answer holds it as `file`. A question that cannot be answered gets `error`:
 /// what is wrong, and what to give.
 pub fn answer(question: &str) -> String {
@@ -49,7 +49,7 @@ fn asked(question: &str) -> Result<String, String> {
         return Err(format!("the question has {} bytes: give {MOST_BYTES} at most", question.len()));
     }
     let (name, arguments) = question.split_once('?').unwrap_or((question, ""));
-    let arguments = Arguments::parse(arguments)?;
+    let arguments = LiveArguments::parse(arguments)?;
     let (name, ending) = name.split_once('.').map_or((name, None), |(name, ending)| (name, Some(ending)));
     let live = by_name(name).ok_or_else(|| {
         let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();

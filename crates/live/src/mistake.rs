@@ -1,11 +1,11 @@
 //! The runs of 1973 with the program set otherwise: printed numbers against computed ones.
 
-use crate::answer::{Answer, Number, Progress};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, Progress};
 use crate::arguments::number;
-use crate::control::{Control, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Live, Preset, Settings};
 use geneva_case1973::{Constants, Given, Hypothesis, Lag, Listing, PeakReading, Reset, Row, Score, SixPin};
 use geneva_dynamics::{Inertias, Parameters};
-use geneva_figures::runs::{Compared, one_agreement};
+use geneva_figures::runs::{ComparedCells, one_agreement};
 use geneva_kinematics::Mechanism;
 use std::cell::RefCell;
 
@@ -19,11 +19,14 @@ pub const LIVE: Live = Live {
            six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Back at 90°, set \
            the sign of friction to “at once, as in the mechanism”: slightly fewer numbers agree.",
     controls: &[
-        Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0).typed([30.0, 170.0]).playing(6.0),
+        Control::slider("reset", "reset angle", "°", [60.0, 120.0], 0.5, 90.0)
+            .with_typed_range([30.0, 170.0])
+            .playing(6.0),
         Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),
         Control::choice("six", "inertias with six pins", &["as in the table", "as in Fig. 11"], 1),
-        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).typed([0.01, 200.0]),
-        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0).typed([0.0, 0.999]),
+        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).with_typed_range([0.01, 200.0]),
+        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0)
+            .with_typed_range([0.0, 0.999]),
         Control::choice("late", "sign of friction", &["at once, as in the mechanism", "late, as in the program"], 1),
     ],
     presets: &[
@@ -33,12 +36,12 @@ pub const LIVE: Live = Live {
     ],
     given: &["rows", "inertias", "headed", "duration", "delay", "pi"],
     quantities: &[
-        Quantity::new("agree", "numbers within one unit of the printed ones"),
-        Quantity::new("six-pins", "with six pins"),
-        Quantity::new("four-pins", "with four pins"),
-        Quantity::new("three-pins", "with three pins"),
-        Quantity::new("normal", "ln L, normal errors"),
-        Quantity::new("exponential", "ln L, exponential errors"),
+        LiveQuantity::new("agree", "numbers within one unit of the printed ones"),
+        LiveQuantity::new("six-pins", "with six pins"),
+        LiveQuantity::new("four-pins", "with four pins"),
+        LiveQuantity::new("three-pins", "with three pins"),
+        LiveQuantity::new("normal", "ln L, normal errors"),
+        LiveQuantity::new("exponential", "ln L, exponential errors"),
     ],
     others: &[],
     drag: None,
@@ -46,7 +49,7 @@ pub const LIVE: Live = Live {
     draw,
 };
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let rows = rows(settings)?;
     let hypothesis = hypothesis(settings)?;
     let (results, done) = match hypothesis.lag {
@@ -59,11 +62,11 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
     let score = Score::from_results(hypothesis, &rows, results);
-    let figure = one_agreement(&Compared::new(name, &score), "1 rad/s or 1 ms");
+    let figure = one_agreement(&ComparedCells::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
         let all = score.cells().filter(|cell| mechanisms.contains(&cell.mechanism)).count();
-        Number { name, value: count as f64, text: format!("{count} of {all}") }
+        LiveNumber { name, value: count as f64, text: format!("{count} of {all}") }
     };
     let mut numbers = vec![
         counted("agree", &Mechanism::ALL),
@@ -74,12 +77,12 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let progress = (done < rows.len()).then_some(Progress { done, all: rows.len() });
     if progress.is_none() {
         for (name, log) in ["normal", "exponential"].into_iter().zip(score.likelihoods()) {
-            let number = Number::new(name, log, 1, "");
+            let number = LiveNumber::new(name, log, 1, "");
             let text = if log.is_finite() { number.text } else { "impossible".to_owned() };
-            numbers.push(Number { text, ..number });
+            numbers.push(LiveNumber { text, ..number });
         }
     }
-    Ok(Answer { progress, ..Answer::new(figure, numbers) })
+    Ok(LiveReply { progress, ..LiveReply::new(figure, numbers) })
 }
 
 /// A number without needless zeros.
@@ -95,7 +98,7 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
     let given = settings.arguments();
     let inertias = |name: &'static str| -> Result<Vec<Vec<f64>>, String> {
         let line = |line: &str| line.split(',').map(|text| number(name, text)).collect();
-        given.given(name)?.split(';').map(line).collect()
+        given.required(name)?.split(';').map(line).collect()
     };
     let (drawn, headed) = (inertias("inertias")?, inertias("headed")?);
     let listing = listing(settings)?;
@@ -117,14 +120,14 @@ fn rows(settings: &Settings) -> Result<Vec<Row>, String> {
         }
         Ok(row)
     };
-    given.given("rows")?.split(';').map(row).collect()
+    given.required("rows")?.split(';').map(row).collect()
 }
 
 /// What is set of the program, and what the page gives of it.
 fn listing(settings: &Settings) -> Result<Listing, String> {
     let given = settings.arguments();
     let (interval, phase) = (settings.value("interval")? / 1000.0, settings.value("phase")?);
-    let duration = given.given_number("duration")?;
+    let duration = given.required_number("duration")?;
     if !(interval >= 1e-5 && interval <= duration) {
         return Err(format!("interval {} ms: give 0.01 to {} ms", 1000.0 * interval, 1000.0 * duration));
     }
@@ -138,7 +141,7 @@ fn listing(settings: &Settings) -> Result<Listing, String> {
         );
     }
     let reset = settings.value("reset")?.to_radians();
-    let (pi, delay) = (given.given_number("pi")?, given.given_number("delay")?);
+    let (pi, delay) = (given.required_number("pi")?, given.required_number("delay")?);
     Ok(Listing { reset, pi, first_line: phase * interval, interval, duration, delay })
 }
 

@@ -1,9 +1,9 @@
 //! The vector diagrams of the quick-return mechanism.
 
-use crate::answer::{Answer, Number, shown};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, Side, TURNS};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
+use crate::control::{Control, ControlSide, Live, PointerDrag, Preset, Settings, TURNS};
 use geneva_ask::Error;
-use geneva_ask::quick_return::{Design, Place, Question, lever_motion};
+use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
 use geneva_figures::{quick_return, with_minus_sign};
 use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
@@ -28,16 +28,18 @@ pub const LIVE: Live = Live {
            one of the two angles.",
     controls: &[
         Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0)
-            .typed(TURNS)
+            .with_typed_range(TURNS)
             .playing(30.0)
-            .on_side(Side::First),
-        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0).typed(TURNS).on_side(Side::Second),
+            .on_side(ControlSide::First),
+        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0)
+            .with_typed_range(TURNS)
+            .on_side(ControlSide::Second),
         Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
-            .on_side(Side::Second),
-        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).typed(LENGTHS),
-        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).typed(LENGTHS),
-        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).typed([-1e6, 1e6]),
-        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
+            .on_side(ControlSide::Second),
+        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).with_typed_range(LENGTHS),
+        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).with_typed_range(LENGTHS),
+        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).with_typed_range([-1e6, 1e6]),
+        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).with_typed_range([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -47,33 +49,33 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        Quantity::new("gap", "gap of the acceleration polygon"),
-        Quantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
-        Quantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
-        Quantity::new("closed", "φ̈ if you close it with this factor"),
-        Quantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
-        Quantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
+        LiveQuantity::new("gap", "gap of the acceleration polygon"),
+        LiveQuantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
+        LiveQuantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
+        LiveQuantity::new("closed", "φ̈ if you close it with this factor"),
+        LiveQuantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
+        LiveQuantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
     ],
     others: &[],
-    drag: Some(Drag { control: "crank", at_right: -180.0, sense: 1.0 }),
+    drag: Some(PointerDrag { control: "crank", at_right: -180.0, sense: 1.0 }),
     files: &[],
     draw,
 };
 
 /// The mechanism of these settings: by the lever's angle where the reader has moved that, and by the crank's elsewhere.
-fn design(settings: &Settings) -> Result<Design, String> {
+fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     let [ground, radius, rpm] = ["ground", "radius", "rpm"].map(|name| settings.value(name));
     let (ground, crank, rpm) = (ground?, radius?, rpm?);
     if rpm == 0.0 {
         return Err("the crank must turn, or nothing moves: give −1e6 to 1e6 rpm, but not 0".to_owned());
     }
-    let angle = settings.moved("crank")?;
-    let branch = if settings.moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
-    let lever = settings.moved("lever")?;
+    let angle = settings.value_if_moved("crank")?;
+    let branch = if settings.value_if_moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
+    let lever = settings.value_if_moved("lever")?;
     let theta = angle.unwrap_or(LIVE.controls[0].preset);
-    let place = lever.map_or(Place::Crank(theta + 180.0), |lever| Place::Lever(lever, branch));
-    Design::new(&Question { ground, crank, place, rpm }).map_err(|error| match (error, place) {
-        (_, Place::Crank(_)) => {
+    let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
+    QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
+        (_, LinkageAngle::Crank(_)) => {
             format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
         }
         (Error::Argument(message), _) => {
@@ -83,8 +85,8 @@ fn design(settings: &Settings) -> Result<Design, String> {
     })
 }
 
-fn draw(settings: &Settings) -> Result<Answer, String> {
-    let Design { linkage, position, drive, .. } = &design(settings)?;
+fn draw(settings: &Settings) -> Result<LiveReply, String> {
+    let QuickReturnDesign { linkage, position, drive, .. } = &design(settings)?;
     let factor = settings.value("factor")?;
     let motion = LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive)
         .ok_or("these numbers are too large or too small to compute with: give others")?;
@@ -96,7 +98,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let (turning, right) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
     // What is missing of the Coriolis term across the lever, the lever's tangential acceleration gets.
     let closed = right + (2.0 - factor) * turning * sliding / position.pin_distance;
-    let closed = Number::significant("closed", closed, 4, "rad/s²");
+    let closed = LiveNumber::significant("closed", closed, 4, "rad/s²");
     // A lever that turns round and round has only one point on its ray.
     let is_near = linkage.ratio() > 1.0 && position.branch() == Branch::Near;
     let (far, branch) = if is_near { ("near", 1.0) } else { ("far", 0.0) };
@@ -106,32 +108,32 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     }
     figure.caption += &format!(
         " Shown: axes {}\u{a0}m apart, a crank of {}\u{a0}m at {}\u{a0}rpm, and the lever at φ = {}, with the pin at the {far} point.",
-        shown(linkage.ground()),
-        shown(linkage.crank()),
-        with_minus_sign(&shown(settings.value("rpm")?).to_string()),
-        Number::new("lever", lever, 1, "°").text,
+        round_for_box(linkage.ground()),
+        round_for_box(linkage.crank()),
+        with_minus_sign(&round_for_box(settings.value("rpm")?).to_string()),
+        LiveNumber::new("lever", lever, 1, "°").text,
     );
     let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));
-    let numbers = [Number::significant("gap", gap, 4, "m/s²")]
+    let numbers = [LiveNumber::significant("gap", gap, 4, "m/s²")]
         .into_iter()
-        .chain(of_lever.filter_map(|(name, field)| Number::of(name, &field)))
+        .chain(of_lever.filter_map(|(name, field)| LiveNumber::from_field(name, &field)))
         .chain([
             closed,
-            Number::significant("sliding", sliding, 4, "m/s"),
-            Number::significant("coriolis", coriolis, 4, "m/s²"),
+            LiveNumber::significant("sliding", sliding, 4, "m/s"),
+            LiveNumber::significant("coriolis", coriolis, 4, "m/s²"),
         ]);
     let theta = if theta > 0.0 { theta - 180.0 } else { theta + 180.0 };
     let followers = vec![("crank", theta), ("lever", lever), ("branch", branch)];
-    Ok(Answer { followers, ..Answer::new(figure, numbers) })
+    Ok(LiveReply { followers, ..LiveReply::new(figure, numbers) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::LIVE;
-    use crate::{Answer, Arguments};
+    use crate::{LiveArguments, LiveReply};
 
-    fn answer(query: &str) -> Result<Answer, String> {
-        LIVE.answer(&Arguments::parse(query).expect("a query"))
+    fn answer(query: &str) -> Result<LiveReply, String> {
+        LIVE.answer(&LiveArguments::parse(query).expect("a query"))
     }
 
     /// The texts of some numbers, and the caption.
@@ -161,7 +163,7 @@ mod tests {
     #[test]
     fn either_angle_gives_the_other_and_the_point_of_the_pin() {
         for query in ["lever=18", "lever=18&branch=1", "lever=-7&rpm=-20", "lever=140&radius=0.5"] {
-            let Answer { figure, followers, .. } = answer(query).expect("an answer");
+            let LiveReply { figure, followers, .. } = answer(query).expect("an answer");
             let crank = followers.iter().find(|(name, _)| *name == "crank").expect("told").1;
             let rpm = query.split('&').find(|pair| pair.starts_with("rpm")).unwrap_or("rpm=60");
             let radius = query.split('&').find(|pair| pair.starts_with("radius")).unwrap_or("radius=0.1");

@@ -3,7 +3,7 @@
 //! `GENEVA_FUZZ` sets how many questions are asked, `GENEVA_FUZZ_SEED` where the sequence starts; see CONTRIBUTING.md.
 
 use fastrand::Rng;
-use geneva_live::{Arguments, LIVE, Live, answer};
+use geneva_live::{LIVE, Live, LiveArguments, answer};
 
 /// Questions of a normal test run.
 const QUESTIONS: u64 = 400;
@@ -167,7 +167,7 @@ fn a_value_that_is_none_is_refused_with_the_range_or_the_choices_of_its_control(
         for control in live.controls {
             let [least, most] = control.range;
             let range = match control.kind {
-                geneva_live::Kind::Choice(choices) => format!("0 ({})", choices[0]),
+                geneva_live::ControlKind::Choice(choices) => format!("0 ({})", choices[0]),
                 _ => format!("{least} to {most}"),
             };
             for value in ["x", "nan", "1e300", "5e-324", "-5.9e13"] {
@@ -266,7 +266,7 @@ fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
             };
             let arguments = preset.arguments.split('&').map(times).collect::<Vec<_>>().join("&");
             let setting = format!("{given}&{arguments}");
-            let arguments = Arguments::parse(setting.trim_start_matches('&'));
+            let arguments = LiveArguments::parse(setting.trim_start_matches('&'));
             let (message, caption) = match live.answer(&arguments.expect("arguments")) {
                 Ok(answer) => (answer.message.unwrap_or_default(), answer.figure.caption),
                 Err(message) => (message, String::new()),
@@ -287,7 +287,7 @@ fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
 /// A number of the design with these settings, in the unit of its text, and its text.
 fn designed(settings: &str, name: &str) -> Option<(f64, String)> {
     let live = geneva_live::by_name("design").expect("a figure");
-    let answer = live.answer(&Arguments::parse(settings).expect("arguments")).expect("an answer");
+    let answer = live.answer(&LiveArguments::parse(settings).expect("arguments")).expect("an answer");
     answer.numbers.into_iter().find(|number| number.name == name).map(|number| (number.value, number.text))
 }
 
@@ -307,7 +307,7 @@ fn axes_a_little_apart_soften_the_knock_and_farther_apart_it_is_a_corner() {
     assert!(knock(0.02) < knock(0.0) && knock(0.04) < knock(0.02), "{} {}", knock(0.0), knock(0.02));
     assert!(knock(0.06) > knock(0.0));
     let live = geneva_live::by_name("design").expect("a figure");
-    let told = live.answer(&Arguments::parse("error=0.02").expect("one")).expect("an answer").message;
+    let told = live.answer(&LiveArguments::parse("error=0.02").expect("one")).expect("an answer").message;
     assert!(told.is_some_and(|told| told.contains("right distance")), "it is not said what is for moved axes");
 }
 
@@ -315,7 +315,7 @@ fn axes_a_little_apart_soften_the_knock_and_farther_apart_it_is_a_corner() {
 fn the_numbers_of_a_setting_can_be_taken_away() {
     let live = geneva_live::by_name("design").expect("a figure");
     let file =
-        live.file("csv", &Arguments::parse("stations=8&radius=80&wheel-shaft=30").expect("one")).expect("a file");
+        live.file("csv", &LiveArguments::parse("stations=8&radius=80&wheel-shaft=30").expect("one")).expect("a file");
     assert_eq!(file.lines().next(), Some("quantity,value,text"));
     let value = |label: &str| {
         let line = file.lines().find(|line| line.starts_with(&format!("\"{label}\","))).expect(label);
@@ -349,6 +349,6 @@ fn no_hint_and_no_message_shows_marks_that_only_a_chapter_understands() {
         assert!(!live.hint.contains('`'), "{}", live.hint);
     }
     let live = geneva_live::by_name("design").expect("a figure");
-    let told = live.answer(&Arguments::parse("radius=100&play=0.0001").expect("one")).expect("an answer").message;
+    let told = live.answer(&LiveArguments::parse("radius=100&play=0.0001").expect("one")).expect("an answer").message;
     assert!(told.is_some_and(|told| told.contains("geneva wheel") && !told.contains('`')));
 }

@@ -47,7 +47,7 @@ impl Edition {
     /// The edition that a repository has, if the settings of the book are among its files. They are not where the project
     /// was unpacked inside the repository of another one.
     fn committed(book: &Path, version: &'static str) -> Option<Self> {
-        let repository = Repository::around(book)?;
+        let repository = Repository::containing(book)?;
         let settings = std::fs::canonicalize(book).ok()?.join("book.toml");
         let settings = settings.strip_prefix(repository.top()).ok()?;
         repository.ask([Path::new("ls-files"), Path::new("--error-unmatch"), Path::new("--"), settings]).ok()?;

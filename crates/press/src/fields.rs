@@ -1,10 +1,10 @@
 //! Values under keys as JSON and CSV: in JSON a list of fields is an object, in CSV a row.
 
-pub use geneva_fields::{Row, Value};
+pub use geneva_fields::{DataRow, FieldValue};
 use serde::Serialize;
 
 /// A header, which is that of any such row, and the rows.
-pub fn csv(any: Option<&Row>, rows: impl IntoIterator<Item = Row>) -> anyhow::Result<String> {
+pub fn csv(any: Option<&DataRow>, rows: impl IntoIterator<Item = DataRow>) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     if let Some(any) = any {
         writer.write_record(columns(any))?;
@@ -21,31 +21,31 @@ pub fn json(said: &impl Serialize) -> anyhow::Result<String> {
 }
 
 /// The names of the cells: the keys, those of an object behind its own.
-fn columns(row: &Row) -> Vec<String> {
+fn columns(row: &DataRow) -> Vec<String> {
     let names = row.0.iter().flat_map(|(key, value)| match value {
-        Value::Object(inner) => columns(inner).iter().map(|column| format!("{key}_{column}")).collect(),
+        FieldValue::Object(inner) => columns(inner).iter().map(|column| format!("{key}_{column}")).collect(),
         _ => vec![(*key).to_owned()],
     });
     names.collect()
 }
 
-fn cells(row: &Row) -> Vec<String> {
+fn cells(row: &DataRow) -> Vec<String> {
     let cells = row.0.iter().flat_map(|(_, value)| match value {
-        Value::Object(inner) => cells(inner),
+        FieldValue::Object(inner) => cells(inner),
         other => vec![cell(other)],
     });
     cells.collect()
 }
 
 /// A value as it stands in a cell: a number as in JSON.
-fn cell(value: &Value) -> String {
+fn cell(value: &FieldValue) -> String {
     match value {
-        Value::Missing | Value::Object(_) => String::new(),
-        Value::Flag(flag) => flag.to_string(),
-        Value::Count(count) => count.to_string(),
-        Value::Number(number) => serde_json::to_string(number).unwrap_or_default(),
-        Value::Text(text) | Value::Worded(_, text) => text.clone(),
-        Value::List(values) => values.iter().map(cell).collect::<Vec<_>>().join("; "),
+        FieldValue::Missing | FieldValue::Object(_) => String::new(),
+        FieldValue::Flag(flag) => flag.to_string(),
+        FieldValue::Count(count) => count.to_string(),
+        FieldValue::Number(number) => serde_json::to_string(number).unwrap_or_default(),
+        FieldValue::Text(text) | FieldValue::Worded(_, text) => text.clone(),
+        FieldValue::List(values) => values.iter().map(cell).collect::<Vec<_>>().join("; "),
     }
 }
 
@@ -55,13 +55,13 @@ mod tests {
 
     #[test]
     fn json_and_csv_say_the_same_of_what_is_there_and_of_what_is_missing() {
-        let finding = Row(vec![("form", "printed".into()), ("holds", false.into())]);
+        let finding = DataRow(vec![("form", "printed".into()), ("holds", false.into())]);
         let row = |inner: Option<f64>| {
-            Row(vec![
+            DataRow(vec![
                 ("a", 6e-5.into()),
-                ("b", Value::Missing),
-                ("c", vec![Value::Worded(finding.clone(), "printed fails".to_owned()), 2_u32.into()].into()),
-                ("d", Value::Object(Row(vec![("x", inner.into()), ("y", inner.map(|_| "text").into())]))),
+                ("b", FieldValue::Missing),
+                ("c", vec![FieldValue::Worded(finding.clone(), "printed fails".to_owned()), 2_u32.into()].into()),
+                ("d", FieldValue::Object(DataRow(vec![("x", inner.into()), ("y", inner.map(|_| "text").into())]))),
             ])
         };
         let (some, none) = (row(Some(1.0)), row(None));

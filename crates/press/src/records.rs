@@ -2,7 +2,7 @@
 
 use crate::book::Book;
 use crate::edition::Edition;
-use crate::fields::{self, Row, Value};
+use crate::fields::{self, DataRow, FieldValue};
 use crate::lookup::unknown;
 use crate::{address, works};
 use geneva_evidence::{
@@ -142,7 +142,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
     let entries = entries(ledger)?;
     let works: Vec<_> = works::rows(book.works).collect();
     let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
-    let versioned = |what, rows: &mut dyn Iterator<Item = Row>| versioned(book, what, edition, rows);
+    let versioned = |what, rows: &mut dyn Iterator<Item = DataRow>| versioned(book, what, edition, rows);
     Ok(vec![
         ("claims.json", versioned("claims", &mut claims.into_iter())?),
         ("errata.json", versioned("errata", &mut of_sources.map(slip))?),
@@ -160,17 +160,17 @@ fn versioned(
     book: &Book,
     what: &'static str,
     edition: &Edition,
-    rows: &mut dyn Iterator<Item = Row>,
+    rows: &mut dyn Iterator<Item = DataRow>,
 ) -> anyhow::Result<String> {
     let imprint = &book.imprint;
-    fields::json(&Row(vec![
+    fields::json(&DataRow(vec![
         ("title", imprint.title.into()),
         ("version", imprint.version.into()),
         ("commit", edition.commit.as_deref().into()),
         ("changed", edition.commit.as_ref().map(|_| edition.is_changed).into()),
         ("license", imprint.licence.into()),
         ("address", address::known(imprint).map(|address| address.book).into()),
-        (what, Value::List(rows.map(Value::Object).collect())),
+        (what, FieldValue::List(rows.map(FieldValue::Object).collect())),
     ]))
 }
 
@@ -180,7 +180,7 @@ pub fn slips_of_copies(ledger: &'static Ledger) -> impl Iterator<Item = &'static
 }
 
 /// Every entry of every line of the documents.
-pub fn entries(ledger: &'static Ledger) -> anyhow::Result<Vec<Row>> {
+pub fn entries(ledger: &'static Ledger) -> anyhow::Result<Vec<DataRow>> {
     let mut rows = Vec::new();
     for document in ledger.mirrored() {
         let lines = document.lines()?.iter();
@@ -189,7 +189,7 @@ pub fn entries(ledger: &'static Ledger) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-fn entry(document: &'static Document, line: &Line, entry: &Entry) -> Row {
+fn entry(document: &'static Document, line: &Line, entry: &Entry) -> DataRow {
     let (kind, id) = match entry {
         Entry::Claim(id) => ("claim", *id),
         Entry::Rest(id, _) => ("rest", *id),
@@ -199,7 +199,7 @@ fn entry(document: &'static Document, line: &Line, entry: &Entry) -> Row {
         Entry::Exception { id, .. } => ("exception", *id),
     };
     let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
-    Row(vec![
+    DataRow(vec![
         ("source", document.slug.into()),
         ("line", line.number.into()),
         ("entry", kind.into()),
@@ -215,7 +215,7 @@ const DESCRIBED: [(&str, &[FieldMeaning]); 3] =
 
 /// The fields of a file's rows, with what each says in this book, and one row to each of the ledger's to see of what type they
 /// are.
-pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, Vec<Row>)> {
+pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, Vec<DataRow>)> {
     let ledger = book.ledger;
     let found = DESCRIBED.iter().find(|(name, _)| *name == file);
     let (_, fields) = found.ok_or_else(|| unknown("file that is described", file, DESCRIBED.iter().map(|of| of.0)))?;
@@ -232,7 +232,7 @@ pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, 
 }
 
 /// Of what types the values at a path are, in words.
-pub fn types(rows: &[Row], path: &str) -> String {
+pub fn types(rows: &[DataRow], path: &str) -> String {
     let mut found = BTreeSet::new();
     for row in rows {
         collect(row, path, &mut found);
@@ -240,13 +240,13 @@ pub fn types(rows: &[Row], path: &str) -> String {
     found.into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(" or ")
 }
 
-fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
+fn collect(row: &DataRow, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     let Some((_, value)) = row.0.iter().find(|(name, _)| *name == key) else { return };
     match (value, rest) {
-        (Value::Object(inner) | Value::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
-        (Value::List(values), Some(rest)) => values.iter().for_each(|value| {
-            if let Value::Object(inner) | Value::Worded(inner, _) = value {
+        (FieldValue::Object(inner) | FieldValue::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
+        (FieldValue::List(values), Some(rest)) => values.iter().for_each(|value| {
+            if let FieldValue::Object(inner) | FieldValue::Worded(inner, _) = value {
                 collect(inner, rest, found);
             }
         }),
@@ -256,7 +256,7 @@ fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
 }
 
 /// All that is known of a claim.
-pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
+pub fn claim(ledger: &'static Ledger, judged: &Judged) -> DataRow {
     let (claim, slip) = (judged.claim, judged.claim.erratum.as_ref().map(|erratum| &erratum.slip));
     let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug).collect();
     let findings: Vec<_> = judged.findings.iter().map(|(form, finding)| found(form, finding)).collect();
@@ -265,7 +265,7 @@ pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
         Check::Missing { reason } => (None, Some(reason)),
         _ => (None, None),
     };
-    Row(vec![
+    DataRow(vec![
         ("id", claim.id.into()),
         ("source", claim.document.slug.into()),
         ("locator", claim.locator.into()),
@@ -296,18 +296,19 @@ pub fn claim(ledger: &'static Ledger, judged: &Judged) -> Row {
         ("neighbour", neighbour.into()),
         // Which datum is missing and why.
         ("missing", missing.into()),
-        ("erratum", Value::Object(erratum(ledger, judged, slip))),
+        ("erratum", FieldValue::Object(erratum(ledger, judged, slip))),
     ])
 }
 
 /// How a form was found to hold or to fail.
-fn found(form: &str, finding: &Finding) -> Value {
-    let row = Row(vec![("form", form.into()), ("holds", finding.holds.into()), ("how", finding.how.clone().into())]);
-    Value::Worded(row, format!("{form} {}: {}", if finding.holds { "holds" } else { "fails" }, finding.how))
+fn found(form: &str, finding: &Finding) -> FieldValue {
+    let row =
+        DataRow(vec![("form", form.into()), ("holds", finding.holds.into()), ("how", finding.how.clone().into())]);
+    FieldValue::Worded(row, format!("{form} {}: {}", if finding.holds { "holds" } else { "fails" }, finding.how))
 }
 
 /// For `printed` read `corrected`; all is missing where there is no slip.
-fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row {
+fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> DataRow {
     let claim = judged.claim;
     // The other claims that the slip reaches, in the record of the one in which it is made.
     let inherited = || {
@@ -315,7 +316,7 @@ fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row
         let all = places.into_iter().flat_map(|places| &places.claims).map(|judged| judged.claim.id);
         all.filter(|id| *id != claim.id).collect::<Vec<_>>()
     };
-    Row(vec![
+    DataRow(vec![
         ("printed", slip.map(|_| without_ellipses(claim)).into()),
         ("corrected", slip.map(|_| judged.corrected().unwrap_or_default()).into()),
         ("reason", slip.map(|slip| slip.reason).into()),
@@ -326,11 +327,11 @@ fn erratum(ledger: &'static Ledger, judged: &Judged, slip: Option<&Slip>) -> Row
 }
 
 /// All that is known of a slip.
-pub fn slip(places: &TracedSlip) -> Row {
+pub fn slip(places: &TracedSlip) -> DataRow {
     let (slip, main) = (&places.slip, places.main());
     // The claims that it reaches.
     let ids: Vec<_> = places.claims.iter().map(|judged| judged.claim.id).collect();
-    Row(vec![
+    DataRow(vec![
         ("id", slip.id.into()),
         ("source", main.claim.document.slug.into()),
         ("locator", main.claim.locator.into()),

@@ -3,7 +3,7 @@
 //! A work is cited where a sentence needs it and listed once, on the page of sources.
 
 use crate::book::{Book, CitedWork};
-use crate::fields::Row;
+use crate::fields::DataRow;
 use crate::html::escape;
 use crate::lookup;
 use crate::pages::PageRole;
@@ -39,9 +39,9 @@ pub fn works_list(book: &Book) -> anyhow::Result<String> {
 }
 
 /// The list as data, with where and when each work's details were read.
-pub fn rows(works: &'static [CitedWork]) -> impl Iterator<Item = Row> {
+pub fn rows(works: &'static [CitedWork]) -> impl Iterator<Item = DataRow> {
     works.iter().map(|work| {
-        Row(vec![
+        DataRow(vec![
             ("key", work.key.into()),
             ("authors", work.authors.into()),
             ("title", work.title.into()),

@@ -6,11 +6,11 @@ mod report;
 mod run;
 mod timer;
 
-pub use question::{Further, Question, Units};
+pub use question::{EscapementQuestion, Further, UnitSystem};
 pub use timer::rates;
 
 use crate::Error;
-use crate::written::{as_typed, rounded_up};
+use crate::number_format::{as_typed, rounded_up};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
 use geneva_dynamics::{DynamicsError as Motion, Inertias, Parameters};
 use geneva_figures::Figure;
@@ -20,7 +20,7 @@ use geneva_kinematics::Mechanism;
 
 /// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawing {
+pub enum EscapementDrawing {
     /// The mechanism, to scale.
     Mechanism,
     /// Normal force and friction torque over one engagement of the steady state.
@@ -34,21 +34,21 @@ const SETTLED: f64 = 0.01;
 
 /// An escapement that a question describes.
 #[derive(Debug)]
-pub struct Design {
-    question: Question,
+pub struct EscapementDesign {
+    question: EscapementQuestion,
     parameters: Parameters,
     /// The turn of the driver, in degrees, after which its angle is reset: the question's, or that of the mechanism.
     reset_deg: f64,
     engagement: Engagement,
 }
 
-impl Design {
+impl EscapementDesign {
     /// The escapement that a question describes.
     ///
     /// # Errors
     ///
     /// What is impossible, with the arguments to change.
-    pub fn new(question: Question) -> Result<Self, Error> {
+    pub fn new(question: EscapementQuestion) -> Result<Self, Error> {
         let parameters = parameters(&question)?;
         let reset_deg = question.reset_deg.unwrap_or(own_reset(parameters.mechanism()));
         let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(&question, error))?;
@@ -64,13 +64,13 @@ impl Design {
     /// # Errors
     ///
     /// A drawing of a steady state that there is not.
-    pub fn drawing(&self, drawing: Drawing) -> Result<Figure, Error> {
+    pub fn drawing(&self, drawing: EscapementDrawing) -> Result<Figure, Error> {
         Ok(match drawing {
-            Drawing::Mechanism => {
+            EscapementDrawing::Mechanism => {
                 let escapement = self.parameters.mechanism();
                 mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?
             }
-            Drawing::NormalForce => {
+            EscapementDrawing::NormalForce => {
                 if self.reset_deg != own_reset(self.parameters.mechanism()) {
                     return Err(refused!(
                         "--reset-deg {}: --figure normal-force shows an engagement of a real mechanism; leave --reset-deg out",
@@ -79,7 +79,7 @@ impl Design {
                 }
                 normal_force(&self.parameters, self.steady_state()?.entry_speed)?
             }
-            Drawing::Run => {
+            EscapementDrawing::Run => {
                 self.steady_state()?;
                 speeds(&self.engagement, "")?
             }
@@ -89,7 +89,7 @@ impl Design {
 
 /// The parameters that were typed, if there is such an escapement; too much friction is refused in terms of the option and
 /// in degrees.
-fn parameters(question: &Question) -> Result<Parameters, Error> {
+fn parameters(question: &EscapementQuestion) -> Result<Parameters, Error> {
     let mechanism = Mechanism::new(question.slots)?;
     let inertias = Inertias::new(question.driver_inertia, question.follower_inertia)?;
     match Parameters::new(mechanism, inertias, question.torque, question.friction) {
@@ -119,7 +119,7 @@ pub fn engagement(parameters: &Parameters, reset_deg: f64) -> Result<Engagement,
 }
 
 /// The library's refusal of a steady motion, in terms of the options.
-fn unsteady(question: &Question, error: Motion) -> Error {
+fn unsteady(question: &EscapementQuestion, error: Motion) -> Error {
     let friction = as_typed(question.friction);
     match error {
         Motion::Reset { asked, limit } => no_reset(question.reset_deg.unwrap_or(asked.to_degrees()), limit),
@@ -154,7 +154,7 @@ pub fn no_reset(asked_deg: f64, limit: f64) -> Error {
 /// The more the speed, the nearer to the line of centres is the switch, and the more an engagement contracts: below the
 /// steady speed it contracts by no more than there. So the multiplier of the steady state tells how many engagements
 /// are needed at least, and a rise that is too long for certain is not tried.
-pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Motion> {
+pub fn engagements_until_steady(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Motion> {
     let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
     let least = libm::log(1.0 - enough) / libm::log(steady.multiplier);
     // A little is left to rounding.

@@ -5,7 +5,7 @@ use geneva_dynamics::joints::Joints;
 
 /// What is asked of an escapement; torque and inertias in units that fit each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct EscapementQuestion {
     /// Number of slots of the follower: 3, 4 or 6.
     pub slots: u32,
     /// Coefficient of friction between pin and slot.
@@ -17,7 +17,7 @@ pub struct Question {
     /// Moment of inertia of the follower about its axis.
     pub follower_inertia: f64,
     /// Units of torque and inertias, to report them in SI units too.
-    pub units: Option<Units>,
+    pub units: Option<UnitSystem>,
     /// Turn of the driver, in degrees, after which its angle is reset, unless that is the turn from pin to pin.
     pub reset_deg: Option<f64>,
     /// What has no name at the command line.
@@ -40,14 +40,14 @@ pub struct Further {
 
 /// Coherent systems of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Units {
+pub enum UnitSystem {
     /// Inch, pound-force and second: torque in in lb, inertias in in lb s².
     InLbS,
     /// Metre, kilogram and second: torque in N m, inertias in kg m².
     Si,
 }
 
-impl Units {
+impl UnitSystem {
     /// The unit of torque in N m, which is that of inertia in kg m², for the unit of time is the second.
     ///
     /// A pound is the weight of 0.45359237 kg where gravity is standard, 9.80665 m/s², and an inch is 0.0254 m, all by
@@ -76,7 +76,7 @@ const MEASURES: [&str; 12] = [
     "bearing-friction",
 ];
 
-impl Question {
+impl EscapementQuestion {
     /// Reads arguments as they are typed: `--slots 4 --friction 0.2 --torque 0.3 --driver-inertia 4e-6 --follower-inertia 5e-5`.
     /// Of an argument that is given twice the last counts.
     ///
@@ -88,8 +88,8 @@ impl Question {
         for pair in pairs(text) {
             match pair? {
                 ("slots", value) => slots = Some(number("slots", value)?),
-                ("units", "in-lb-s") => units = Some(Units::InLbS),
-                ("units", "si") => units = Some(Units::Si),
+                ("units", "in-lb-s") => units = Some(UnitSystem::InLbS),
+                ("units", "si") => units = Some(UnitSystem::Si),
                 (name, value) => {
                     let place = MEASURES.iter().zip(&mut measures).find(|(known, _)| **known == name);
                     let (_, place) = place.ok_or_else(|| {
@@ -124,25 +124,25 @@ impl Question {
 
 #[cfg(test)]
 mod tests {
-    use super::{Question, Units};
+    use super::{EscapementQuestion, UnitSystem};
 
     #[test]
     fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
         // 1 in = 254/1e4 m, 1 lb = 45359237/1e8 kg and 980665/1e5 m/s²: their product is a fraction of integers.
         let fraction = (254_u64 * 45_359_237 * 980_665) as f64 / 1e17;
-        approx::assert_relative_eq!(Units::InLbS.torque_n_m(), fraction, max_relative = 1e-15);
+        approx::assert_relative_eq!(UnitSystem::InLbS.torque_n_m(), fraction, max_relative = 1e-15);
         // The inverse, as tables give it: a newton metre is 8.850746 inch pounds.
-        approx::assert_relative_eq!(1.0 / Units::InLbS.torque_n_m(), 8.850_746, max_relative = 1e-7);
-        assert_eq!(Units::Si.torque_n_m(), 1.0);
+        approx::assert_relative_eq!(1.0 / UnitSystem::InLbS.torque_n_m(), 8.850_746, max_relative = 1e-7);
+        assert_eq!(UnitSystem::Si.torque_n_m(), 1.0);
     }
 
     #[test]
     fn what_is_asked_is_read_as_it_is_typed() {
         let four = "--slots 4 --friction 0.2 --torque 2 --driver-inertia 4e-6 --follower-inertia 6e-5";
-        let question = Question::parse(&format!("{four} --friction 0.3 --pin-radius 0.1")).expect("complete");
+        let question = EscapementQuestion::parse(&format!("{four} --friction 0.3 --pin-radius 0.1")).expect("complete");
         let joints = question.further.joints.expect("a pin");
         assert_eq!([question.friction, joints.pin_radius, joints.driver_journal], [0.3, 0.1, 0.0]);
-        assert_eq!(Question::parse(four).expect("complete").further.joints, None);
+        assert_eq!(EscapementQuestion::parse(four).expect("complete").further.joints, None);
         for (text, words) in [
             ("--slots 4 --friction 0.2", "--torque is missing"),
             (&four.replace("--slots 4", ""), "--slots is missing"),
@@ -150,7 +150,7 @@ mod tests {
             (&format!("{four} --oil 1"), "--oil 1: give --slots"),
             (&format!("{four} --play x"), "--play x: not a number"),
         ] {
-            let error = Question::parse(text).expect_err(text).to_string();
+            let error = EscapementQuestion::parse(text).expect_err(text).to_string();
             assert!(error.contains(words), "{error}");
         }
     }

@@ -2,9 +2,9 @@
 //!
 //! Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 
-use super::{Design, SETTLED, Units, own_reset, rise, unsteady};
-use crate::written::{angle, as_typed, count, number};
-use crate::{Answer, Error, Field};
+use super::{EscapementDesign, SETTLED, UnitSystem, engagements_until_steady, own_reset, unsteady};
+use crate::number_format::{angle, as_typed, count, number};
+use crate::{Error, MechanismReport, ReportField};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, RiseMeasure, SteadyState};
@@ -16,18 +16,18 @@ const INTRODUCTION: &str = "Times are in the unit of time of the torque and the 
 /// Most engagements from rest of which profile and average are looked at.
 const MOST_COMPARED: usize = 10_000;
 
-impl Design {
+impl EscapementDesign {
     /// The answer.
     ///
     /// # Errors
     ///
     /// Why there is no steady state.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let (parameters, engagement, reset_deg) = (&self.parameters, &self.engagement, self.reset_deg);
         let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let state = self.steady_state()?;
-        let rise = rise(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
-        let answer = Answer {
+        let rise = engagements_until_steady(engagement, &state).map_err(|error| unsteady(&self.question, error))?;
+        let answer = MechanismReport {
             title: format!(
                 "Geneva escapement: {}, {}, friction {}, torque {}, inertias: driver {}, follower {}",
                 count(mechanism.slots() as usize, "slot"),
@@ -58,7 +58,7 @@ impl Design {
     }
 }
 
-fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units>) -> Vec<Field> {
+fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<UnitSystem>) -> Vec<ReportField> {
     let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
     let own = own_reset(mechanism);
     let reset_angle = if reset_deg == own {
@@ -70,28 +70,30 @@ fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units
         )
     };
     let mut fields = vec![
-        Field::new("slots", mechanism.slots()),
-        Field::new("pins", mechanism.pins()),
-        Field::new("friction", parameters.friction()),
-        Field::new("torque", torque),
-        Field::new("driver_inertia", inertias.driver()),
-        Field::new("follower_inertia", inertias.follower()),
-        Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "the driver's inertia over the follower's"),
-        Field::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
+        ReportField::new("slots", mechanism.slots()),
+        ReportField::new("pins", mechanism.pins()),
+        ReportField::new("friction", parameters.friction()),
+        ReportField::new("torque", torque),
+        ReportField::new("driver_inertia", inertias.driver()),
+        ReportField::new("follower_inertia", inertias.follower()),
+        ReportField::new("inertia_ratio", inertias.ratio())
+            .line("inertia ratio", "the driver's inertia over the follower's"),
+        ReportField::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
             .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line of centres"),
-        Field::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
+        ReportField::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
     ];
-    if let Some(unit) = units.map(Units::torque_n_m) {
+    if let Some(unit) = units.map(UnitSystem::torque_n_m) {
         fields.extend([
-            Field::in_unit("torque_n_m", torque * unit, "N m").line("torque", "of the spring, in SI units"),
-            Field::in_unit("driver_inertia_kg_m2", inertias.driver() * unit, "kg m²").line("driver inertia", ""),
-            Field::in_unit("follower_inertia_kg_m2", inertias.follower() * unit, "kg m²").line("follower inertia", ""),
+            ReportField::in_unit("torque_n_m", torque * unit, "N m").line("torque", "of the spring, in SI units"),
+            ReportField::in_unit("driver_inertia_kg_m2", inertias.driver() * unit, "kg m²").line("driver inertia", ""),
+            ReportField::in_unit("follower_inertia_kg_m2", inertias.follower() * unit, "kg m²")
+                .line("follower inertia", ""),
         ]);
     }
     fields
 }
 
-fn existence_fields(parameters: &Parameters) -> Vec<Field> {
+fn existence_fields(parameters: &Parameters) -> Vec<ReportField> {
     let (mechanism, ratio) = (parameters.mechanism(), parameters.inertias().ratio());
     let friction = parameters.friction();
     // Both have been asked for when the parameters were checked: they have an answer.
@@ -109,14 +111,14 @@ fn existence_fields(parameters: &Parameters) -> Vec<Field> {
         number(margin_angle)
     );
     vec![
-        Field::new("critical_friction", critical).line("critical friction", jams),
-        Field::new("critical_angle_deg", critical_angle),
-        Field::new("least_margin", margin).line("margin", least),
-        Field::new("least_margin_angle_deg", margin_angle),
+        ReportField::new("critical_friction", critical).line("critical friction", jams),
+        ReportField::new("critical_angle_deg", critical_angle),
+        ReportField::new("least_margin", margin).line("margin", least),
+        ReportField::new("least_margin_angle_deg", margin_angle),
     ]
 }
 
-fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
+fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<ReportField> {
     let (peak, minimum) = (state.peak.angle.to_degrees(), state.minimum.angle.to_degrees());
     // On the line of centres, if the engagement gets there, and past it, if the engagement gets there too.
     let switches: Vec<_> =
@@ -128,29 +130,32 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
         format!("at {}", told.join(" and at "))
     };
     vec![
-        Field::new("entry_speed", state.entry_speed)
+        ReportField::new("entry_speed", state.entry_speed)
             .line("entry speed", "of the driver, as a pin enters: the terminal speed"),
-        Field::new("peak_speed", state.peak.speed).line("peak speed", format!("at {}°", angle(peak))),
-        Field::new("peak_angle_deg", peak),
-        Field::new("minimum_speed", state.minimum.speed).line("minimum speed", format!("at {}°", angle(minimum))),
-        Field::new("minimum_angle_deg", minimum),
-        Field::new("mean_speed", state.mean_speed).line("mean speed", "reset angle over period"),
-        Field::new("mean_of_extremes", state.mean_of_extremes()).line("mean of extremes", "of peak and minimum speed"),
-        Field::new("period", state.period).line("period", "from one engagement to the next"),
-        Field::new("multiplier", state.multiplier)
+        ReportField::new("peak_speed", state.peak.speed).line("peak speed", format!("at {}°", angle(peak))),
+        ReportField::new("peak_angle_deg", peak),
+        ReportField::new("minimum_speed", state.minimum.speed).line("minimum speed", format!("at {}°", angle(minimum))),
+        ReportField::new("minimum_angle_deg", minimum),
+        ReportField::new("mean_speed", state.mean_speed).line("mean speed", "reset angle over period"),
+        ReportField::new("mean_of_extremes", state.mean_of_extremes())
+            .line("mean of extremes", "of peak and minimum speed"),
+        ReportField::new("period", state.period).line("period", "from one engagement to the next"),
+        ReportField::new("multiplier", state.multiplier)
             .line("multiplier", "part of a small difference of speeds that one engagement leaves"),
-        Field::new("switch_angles_deg", switches).words("sign changes", format!("of the friction term: {told}")),
+        ReportField::new("switch_angles_deg", switches).words("sign changes", format!("of the friction term: {told}")),
     ]
 }
 
 /// The times of a start from rest by three of the measures: the fourth is of no start, and only chapters ask for it.
-fn rise_fields(engagement: &Engagement, rise: Option<(usize, f64)>) -> Vec<Field> {
+fn rise_fields(engagement: &Engagement, rise: Option<(usize, f64)>) -> Vec<ReportField> {
     let (engagements, time) = rise.unzip();
     let field = |key, name, measure: RiseMeasure, time: Option<f64>, most: usize| {
         let meaning = measure.meaning();
         match time {
-            Some(_) => Field::new(key, time).line(name, meaning),
-            None => Field::new(key, time).words(name, format!("longer than {most} engagements; it is the {meaning}")),
+            Some(_) => ReportField::new(key, time).line(name, meaning),
+            None => {
+                ReportField::new(key, time).words(name, format!("longer than {most} engagements; it is the {meaning}"))
+            }
         }
     };
     let compared = engagements.is_some_and(|count| count <= MOST_COMPARED);
@@ -160,7 +165,7 @@ fn rise_fields(engagement: &Engagement, rise: Option<(usize, f64)>) -> Vec<Field
         field("profile_rise_time", "rise, profile", RiseMeasure::Profile, profile, MOST_COMPARED),
         field("average_rise_time", "rise, average", RiseMeasure::Average, average, MOST_COMPARED),
         field("entry_speed_rise_time", "rise, entry speed", RiseMeasure::EntrySpeed, time, MOST_CYCLES),
-        Field::new("entry_speed_rise_engagements", engagements)
+        ReportField::new("entry_speed_rise_engagements", engagements)
             .line("engagements", "until an engagement begins with at least 99 % of the entry speed"),
     ]
 }

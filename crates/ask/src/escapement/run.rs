@@ -1,8 +1,8 @@
 //! The run from rest, a line for each time.
 
-use super::{Design, SETTLED};
-use crate::written::{as_typed, rounded};
-use crate::{Error, Row};
+use super::{EscapementDesign, SETTLED};
+use crate::number_format::{as_typed, rounded};
+use crate::{DataRow, Error};
 use geneva_dynamics::DynamicsError as Motion;
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, PrintedLine};
 
@@ -17,8 +17,8 @@ const LINES: f64 = 100.0;
 const MOST_LINES: f64 = 20_000.0;
 
 /// One line.
-fn row(printed: &PrintedLine) -> Row {
-    Row(vec![
+fn row(printed: &PrintedLine) -> DataRow {
+    DataRow(vec![
         ("time", rounded(printed.time).into()),
         ("engagement", printed.engagement.into()),
         ("turned_deg", printed.turned.to_degrees().into()),
@@ -29,14 +29,14 @@ fn row(printed: &PrintedLine) -> Row {
     ])
 }
 
-impl Design {
+impl EscapementDesign {
     /// The run from rest, a row for each time: so long, with so much time between the rows, in the unit of time of torque and
     /// inertias. What is missing follows from the rise.
     ///
     /// # Errors
     ///
     /// An interval that is longer than the run, and a run of too many rows or engagements.
-    pub fn run(&self, duration: Option<f64>, interval: Option<f64>) -> Result<Vec<Row>, Error> {
+    pub fn run(&self, duration: Option<f64>, interval: Option<f64>) -> Result<Vec<DataRow>, Error> {
         let engagement = &self.engagement;
         let (duration, interval) = match (duration, interval) {
             (Some(duration), Some(interval)) => (duration, interval),

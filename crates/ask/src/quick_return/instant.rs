@@ -26,7 +26,7 @@ pub enum Stroke {
 
 /// Facts about an instant that hold at any speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Instant {
+pub struct LeverInstant {
     /// On which branch the pin is.
     pub branch: Branch,
     /// On which stroke the lever is.
@@ -52,9 +52,9 @@ impl Stroke {
     }
 }
 
-impl Instant {
+impl LeverInstant {
     /// The facts for the parts in this position.
-    pub fn of(linkage: &QuickReturn, position: &Position) -> Self {
+    pub fn new(linkage: &QuickReturn, position: &Position) -> Self {
         let ratio = linkage.ratio();
         let (swings, half_speed) = (ratio > 1.0, ratio == 1.0);
         // The ray of a lever whose pivot is not outside of the crank's circle leaves the circle once.

@@ -6,7 +6,7 @@ mod vector;
 
 pub use report::lever_motion;
 
-use crate::written::{as_typed, rounded_down};
+use crate::number_format::{as_typed, rounded_down};
 use crate::{Error, number, pairs};
 use geneva_figures::Figure;
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};
@@ -16,13 +16,13 @@ use std::f64::consts::PI;
 
 /// What is asked of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct QuickReturnQuestion {
     /// Distance from the lever's pivot to the crank's axis, in metres.
     pub ground: f64,
     /// Distance from the crank's axis to the pin, in metres.
     pub crank: f64,
     /// Where the mechanism is.
-    pub place: Place,
+    pub place: LinkageAngle,
     /// Constant speed of the crank in turns per minute, counter-clockwise above zero.
     pub rpm: f64,
 }
@@ -30,14 +30,14 @@ pub struct Question {
 /// Where the mechanism is, by one of its two angles in degrees, counter-clockwise from the direction that points from the
 /// lever's pivot to the crank's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
+pub enum LinkageAngle {
     /// Direction from the crank's axis to the pin.
     Crank(f64),
     /// Direction from the lever's pivot to the pin, and which of the two points on the lever's ray the pin is at.
     Lever(f64, Branch),
 }
 
-impl Question {
+impl QuickReturnQuestion {
     /// Reads arguments as they are typed: `--ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60`.
     ///
     /// # Errors
@@ -51,8 +51,8 @@ impl Question {
                 ("ground", value) => ground = Some(number("ground", value)?),
                 ("crank", value) => crank = Some(number("crank", value)?),
                 ("rpm", value) => rpm = Some(number("rpm", value)?),
-                ("crank-angle", value) => place = Some(Place::Crank(number("crank-angle", value)?)),
-                ("lever-angle", value) => place = Some(Place::Lever(number("lever-angle", value)?, Branch::Far)),
+                ("crank-angle", value) => place = Some(LinkageAngle::Crank(number("crank-angle", value)?)),
+                ("lever-angle", value) => place = Some(LinkageAngle::Lever(number("lever-angle", value)?, Branch::Far)),
                 ("branch", "near") => branch = Branch::Near,
                 ("branch", "far") => branch = Branch::Far,
                 (name, value) => {
@@ -65,7 +65,7 @@ impl Question {
         }
         let missing = |name| move || refused!("--{name} is missing; give it");
         let place = match place.ok_or_else(missing("lever-angle"))? {
-            Place::Lever(degrees, _) => Place::Lever(degrees, branch),
+            LinkageAngle::Lever(degrees, _) => LinkageAngle::Lever(degrees, branch),
             crank => crank,
         };
         let [ground, crank, rpm] =
@@ -74,7 +74,7 @@ impl Question {
     }
 }
 
-impl Place {
+impl LinkageAngle {
     fn degrees(self) -> f64 {
         match self {
             Self::Crank(degrees) | Self::Lever(degrees, _) => degrees,
@@ -84,7 +84,7 @@ impl Place {
 
 /// The drawings of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawing {
+pub enum QuickReturnDrawing {
     /// The mechanism.
     Mechanism,
     /// The velocity diagram.
@@ -95,7 +95,7 @@ pub enum Drawing {
 
 /// A mechanism at an instant, as its question describes it.
 #[derive(Debug)]
-pub struct Design {
+pub struct QuickReturnDesign {
     /// The lengths, in metres.
     pub linkage: QuickReturn,
     /// Where the parts are.
@@ -108,17 +108,17 @@ pub struct Design {
 /// Crank radii from the lever's pivot below which rounding would show in the lever's acceleration.
 const NEAREST: f64 = 1e-3;
 
-impl Design {
+impl QuickReturnDesign {
     /// The mechanism that a question describes.
     ///
     /// # Errors
     ///
     /// What is impossible, with the arguments to change.
-    pub fn new(question: &Question) -> Result<Self, Error> {
+    pub fn new(question: &QuickReturnQuestion) -> Result<Self, Error> {
         let linkage = QuickReturn::new(question.ground, question.crank).map_err(|error| impossible(question, error))?;
         let position = match question.place {
-            Place::Lever(lever, branch) => linkage.position_at_lever_degrees(lever, branch),
-            Place::Crank(crank) => linkage.position_at_crank_degrees(crank),
+            LinkageAngle::Lever(lever, branch) => linkage.position_at_lever_degrees(lever, branch),
+            LinkageAngle::Crank(crank) => linkage.position_at_crank_degrees(crank),
         };
         let position = position.map_err(|error| impossible(question, error))?;
         if position.pin_distance >= NEAREST * linkage.crank() {
@@ -129,18 +129,18 @@ impl Design {
     }
 
     /// One of its drawings.
-    pub fn drawing(&self, drawing: Drawing) -> Figure {
+    pub fn drawing(&self, drawing: QuickReturnDrawing) -> Figure {
         let draw = match drawing {
-            Drawing::Mechanism => mechanism,
-            Drawing::Velocity => velocity_diagram,
-            Drawing::Acceleration => acceleration_diagram,
+            QuickReturnDrawing::Mechanism => mechanism,
+            QuickReturnDrawing::Velocity => velocity_diagram,
+            QuickReturnDrawing::Acceleration => acceleration_diagram,
         };
         draw(&self.linkage, &self.position, &self.drive, "m")
     }
 }
 
 /// The library's refusal, in terms of the options and the values that the reader typed.
-fn impossible(question: &Question, error: KinematicsError) -> Error {
+fn impossible(question: &QuickReturnQuestion, error: KinematicsError) -> Error {
     let (ground, crank) =
         (format!("--ground {}", as_typed(question.ground)), format!("--crank {}", as_typed(question.crank)));
     match error {
@@ -172,10 +172,10 @@ fn impossible(question: &Question, error: KinematicsError) -> Error {
 }
 
 /// The pin is off the lever's pivot, but not by enough.
-fn too_near(question: &Question, linkage: &QuickReturn, position: &Position) -> Error {
+fn too_near(question: &QuickReturnQuestion, linkage: &QuickReturn, position: &Position) -> Error {
     let option = match question.place {
-        Place::Lever(..) => "--lever-angle",
-        Place::Crank(_) => "--crank-angle",
+        LinkageAngle::Lever(..) => "--lever-angle",
+        LinkageAngle::Crank(_) => "--crank-angle",
     };
     refused!(
         "{option} {}: the pin is only {:.1e} crank radii from the lever's pivot, too near to compute the lever's motion; \

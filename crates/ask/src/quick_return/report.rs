@@ -1,10 +1,10 @@
 //! The report on a mechanism at an instant, and which way everything points and turns.
 
-use super::Design;
-use super::instant::{Instant, NOT_TOLD, Stroke};
+use super::QuickReturnDesign;
+use super::instant::{LeverInstant, NOT_TOLD, Stroke};
 use super::vector::Vector;
-use crate::written::as_typed;
-use crate::{Answer, Error, Field};
+use crate::number_format::as_typed;
+use crate::{Error, MechanismReport, ReportField};
 use geneva_kinematics::quick_return::{Branch, LeverMotion, Position, Strokes};
 
 /// What the numbers are measured from, and what adds up.
@@ -31,7 +31,7 @@ use Way::{Across, Along, Is};
 
 /// The instant, with the motion of the lever.
 struct Seen {
-    instant: Instant,
+    instant: LeverInstant,
     rpm: f64,
     /// Direction of the lever, in degrees.
     lever_deg: f64,
@@ -41,7 +41,7 @@ struct Seen {
     lever_acceleration: f64,
 }
 
-impl Design {
+impl QuickReturnDesign {
     /// The answer.
     ///
     /// Angles and directions are counter-clockwise from the direction lever's pivot → crank's axis, which is that of x;
@@ -50,26 +50,26 @@ impl Design {
     /// # Errors
     ///
     /// Lengths, angles or speeds that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let Self { linkage, position, drive, rpm } = self;
         let beyond = || refused!("{BEYOND}");
         let motion =
             LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
         let seen = Seen {
-            instant: Instant::of(linkage, position),
+            instant: LeverInstant::new(linkage, position),
             rpm: *rpm,
             lever_deg: unsigned_zero(position.lever.degrees()),
             lever_speed: unsigned_zero(motion.velocities.follower_speed),
             lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
         };
         let given = vec![
-            Field::in_unit("ground_m", linkage.ground(), "m"),
-            Field::in_unit("crank_m", linkage.crank(), "m"),
-            Field::new("rpm", *rpm),
-            Field::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
+            ReportField::in_unit("ground_m", linkage.ground(), "m"),
+            ReportField::in_unit("crank_m", linkage.crank(), "m"),
+            ReportField::new("rpm", *rpm),
+            ReportField::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
         let (velocities, accelerations) = seen.motion(&motion);
-        let answer = Answer {
+        let answer = MechanismReport {
             title: format!(
                 "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
                 as_typed(linkage.ground()),
@@ -93,36 +93,36 @@ impl Design {
 }
 
 /// Angular velocity and angular acceleration of the lever, counter-clockwise positive.
-pub fn lever_motion(motion: &LeverMotion<f64>) -> [Field; 2] {
+pub fn lever_motion(motion: &LeverMotion<f64>) -> [ReportField; 2] {
     let (speed, acceleration) = (motion.velocities.follower_speed, motion.accelerations.follower_acceleration);
     [
-        Field::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
-        Field::in_unit("lever_acceleration_rad_s2", unsigned_zero(acceleration), "rad/s²"),
+        ReportField::in_unit("lever_speed_rad_s", unsigned_zero(speed), "rad/s"),
+        ReportField::in_unit("lever_acceleration_rad_s2", unsigned_zero(acceleration), "rad/s²"),
     ]
 }
 
 impl Seen {
-    fn position(&self, position: &Position) -> Vec<Field> {
+    fn position(&self, position: &Position) -> Vec<ReportField> {
         let branch = match self.instant.branch {
             Branch::Near => "near",
             Branch::Far => "far",
         };
         vec![
-            Field::in_unit("crank_angle_deg", unsigned_zero(position.crank.degrees()), "°")
+            ReportField::in_unit("crank_angle_deg", unsigned_zero(position.crank.degrees()), "°")
                 .line("crank angle", "direction from the crank's axis to the pin"),
-            Field::in_unit("lever_angle_deg", self.lever_deg, "°")
+            ReportField::in_unit("lever_angle_deg", self.lever_deg, "°")
                 .line("lever angle", "direction from the lever's pivot to the pin"),
-            Field::in_unit("angle_at_pin_deg", position.angle_at_pin().to_degrees(), "°")
+            ReportField::in_unit("angle_at_pin_deg", position.angle_at_pin().to_degrees(), "°")
                 .line("angle at the pin", "between lever and crank"),
-            Field::in_unit("pin_distance_m", position.pin_distance, "m")
+            ReportField::in_unit("pin_distance_m", position.pin_distance, "m")
                 .line("pin distance", "from the lever's pivot to the pin"),
-            Field::new("branch", branch).words("branch", self.instant.branch_in_words()),
-            Field::new("stroke", self.instant.stroke.name()).words("stroke", self.instant.stroke_in_words()),
+            ReportField::new("branch", branch).words("branch", self.instant.branch_in_words()),
+            ReportField::new("stroke", self.instant.stroke.name()).words("stroke", self.instant.stroke_in_words()),
         ]
     }
 
     /// Velocities and accelerations.
-    fn motion(&self, motion: &LeverMotion<f64>) -> (Vec<Field>, Vec<Field>) {
+    fn motion(&self, motion: &LeverMotion<f64>) -> (Vec<ReportField>, Vec<ReportField>) {
         let (instant, [lever_speed, lever_acceleration]) = (&self.instant, lever_motion(motion));
         let (velocities, terms) = (&motion.velocities, &motion.accelerations);
         let [pin, lever, sliding] =
@@ -158,7 +158,7 @@ impl Seen {
             field("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
             field("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
             field("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
-            lever_speed.line("lever, angular", self.lever_speed_in_words()).of_size(speed, String::new()),
+            lever_speed.line("lever, angular", self.lever_speed_in_words()).with_size(speed, String::new()),
         ];
         let still = if instant.lever_at_rest { "the lever is at rest" } else { "the pin does not slide" };
         let (constant, straight) = ("the crank turns at constant speed", "the slot is straight");
@@ -180,18 +180,18 @@ impl Seen {
             field("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
             lever_acceleration
                 .line("lever, angular", self.lever_acceleration_in_words(&lever_tangential))
-                .of_size(angular, String::new()),
+                .with_size(angular, String::new()),
         ];
         (speeds, accelerations)
     }
 
     /// A vector: why it is zero, if it is, or else which way it points.
-    fn vector(&self, key: &'static str, name: &'static str, vector: &Vector, way: Way, why_zero: &str) -> Field {
+    fn vector(&self, key: &'static str, name: &'static str, vector: &Vector, way: Way, why_zero: &str) -> ReportField {
         let unit = if key.ends_with("_s2") { "m/s²" } else { "m/s" };
         let Some(degrees) = vector.direction_deg else {
-            return Field::in_unit(key, vector, unit)
+            return ReportField::in_unit(key, vector, unit)
                 .line(name, format!("zero: {why_zero}"))
-                .of_size(0.0, String::new());
+                .with_size(0.0, String::new());
         };
         // Seen from the lever's direction, between −180° and 180°.
         let turned = degrees - self.lever_deg;
@@ -202,9 +202,9 @@ impl Seen {
             Across => format!("across the lever, {}", sense(apart)),
             Is(way) => way.to_owned(),
         };
-        Field::in_unit(key, vector, unit)
+        ReportField::in_unit(key, vector, unit)
             .line(name, way)
-            .of_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
+            .with_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
     }
 
     /// The sense of the lever's angular velocity, in words.
@@ -230,9 +230,9 @@ impl Seen {
     }
 }
 
-fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
+fn strokes(strokes: &Strokes, instant: &LeverInstant) -> Vec<ReportField> {
     let time_ratio = (strokes.fast > 0.0).then(|| strokes.time_ratio());
-    let swing = Field::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
+    let swing = ReportField::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
     let swing = match strokes.swing_limit {
         None => swing
             .words("swing", "none: the crank is longer than the ground distance, so the lever turns round and round"),
@@ -243,9 +243,9 @@ fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
         ),
         Some(_) => swing.line("swing limit", "greatest lever angle, to either side"),
     };
-    let mut slow = Field::in_unit("slow_stroke_deg", strokes.slow.to_degrees(), "°");
-    let mut fast = Field::in_unit("fast_stroke_deg", strokes.fast.to_degrees(), "°");
-    let mut ratio = Field::new("time_ratio", time_ratio);
+    let mut slow = ReportField::in_unit("slow_stroke_deg", strokes.slow.to_degrees(), "°");
+    let mut fast = ReportField::in_unit("fast_stroke_deg", strokes.fast.to_degrees(), "°");
+    let mut ratio = ReportField::new("time_ratio", time_ratio);
     if time_ratio.is_some() {
         slow = slow.line("slow stroke", "of a turn of the crank");
         fast = fast.line("fast stroke", "of a turn of the crank");

@@ -1,6 +1,6 @@
 //! A vector in the plane as data, with a direction if it has one.
 
-use crate::{Row, Value};
+use crate::{DataRow, FieldValue};
 use geneva_kinematics::Turn;
 
 /// Units in the last place, relative to what a difference was taken of, that cannot be told from zero.
@@ -37,9 +37,9 @@ impl Vector {
     }
 }
 
-impl From<&Vector> for Value {
+impl From<&Vector> for FieldValue {
     fn from(vector: &Vector) -> Self {
-        Self::Object(Row(vec![
+        Self::Object(DataRow(vec![
             ("magnitude", vector.magnitude.into()),
             ("direction_deg", vector.direction_deg.into()),
             ("x", vector.x.into()),

@@ -1,9 +1,9 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::Question;
-use super::kind::{AnyWheel, Kind};
+use super::WheelQuestion;
+use super::kind::{AnyWheel, WheelKind};
 use crate::Error;
-use crate::written::{as_typed, rounded_up};
+use crate::number_format::{as_typed, rounded_up};
 use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
@@ -19,9 +19,9 @@ use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
 #[derive(Debug)]
-pub struct Design {
+pub struct WheelDesign {
     /// The question.
-    pub question: Question,
+    pub question: WheelQuestion,
     /// The wheel; its lengths are in crank radii.
     pub wheel: AnyWheel,
     /// Crank radius in millimetres.
@@ -39,17 +39,17 @@ pub struct Design {
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
 }
 
-impl Design {
+impl WheelDesign {
     /// The wheel that a question describes.
     ///
     /// # Errors
     ///
     /// What is missing or impossible, with the arguments to change.
-    pub fn new(question: Question) -> Result<Self, Error> {
+    pub fn new(question: WheelQuestion) -> Result<Self, Error> {
         let Some(stations) = question.stations else {
             return Err(refused!("the number of stations is missing; give --stations N"));
         };
-        let kind = question.kind.unwrap_or(Kind::External);
+        let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
         let scale = scale(&question);
         let sizes = match (&wheel, scale) {
@@ -220,13 +220,13 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
 }
 
 /// The one length that was given.
-fn scale(question: &Question) -> Option<Scale> {
+fn scale(question: &WheelQuestion) -> Option<Scale> {
     let crank = question.crank_radius.map(Scale::CrankRadius);
     let centres = question.centre_distance.map(Scale::CentreDistance);
     crank.or(centres).or(question.wheel_radius.map(Scale::WheelRadius))
 }
 
-fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, SizesError> {
+fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
     let choices = Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
@@ -242,7 +242,7 @@ fn sizes(wheel: Wheel, scale: Scale, question: &Question) -> Result<Sizes, Sizes
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &Question) -> Error {
+fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),
@@ -256,6 +256,13 @@ fn with_arguments(error: SizesError, question: &Question) -> Error {
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }
+}
+
+/// The error of numbers that are not finite.
+pub(super) fn too_large() -> Error {
+    refused!(
+        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
+    )
 }
 
 /// The crank radius in millimetres of a wheel of this scale.

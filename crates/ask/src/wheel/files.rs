@@ -1,9 +1,9 @@
 //! Files from which a wheel is made.
 
-use super::design::Design;
-use super::kind::Kind;
+use super::design::WheelDesign;
+use super::kind::WheelKind;
 use crate::Error;
-use crate::written::as_typed;
+use crate::number_format::as_typed;
 use geneva_kinematics::wheel::{Edge, Face, Sizes};
 use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
 
@@ -15,7 +15,7 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
-impl Design {
+impl WheelDesign {
     /// Outlines of all parts side by side, in millimetres, with true arcs.
     ///
     /// # Errors
@@ -59,8 +59,8 @@ impl Design {
     /// # Errors
     ///
     /// What to choose instead.
-    pub fn is_made_from(&self, ending: &str) -> Result<(), Error> {
-        if self.wheel.kind() == Kind::External {
+    pub fn require_external(&self, ending: &str) -> Result<(), Error> {
+        if self.wheel.kind() == WheelKind::External {
             return Ok(());
         }
         Err(refused!(
@@ -71,7 +71,7 @@ impl Design {
     }
 
     fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
-        self.is_made_from(ending)?;
+        self.require_external(ending)?;
         self.sizes.as_ref().ok_or_else(|| {
             refused!(
                 "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
@@ -108,18 +108,18 @@ fn tolerance(sizes: &Sizes) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::Question;
+    use crate::wheel::WheelQuestion;
 
     #[test]
     fn corners_are_as_many_as_a_mesh_has() {
         for (stations, thickness) in [(4, 6.0), (6, 10.0), (11, 3.0)] {
-            let question = Question {
+            let question = WheelQuestion {
                 stations: Some(stations),
                 crank_radius: Some(40.0),
                 thickness: Some(thickness),
-                ..Question::default()
+                ..WheelQuestion::default()
             };
-            let design = Design::new(question).expect("a wheel");
+            let design = WheelDesign::new(question).expect("a wheel");
             let sizes = design.sizes.expect("sizes");
             let triangles = design.stl().expect("meshes").matches("facet normal").count();
             // Four for each corner of a face: two on its wall, one on either side.

@@ -1,10 +1,9 @@
 //! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
-use super::Question;
-use super::design::Design;
-use super::report::too_large;
-use crate::written::{as_typed, rounded_down};
-use crate::{Error, Field, Item, Row};
+use super::WheelQuestion;
+use super::design::{WheelDesign, too_large};
+use crate::number_format::{as_typed, rounded_down};
+use crate::{DataRow, Error, Item, ReportField};
 use geneva_dynamics::wheel_loads::Load;
 use geneva_kinematics::indexing::{Phase, PinInSlot, WheelMotion};
 
@@ -15,7 +14,7 @@ const HALF_TURN: i32 = 180;
 const MOST_INSTANTS: usize = 10_000;
 
 /// The wheel at one crank angle.
-struct Instant {
+struct WheelState {
     /// Crank angle in degrees.
     degrees: f64,
     motion: WheelMotion,
@@ -24,9 +23,9 @@ struct Instant {
     load: Option<Load>,
 }
 
-impl Instant {
+impl WheelState {
     /// The wheel at this crank angle in degrees, counted from the middle of the first index, in any turn.
-    fn new(design: &Design, degrees: f64) -> Result<Self, Error> {
+    fn new(design: &WheelDesign, degrees: f64) -> Result<Self, Error> {
         let wheel = design.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
         let crank = (degrees - 360.0 * turns).to_radians();
@@ -43,13 +42,13 @@ impl Instant {
     }
 
     /// Wheel angle in degrees from the middle of the first index.
-    fn wheel_angle(&self, design: &Design) -> f64 {
+    fn wheel_angle(&self, design: &WheelDesign) -> f64 {
         let step = 360.0 / f64::from(design.wheel.indexing().stations());
         self.motion.stations as f64 * step + self.motion.angle.to_degrees()
     }
 
     /// Everything reported about it. What has no line is only in the data.
-    fn fields(&self, design: &Design) -> Fields {
+    fn fields(&self, design: &WheelDesign) -> Fields {
         let (motion, pin, load) = (&self.motion, self.pin, self.load);
         let speed = design.speed();
         let is_engaged = motion.phase == Phase::Advance;
@@ -59,37 +58,40 @@ impl Instant {
         let time = speed.map(|speed| self.degrees.to_radians() / speed);
         Fields {
             place: vec![
-                Field::in_unit("crank_angle_deg", self.degrees, "°").line("crank angle", meaning),
-                Field::new("phase", phase),
-                Field::in_unit("wheel_angle_deg", self.wheel_angle(design), "°")
+                ReportField::in_unit("crank_angle_deg", self.degrees, "°").line("crank angle", meaning),
+                ReportField::new("phase", phase),
+                ReportField::in_unit("wheel_angle_deg", self.wheel_angle(design), "°")
                     .line("wheel angle", "from the middle of the index at crank angle zero"),
-                Field::in_unit("pin_radius_ratio", pin.map(|pin| pin.radius), "× crank radius")
+                ReportField::in_unit("pin_radius_ratio", pin.map(|pin| pin.radius), "× crank radius")
                     .line("pin", "from the wheel's axis"),
             ],
             ratios: vec![
-                Field::in_unit("velocity_ratio", motion.velocity, "× driver speed").line("velocity", ""),
-                Field::in_unit("acceleration_ratio", motion.acceleration, "× driver speed²").line("acceleration", ""),
-                Field::in_unit("jerk_ratio", motion.jerk, "× driver speed³").line("jerk", ""),
+                ReportField::in_unit("velocity_ratio", motion.velocity, "× driver speed").line("velocity", ""),
+                ReportField::in_unit("acceleration_ratio", motion.acceleration, "× driver speed²")
+                    .line("acceleration", ""),
+                ReportField::in_unit("jerk_ratio", motion.jerk, "× driver speed³").line("jerk", ""),
             ],
             along_the_slot: vec![
-                Field::in_unit("sliding_ratio", pin.map(|pin| pin.sliding), "× pin speed")
+                ReportField::in_unit("sliding_ratio", pin.map(|pin| pin.sliding), "× pin speed")
                     .line("sliding", "along the slot; negative while the pin goes in"),
-                Field::in_unit("coriolis_ratio", pin.map(|pin| pin.coriolis), "× pin's own")
+                ReportField::in_unit("coriolis_ratio", pin.map(|pin| pin.coriolis), "× pin's own")
                     .line("Coriolis", "acceleration of the pin, over its acceleration on the crank circle"),
             ],
-            time: Field::in_unit("time_s", time, "s"),
+            time: ReportField::in_unit("time_s", time, "s"),
             rates: vec![
-                Field::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").also(),
-                Field::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²").also(),
-                Field::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").also(),
+                ReportField::in_unit("wheel_speed_rad_s", rated(motion.velocity, 1), "rad/s").in_other_unit(),
+                ReportField::in_unit("wheel_acceleration_rad_s2", rated(motion.acceleration, 2), "rad/s²")
+                    .in_other_unit(),
+                ReportField::in_unit("wheel_jerk_rad_s3", rated(motion.jerk, 3), "rad/s³").in_other_unit(),
             ],
             load: vec![
-                Field::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
+                ReportField::in_unit("wheel_torque_nm", load.map(|load| load.wheel_torque), "N m")
                     .line("wheel torque", "positive while the pin drives the wheel"),
-                Field::in_unit("pin_force_n", load.and_then(|load| design.force(load.pin_moment)), "N")
+                ReportField::in_unit("pin_force_n", load.and_then(|load| design.force(load.pin_moment)), "N")
                     .line("pin force", "at right angles to the slot"),
-                Field::in_unit("crank_torque_nm", load.map(|load| load.crank_torque), "N m").line("crank torque", ""),
-                Field::in_unit("power_w", load.map(|load| load.power), "W").line("power", ""),
+                ReportField::in_unit("crank_torque_nm", load.map(|load| load.crank_torque), "N m")
+                    .line("crank torque", ""),
+                ReportField::in_unit("power_w", load.map(|load| load.power), "W").line("power", ""),
             ],
         }
     }
@@ -97,27 +99,27 @@ impl Instant {
 
 /// What is reported of an instant.
 struct Fields {
-    place: Vec<Field>,
-    ratios: Vec<Field>,
-    along_the_slot: Vec<Field>,
-    time: Field,
+    place: Vec<ReportField>,
+    ratios: Vec<ReportField>,
+    along_the_slot: Vec<ReportField>,
+    time: ReportField,
     /// The ratios at the driver's speed, in their order.
-    rates: Vec<Field>,
-    load: Vec<Field>,
+    rates: Vec<ReportField>,
+    load: Vec<ReportField>,
 }
 
 impl Fields {
     /// As data: what is known without a speed comes first.
-    fn into_row(self) -> Row {
+    fn into_row(self) -> DataRow {
         let Self { place, ratios, along_the_slot, time, rates, load } = self;
         let all = place.into_iter().chain(ratios).chain(along_the_slot).chain([time]).chain(rates).chain(load);
-        Row(all.map(|field| (field.key, field.value)).collect())
+        DataRow(all.map(|field| (field.key, field.value)).collect())
     }
 
     /// On a sheet: each rate under its ratio. Of a wheel at rest there is only its place to tell.
-    fn into_lines(self, is_at_rest: bool) -> Vec<Field> {
+    fn into_lines(self, is_at_rest: bool) -> Vec<ReportField> {
         let Self { place, ratios, along_the_slot, rates, load, .. } = self;
-        let moving = ratios.into_iter().zip(rates).flat_map(<[Field; 2]>::from).chain(along_the_slot).chain(load);
+        let moving = ratios.into_iter().zip(rates).flat_map(<[ReportField; 2]>::from).chain(along_the_slot).chain(load);
         place.into_iter().chain(moving.filter(|_| !is_at_rest)).collect()
     }
 }
@@ -128,16 +130,16 @@ fn within(most: f64, angle: f64) -> f64 {
 }
 
 /// The wheel at one crank angle, as one of a list.
-pub(super) fn item(design: &Design, degrees: f64) -> Result<Item, Error> {
-    let instant = Instant::new(design, degrees)?;
+pub(super) fn item(design: &WheelDesign, degrees: f64) -> Result<Item, Error> {
+    let instant = WheelState::new(design, degrees)?;
     let fields = instant.fields(design).into_lines(instant.pin.is_none());
     Ok(Item { heading: "At a crank angle", fields, row: instant.fields(design).into_row() })
 }
 
-impl Design {
+impl WheelDesign {
     /// The crank angles in degrees at which to report the motion.
     pub(super) fn angles(&self) -> Result<Vec<f64>, Error> {
-        let Question { at, at_wheel, .. } = &self.question;
+        let WheelQuestion { at, at_wheel, .. } = &self.question;
         let asked = at.len() + at_wheel.len();
         if asked > MOST_INSTANTS {
             return Err(refused!(
@@ -165,10 +167,10 @@ impl Design {
     /// # Errors
     ///
     /// Angles that the wheel doesn't have, and numbers that are too large or too small to compute with.
-    pub fn cycle(&self) -> Result<Vec<Row>, Error> {
+    pub fn cycle(&self) -> Result<Vec<DataRow>, Error> {
         let angles = self.angles()?;
         let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
-        let rows = angles.into_iter().map(|degrees| Ok(Instant::new(self, degrees)?.fields(self).into_row()));
+        let rows = angles.into_iter().map(|degrees| Ok(WheelState::new(self, degrees)?.fields(self).into_row()));
         let rows = rows.collect::<Result<Vec<_>, Error>>()?;
         let is_finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
         if is_finite { Ok(rows) } else { Err(too_large()) }

@@ -9,7 +9,7 @@ use geneva_kinematics::wheel::Wheel;
 
 /// Kinds of wheel: how wheel and driver are arranged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum WheelKind {
     /// Driver beside the wheel: they turn in opposite senses.
     External,
     /// Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn.
@@ -18,7 +18,7 @@ pub enum Kind {
     Spherical,
 }
 
-impl Kind {
+impl WheelKind {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::External, Self::Internal, Self::Spherical];
 
@@ -101,20 +101,20 @@ impl AnyWheel {
     /// # Errors
     ///
     /// Numbers of stations or pins that the kind can't have.
-    pub fn new(kind: Kind, stations: u32, pins: u32) -> Result<Self, KinematicsError> {
+    pub fn new(kind: WheelKind, stations: u32, pins: u32) -> Result<Self, KinematicsError> {
         Ok(match kind {
-            Kind::External => Self::External(Wheel::with_pins(stations, pins)?),
-            Kind::Internal => Self::Internal(InternalWheel::with_pins(stations, pins)?),
-            Kind::Spherical => Self::Spherical(SphericalWheel::with_pins(stations, pins)?),
+            WheelKind::External => Self::External(Wheel::with_pins(stations, pins)?),
+            WheelKind::Internal => Self::Internal(InternalWheel::with_pins(stations, pins)?),
+            WheelKind::Spherical => Self::Spherical(SphericalWheel::with_pins(stations, pins)?),
         })
     }
 
     /// Its kind.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> WheelKind {
         match self {
-            Self::External(_) => Kind::External,
-            Self::Internal(_) => Kind::Internal,
-            Self::Spherical(_) => Kind::Spherical,
+            Self::External(_) => WheelKind::External,
+            Self::Internal(_) => WheelKind::Internal,
+            Self::Spherical(_) => WheelKind::Spherical,
         }
     }
 

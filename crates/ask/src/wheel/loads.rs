@@ -1,13 +1,16 @@
 //! The loads of a wheel, as they are reported.
 
-use super::design::Design;
-use crate::written::degrees;
-use crate::{Error, Field, Rounding};
+use super::design::WheelDesign;
+use crate::number_format::degrees;
+use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
 
+/// What a force on the pin needs.
+const FORCE: Needs = Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE);
+
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let loads = design.loads(wheel)?;
     let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {
@@ -31,48 +34,60 @@ pub fn fields(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<F
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
     let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
-    let from = Field::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
+    let from = ReportField::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
-        Field::in_unit("inertia_kgm2", design.inertia, "kg m²")
-            .line("moment of inertia", "of the wheel and everything that turns with it"),
-        Field::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
-            .line("", "part of the wheel itself, from its outline, thickness and density"),
-        Field::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
-            .line("", "part of the table and all else that turns with the wheel, as given"),
-        Field::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
-            .line("friction torque", "on the wheel; no other friction is included"),
-        Field::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
+        ReportField::in_unit("inertia_kgm2", design.inertia, "kg m²")
+            .line("moment of inertia", "of the wheel and everything that turns with it")
+            .needing(Needs::INERTIA),
+        ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
+            .line("", "part of the wheel itself, from its outline, thickness and density")
+            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
+        ReportField::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
+            .line("", "part of the table and all else that turns with the wheel, as given")
+            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA)),
+        ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
+            .line("friction torque", "on the wheel; no other friction is included")
+            .needing(Needs::FRICTION_TORQUE),
+        ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")
-            .on_pages(),
-        Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
+            .visible_in_live_figure(),
+        ReportField::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
-        Field::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
-        Field::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
-            .line("peak pin force", place(driving(moment))),
-        Field::in_unit("peak_pin_force_at_deg", at(driving(moment).filter(|_| design.crank_radius.is_some())), "°"),
-        Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
+        ReportField::in_unit("peak_wheel_torque_at_deg", at(driving(torque)), "°"),
+        ReportField::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
+            .line("peak pin force", place(driving(moment)))
+            .needing(FORCE),
+        ReportField::in_unit(
+            "peak_pin_force_at_deg",
+            at(driving(moment).filter(|_| design.crank_radius.is_some())),
+            "°",
+        )
+        .needing(FORCE),
+        ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
+            .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS))
             .rounded(Rounding::Significant(3)),
-        Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
+        ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
-        Field::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
-        Field::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
+        ReportField::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
+        ReportField::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
             .line("peak power", "at the same angle")
             .rounded(Rounding::Significant(3)),
-        Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
+        ReportField::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
-        Field::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
+        ReportField::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
             .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes")
             .rounded(Rounding::Significant(3)),
-        Field::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
+        ReportField::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
-        Field::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")
-            .line("braking pin force", format!("on the other side of the slot; {}", place(braking(moment)))),
-        Field::in_unit("braking_crank_torque_nm", braking(crank).map(|peak| peak.value), "N m")
+        ReportField::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")
+            .line("braking pin force", format!("on the other side of the slot; {}", place(braking(moment))))
+            .needing(FORCE),
+        ReportField::in_unit("braking_crank_torque_nm", braking(crank).map(|peak| peak.value), "N m")
             .line("braking crank torque", place(braking(crank))),
         from,
-        Field::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
+        ReportField::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
-    Ok(fields)
+    Ok(ReportField::all_needing(fields, Needs::SPEED.and(Needs::INERTIA)))
 }

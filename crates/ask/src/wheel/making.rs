@@ -2,8 +2,8 @@
 //!
 //! Neither the command's sheet nor its data have these fields. Chapters show them.
 
-use super::design::Design;
-use crate::{Error, Field, Rounding};
+use super::design::WheelDesign;
+use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_at_yield};
 use geneva_kinematics::cam::modified_sine_peak;
 use geneva_kinematics::indexing::Indexing;
@@ -15,13 +15,13 @@ const POISSON: f64 = 0.3;
 const MICROMETRES: f64 = 1e6;
 const GIGAPASCAL: f64 = 1e9;
 
-impl Design {
+impl WheelDesign {
     /// The further fields of its answer. What the question gives too little for is missing.
     ///
     /// # Errors
     ///
     /// Loads that no wheel has.
-    pub(crate) fn further(&self) -> Result<Vec<Field>, Error> {
+    pub(crate) fn further(&self) -> Result<Vec<ReportField>, Error> {
         let mut fields = self.drive();
         fields.extend(self.pin()?);
         fields.extend(self.loads_compared()?);
@@ -31,23 +31,35 @@ impl Design {
         Ok(fields)
     }
 
-    fn drive(&self) -> Vec<Field> {
+    fn drive(&self) -> Vec<ReportField> {
         let fourth = |radius: f64| libm::pow(radius / 1000.0, 4.0);
         let own = self.wheel_inertia.zip(self.crank_radius).map(|(own, radius)| own / fourth(radius));
         let share = self.wheel_inertia.zip(self.table_inertia()).map(|(own, table)| own / table);
         vec![
-            Field::in_unit("driver_speed_rad_s", self.speed(), "rad/s").line("driver", "speed"),
-            Field::in_unit("turn_s", self.question.rpm.map(|rpm| 60.0 / rpm), "s").line("", "time of a turn"),
-            Field::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s").line("pin", "speed on the crank circle"),
-            Field::in_unit("thickness_mm", self.question.thickness, "mm").line("thickness", "of the wheel"),
-            Field::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
-                .line("wheel's inertia", "over the fourth power of the crank radius"),
-            Field::new("wheel_inertia_share", share).line("", "over the table's inertia").rounded(Rounding::Percent(0)),
+            ReportField::in_unit("driver_speed_rad_s", self.speed(), "rad/s")
+                .line("driver", "speed")
+                .needing(Needs::SPEED),
+            ReportField::in_unit("turn_s", self.question.rpm.map(|rpm| 60.0 / rpm), "s")
+                .line("", "time of a turn")
+                .needing(Needs::SPEED),
+            ReportField::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s")
+                .line("pin", "speed on the crank circle")
+                .needing(Needs::SIZE.and(Needs::SPEED)),
+            ReportField::in_unit("thickness_mm", self.question.thickness, "mm")
+                .line("thickness", "of the wheel")
+                .needing(Needs::THICKNESS),
+            ReportField::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
+                .line("wheel's inertia", "over the fourth power of the crank radius")
+                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
+            ReportField::new("wheel_inertia_share", share)
+                .line("", "over the table's inertia")
+                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA))
+                .rounded(Rounding::Percent(0)),
         ]
     }
 
     /// The pin on the wall of its slot, and what its rubbing costs.
-    fn pin(&self) -> Result<Vec<Field>, Error> {
+    fn pin(&self) -> Result<Vec<ReportField>, Error> {
         let wheel = self.wheel.indexing();
         let loads = self.loads(wheel)?;
         let question = &self.question;
@@ -58,40 +70,47 @@ impl Design {
         let rubbing = loads.zip(question.pin_friction).map(|(loads, friction)| loads.rubbing_crank_torque(friction));
         let (peak, mean) = rubbing.transpose()?.unzip();
         Ok(vec![
-            Field::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
-                .line("modulus of the contact", "E* of pin and wall"),
-            Field::in_unit("contact_width_um", width.map(|width| width * MICROMETRES), "µm")
-                .line("width of the contact", "at the peak pin force"),
-            Field::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
+            ReportField::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
+                .line("modulus of the contact", "E* of pin and wall")
+                .needing(Needs::MATERIALS),
+            ReportField::in_unit("contact_width_um", width.map(|width| width * MICROMETRES), "µm")
+                .line("width of the contact", "at the peak pin force")
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS)),
+            ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
-            Field::new("pin_friction", question.pin_friction).line("pin friction", "coefficient in the slot"),
-            Field::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
-                .line("peak crank torque", "with the pin's friction in the slot"),
-            Field::in_unit("rubbing_mean_crank_torque_nm", mean, "N m")
-                .line("mean crank torque", "with the pin's friction in the slot"),
+            ReportField::new("pin_friction", question.pin_friction)
+                .line("pin friction", "coefficient in the slot")
+                .needing(Needs::PIN_FRICTION),
+            ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
+                .line("peak crank torque", "with the pin's friction in the slot")
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
+            ReportField::in_unit("rubbing_mean_crank_torque_nm", mean, "N m")
+                .line("mean crank torque", "with the pin's friction in the slot")
+                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
         ])
     }
 
     /// The motor's torque, and a cam's acceleration for the same index in the same time.
-    fn loads_compared(&self) -> Result<Vec<Field>, Error> {
+    fn loads_compared(&self) -> Result<Vec<ReportField>, Error> {
         let wheel = self.wheel.indexing();
         let share = self.loads(wheel)?.map(|loads| loads.rms_crank_torque() / loads.crank_torque().driving.value);
         // Turns of the driver and of the wheel in an index.
         let (turn, step) = (2.0 * wheel.engagement_half_angle(), TAU / f64::from(wheel.stations()));
         let cam = modified_sine_peak(step, turn) / wheel.acceleration_peak().ratio;
         Ok(vec![
-            Field::in_unit("rms_crank_torque_share", share, "× peak crank torque")
-                .line("RMS crank torque", "over a turn of the driver"),
-            Field::in_unit("cam_acceleration_share", cam, "× peak acceleration")
+            ReportField::in_unit("rms_crank_torque_share", share, "× peak crank torque")
+                .line("RMS crank torque", "over a turn of the driver")
+                .needing(Needs::SPEED.and(Needs::INERTIA)),
+            ReportField::in_unit("cam_acceleration_share", cam, "× peak acceleration")
                 .line("cam", "greatest acceleration by the modified-sine law, for the same index in the same time"),
         ])
     }
 
     /// What play and wrong axes do.
-    fn play(&self, sizes: &Sizes) -> Result<Vec<Field>, Error> {
+    fn play(&self, sizes: &Sizes) -> Result<Vec<ReportField>, Error> {
         let question = &self.question;
-        let mm = |key, length: Option<f64>| Field::in_unit(key, length, "mm");
-        let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
+        let mm = |key, length: Option<f64>| ReportField::in_unit(key, length, "mm");
+        let degrees = |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°");
         let play = sizes.dwell_play();
         let held = play.zip(sizes.dwell_angle()).map(|(play, dwell)| play.held * dwell);
         let before = question.before_entry.and_then(|degrees| sizes.dwell_play_at(degrees.to_radians()));
@@ -99,7 +118,7 @@ impl Design {
         let late = entry.map(|entry| entry.crank_angle + sizes.wheel.engagement_half_angle());
         let direction = sizes.slot_direction_tolerance().map(|angle| angle * sizes.wheel_radius);
         let tolerance = self.clearance()?.map(|(_, tolerance)| tolerance);
-        Ok(vec![
+        let fields = vec![
             mm("slot_gap_mm", Some(sizes.slot_gap())).line("slot gap", "to either side of the pin"),
             mm("clearance_tolerance_mm", tolerance).line("least clearance", "known to this tolerance"),
             mm("deepest_pin_mm", Some(sizes.deepest())).line("deepest pin", "from the wheel's axis, at mid-index"),
@@ -109,10 +128,11 @@ impl Design {
             degrees("index_backlash_deg", Some(sizes.index_backlash(0.0)?)).line("backlash", "at mid-index"),
             degrees("dwell_backlash_held_deg", held).line("", "of crank angle, in which that of mid-dwell holds"),
             degrees("backlash_before_entry_deg", before.map(|[forwards, _]| forwards))
-                .line("", "forwards, so far before a pin enters"),
+                .line("", "forwards, so far before a pin enters")
+                .needing(Needs::SIZE.and(Needs::BEFORE_ENTRY)),
             mm("greatest_dwell_backlash_at_rim_mm", play.map(|play| play.greatest * sizes.wheel_radius))
                 .line("greatest backlash", "at the wheel radius"),
-            Field::in_unit(
+            ReportField::in_unit(
                 "greatest_dwell_backlash_ratio",
                 play.map(|play| play.greatest / play.middle),
                 "× mid-dwell's",
@@ -123,21 +143,23 @@ impl Design {
                 .line("disc", "deeper in the arc than it fits, with the axes nearer by as much"),
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
             self.blow(sizes),
-        ])
+        ];
+        Ok(ReportField::all_needing(fields, Needs::SIZE))
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
-    pub fn blow(&self, sizes: &Sizes) -> Field {
+    pub fn blow(&self, sizes: &Sizes) -> ReportField {
         let entry = sizes.entry(self.question.centre_error).zip(self.pin_speed());
-        Field::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
+        ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
+            .needing(Needs::SIZE.and(Needs::SPEED))
             .rounded(Rounding::Significant(3))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::{Field, answer, further};
+    use crate::{ReportField, answer, further};
 
     const SIX: &str = "wheel --stations 6 --crank-radius 25 --rpm 60 --inertia 0.002 --friction-torque 0.1 --thickness 10 \
                        --density 7800 --pin-material steel --wheel-material steel --pin-friction 0.15 --before-entry 20";
@@ -163,7 +185,7 @@ mod tests {
 
     #[test]
     fn a_blow_with_the_axes_in_place_is_the_knock_of_the_answer_and_apart_it_is_less() {
-        let knock = answer(SIX).expect("an answer").field("knock_mm_s").and_then(Field::number).expect("a knock");
+        let knock = answer(SIX).expect("an answer").field("knock_mm_s").and_then(ReportField::number).expect("a knock");
         let blow = |error: &str| number(&format!("{SIX} --centre-error {error}"), "entry_knock_mm_s").expect("met");
         approx::assert_relative_eq!(blow("0"), knock, max_relative = 1e-12);
         assert!(blow("0.02") < knock);

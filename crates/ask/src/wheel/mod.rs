@@ -11,8 +11,8 @@ mod report;
 mod speeds;
 mod times;
 
-pub use design::Design;
-pub use kind::{AnyWheel, Kind};
+pub use design::WheelDesign;
+pub use kind::{AnyWheel, WheelKind};
 pub use speeds::speeds;
 pub use times::{Times, proposals};
 
@@ -22,9 +22,9 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
-pub struct Question {
+pub struct WheelQuestion {
     /// Kind of wheel (`--type`); external unless it is given.
-    pub kind: Option<Kind>,
+    pub kind: Option<WheelKind>,
     /// Number of slots.
     pub stations: Option<u32>,
     /// Number of pins on the driver; 1 unless it is given.
@@ -74,7 +74,7 @@ pub struct Question {
     /// Degrees of the crank before a pin enters, for the backlash there; it has no name at the command line.
     pub before_entry: Option<f64>,
     /// How long clearances are looked for.
-    pub effort: Effort,
+    pub effort: SearchEffort,
 }
 
 /// An argument of a question about a wheel, as it is typed at the command line.
@@ -85,7 +85,7 @@ pub struct Argument {
     /// A word for its value, which says the unit: `MM`.
     pub unit: &'static str,
     /// Where it is in the question, and so what it may be.
-    pub place: Place,
+    pub place: ArgumentSlot,
     /// What it acts on: without that, it has no effect. Some act on all that is said of a wheel.
     pub acts_on: &'static [ActsOn],
     /// What it means, with its range and what it is by default.
@@ -96,7 +96,7 @@ impl Argument {
     const fn new(
         name: &'static str,
         unit: &'static str,
-        place: Place,
+        place: ArgumentSlot,
         acts_on: &'static [ActsOn],
         help: &'static str,
     ) -> Self {
@@ -106,23 +106,23 @@ impl Argument {
 
 /// The place of an argument in a question, by what it may be.
 #[derive(Clone, Copy, Debug)]
-pub enum Place {
+pub enum ArgumentSlot {
     /// A number of stations.
-    Stations(fn(&mut Question) -> &mut Option<u32>),
+    Stations(fn(&mut WheelQuestion) -> &mut Option<u32>),
     /// A number of pins.
-    Pins(fn(&mut Question) -> &mut Option<u32>),
+    Pins(fn(&mut WheelQuestion) -> &mut Option<u32>),
     /// A kind of wheel, by its name.
-    Kind(fn(&mut Question) -> &mut Option<Kind>),
+    Kind(fn(&mut WheelQuestion) -> &mut Option<WheelKind>),
     /// A length in millimetres, above zero.
-    Length(fn(&mut Question) -> &mut Option<f64>),
+    Length(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number above zero.
-    AboveZero(fn(&mut Question) -> &mut Option<f64>),
+    AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
-    ZeroOrMore(fn(&mut Question) -> &mut Option<f64>),
+    ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A material, by its name.
-    Material(fn(&mut Question) -> &mut Option<Material>),
+    Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
-    Degrees(fn(&mut Question) -> &mut Vec<f64>),
+    Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -141,23 +141,29 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "stations",
         "N",
-        Place::Stations(|question| &mut question.stations),
+        ArgumentSlot::Stations(|question| &mut question.stations),
         &[],
         "Number of slots, from 3 to 1000; the wheel stops this many times in one turn",
     ),
     Argument::new(
         "pins",
         "P",
-        Place::Pins(|question| &mut question.pins),
+        ArgumentSlot::Pins(|question| &mut question.pins),
         &[],
         "Number of evenly spaced pins on the driver. External wheels: at most 2N/(N − 2), or two pins would be in slots \
          at once. Internal wheels: 1. Spherical wheels: 1 or 2 [default: 1]",
     ),
-    Argument::new("type", "TYPE", Place::Kind(|question| &mut question.kind), &[], "Kind of wheel [default: external]"),
+    Argument::new(
+        "type",
+        "TYPE",
+        ArgumentSlot::Kind(|question| &mut question.kind),
+        &[],
+        "Kind of wheel [default: external]",
+    ),
     Argument::new(
         "crank-radius",
         "MM",
-        Place::Length(|question| &mut question.crank_radius),
+        ArgumentSlot::Length(|question| &mut question.crank_radius),
         &[Size],
         "Distance from the driver's axis to a pin's centre, in millimetres; give this or one of the next two for sizes in \
          mm",
@@ -165,28 +171,28 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "centre-distance",
         "MM",
-        Place::Length(|question| &mut question.centre_distance),
+        ArgumentSlot::Length(|question| &mut question.centre_distance),
         &[Size],
         "Distance between the two axes, in millimetres",
     ),
     Argument::new(
         "wheel-radius",
         "MM",
-        Place::Length(|question| &mut question.wheel_radius),
+        ArgumentSlot::Length(|question| &mut question.wheel_radius),
         &[Size],
         "Distance from the wheel's axis to a pin's centre as the pin enters, in millimetres",
     ),
     Argument::new(
         "pin-diameter",
         "MM",
-        Place::Length(|question| &mut question.pin_diameter),
+        ArgumentSlot::Length(|question| &mut question.pin_diameter),
         &[Parts],
         "Diameter of the pins, in millimetres [default: one that fits]",
     ),
     Argument::new(
         "play",
         "MM",
-        Place::ZeroOrMore(|question| &mut question.play),
+        ArgumentSlot::ZeroOrMore(|question| &mut question.play),
         &[Parts],
         "How much wider slots and locking arcs are than the parts that run in them, in millimetres, zero or more; bores \
          have a quarter of it [default: a thousandth of the centre distance, or less if parts are small]",
@@ -194,14 +200,14 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "horn",
         "MM",
-        Place::Length(|question| &mut question.horn),
+        ArgumentSlot::Length(|question| &mut question.horn),
         &[Parts],
         "Least thickness of the wheel between a slot and a locking arc, in millimetres [default: the pin's diameter]",
     ),
     Argument::new(
         "bottom-clearance",
         "MM",
-        Place::ZeroOrMore(|question| &mut question.bottom_clearance),
+        ArgumentSlot::ZeroOrMore(|question| &mut question.bottom_clearance),
         &[Parts],
         "How much deeper the slots are than the pins need, in millimetres, zero or more [default: a twentieth of the \
          pin's diameter]",
@@ -209,7 +215,7 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "wheel-shaft",
         "MM",
-        Place::Length(|question| &mut question.wheel_shaft),
+        ArgumentSlot::Length(|question| &mut question.wheel_shaft),
         &[Parts],
         "Diameter of the wheel's shaft, in millimetres [default: half of the largest possible, a placeholder that knows no \
          load]",
@@ -217,7 +223,7 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "driver-shaft",
         "MM",
-        Place::Length(|question| &mut question.driver_shaft),
+        ArgumentSlot::Length(|question| &mut question.driver_shaft),
         &[Parts],
         "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible, a \
          placeholder that knows no load; none if the disc would be too thin beside it]",
@@ -225,14 +231,14 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "rpm",
         "R",
-        Place::AboveZero(|question| &mut question.rpm),
+        ArgumentSlot::AboveZero(|question| &mut question.rpm),
         &[Motion],
         "Speed of the driver in turns per minute, above zero; adds times in s, and motion in rad/s, rad/s² and rad/s³",
     ),
     Argument::new(
         "inertia",
         "KGM2",
-        Place::ZeroOrMore(|question| &mut question.inertia),
+        ArgumentSlot::ZeroOrMore(|question| &mut question.inertia),
         &[Motion],
         "Moment of inertia, in kg m², zero or more, of everything that turns with the wheel, including the wheel itself \
          unless you give --density. With --rpm it gives torques and, if you also give a size, the force on the pin. These \
@@ -241,7 +247,7 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "thickness",
         "MM",
-        Place::Length(|question| &mut question.thickness),
+        ArgumentSlot::Length(|question| &mut question.thickness),
         &[Parts],
         "Thickness of the wheel, in millimetres: needed for the wheel's own inertia (with --density), for the pressure \
          between pin and slot, and for OpenSCAD and STL files",
@@ -249,7 +255,7 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "density",
         "KGM3",
-        Place::AboveZero(|question| &mut question.density),
+        ArgumentSlot::AboveZero(|question| &mut question.density),
         &[Parts, Motion],
         "Density of the wheel, in kg/m³; with --thickness and a size, the wheel's own inertia is computed and added to \
          --inertia",
@@ -257,14 +263,14 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "friction-torque",
         "NM",
-        Place::ZeroOrMore(|question| &mut question.friction_torque),
+        ArgumentSlot::ZeroOrMore(|question| &mut question.friction_torque),
         &[Motion],
         "Torque of the friction that brakes the wheel, in N m, zero or more",
     ),
     Argument::new(
         "pin-material",
         "MATERIAL",
-        Place::Material(|question| &mut question.pin_material),
+        ArgumentSlot::Material(|question| &mut question.pin_material),
         &[],
         "Material of the pins; with --wheel-material, --thickness and the options that give the force on the pin, it \
          gives the pressure between pin and slot",
@@ -272,21 +278,21 @@ pub const ARGUMENTS: [Argument; 21] = [
     Argument::new(
         "wheel-material",
         "MATERIAL",
-        Place::Material(|question| &mut question.wheel_material),
+        ArgumentSlot::Material(|question| &mut question.wheel_material),
         &[],
         "Material of the wheel",
     ),
     Argument::new(
         "at",
         "DEG",
-        Place::Degrees(|question| &mut question.at),
+        ArgumentSlot::Degrees(|question| &mut question.at),
         &[Motion],
         "Crank angle, in degrees, at which to report the motion; can be repeated",
     ),
     Argument::new(
         "at-wheel",
         "DEG",
-        Place::Degrees(|question| &mut question.at_wheel),
+        ArgumentSlot::Degrees(|question| &mut question.at_wheel),
         &[Motion],
         "Wheel angle, in degrees from the middle of an index, at which to report the motion; can be repeated",
     ),
@@ -295,21 +301,21 @@ pub const ARGUMENTS: [Argument; 21] = [
 /// Crank angles at which clearances are looked for at most. Where the play is so small against the parts that more are needed,
 /// the numbers are missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct SearchEffort {
     /// For the least clearance.
     pub clearance: u32,
     /// For each of the clearances that give the tolerance of the axes.
     pub tolerance: u32,
 }
 
-impl Default for Effort {
+impl Default for SearchEffort {
     /// A few seconds at most.
     fn default() -> Self {
         Self { clearance: 4_000_000, tolerance: 400_000 }
     }
 }
 
-impl Question {
+impl WheelQuestion {
     /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
     ///
     /// # Errors
@@ -335,17 +341,17 @@ impl Question {
                     refused!("no argument --{name}; there are --{names}")
                 })?;
                 match known.place {
-                    Place::Stations(at) | Place::Pins(at) => *at(self) = Some(number(name, value)?),
-                    Place::Kind(at) => {
-                        *at(self) = Some(one_of(name, value, &Kind::ALL.map(|kind| (kind.name(), kind)))?)
+                    ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(self) = Some(number(name, value)?),
+                    ArgumentSlot::Kind(at) => {
+                        *at(self) = Some(one_of(name, value, &WheelKind::ALL.map(|kind| (kind.name(), kind)))?)
                     }
-                    Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => {
+                    ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
                     }
-                    Place::Material(at) => {
+                    ArgumentSlot::Material(at) => {
                         *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
                     }
-                    Place::Degrees(at) => at(self).push(number(name, value)?),
+                    ArgumentSlot::Degrees(at) => at(self).push(number(name, value)?),
                 }
             }
         }
@@ -356,10 +362,10 @@ impl Question {
     pub fn numbers(&self) -> Vec<(Argument, f64)> {
         let mut copy = self.clone();
         let mut number = |argument: &Argument| match argument.place {
-            Place::Stations(at) | Place::Pins(at) => at(&mut copy).map(f64::from),
-            Place::Length(at) | Place::AboveZero(at) | Place::ZeroOrMore(at) => *at(&mut copy),
-            Place::Degrees(at) => at(&mut copy).first().copied(),
-            Place::Kind(_) | Place::Material(_) => None,
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => at(&mut copy).map(f64::from),
+            ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
+            ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
+            ArgumentSlot::Kind(_) | ArgumentSlot::Material(_) => None,
         };
         ARGUMENTS.iter().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
@@ -375,19 +381,63 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 
 #[cfg(test)]
 mod tests {
-    use super::{ARGUMENTS, Place, Question};
+    use super::{ARGUMENTS, ArgumentSlot, WheelQuestion};
+    use crate::{FieldValue, Needs, ReportField, answer, further};
+    use std::collections::BTreeMap;
+
+    /// Every argument that a value may need, by what it gives.
+    const GIVEN: [(&str, Needs); 11] = [
+        ("--rpm 60", Needs::SPEED),
+        ("--crank-radius 25", Needs::SIZE),
+        ("--inertia 0.002", Needs::TABLE_INERTIA),
+        ("--friction-torque 0.0001", Needs::FRICTION_TORQUE),
+        ("--thickness 10", Needs::THICKNESS),
+        ("--density 7800", Needs::DENSITY),
+        ("--pin-material steel", Needs::MATERIALS),
+        ("--wheel-material steel", Needs::MATERIALS),
+        ("--pins 2", Needs::SECOND_PIN),
+        ("--pin-friction 0.15", Needs::PIN_FRICTION),
+        ("--before-entry 20", Needs::BEFORE_ENTRY),
+    ];
+
+    /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
+    fn fields(arguments: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, ReportField> {
+        let question = arguments.fold("wheel --stations 6".to_owned(), |question, argument| question + " " + argument);
+        let (report, further) = (answer(&question).expect(&question), further(&question).expect(&question));
+        report.fields().cloned().chain(further).map(|field| (field.key, field)).collect()
+    }
+
+    #[test]
+    fn a_value_is_missing_just_where_something_that_it_needs_is_not_given() {
+        let all = fields(GIVEN.iter().map(|(argument, _)| *argument));
+        let each = GIVEN.map(|(_, left_out)| left_out);
+        // Without both there is no inertia at all.
+        let none = Needs::TABLE_INERTIA.and(Needs::DENSITY).and(Needs::INERTIA);
+        let mut lost = 0;
+        for left_out in each.into_iter().chain([Needs::NONE, none]) {
+            let given = GIVEN.iter().filter(|(_, gives)| !gives.are_met_by(left_out));
+            let some = fields(given.map(|(argument, _)| *argument));
+            for (key, field) in &all {
+                let value = some.get(key).map_or(&FieldValue::Missing, |field| &field.value);
+                let is_given = field.needs.without(left_out) == field.needs;
+                assert_eq!(*value != FieldValue::Missing, is_given, "{key} without {left_out:?}: {value:?}");
+                lost += usize::from(!is_given);
+            }
+        }
+        assert!(lost > 150, "only {lost} values are missing without what they need");
+    }
 
     #[test]
     fn each_argument_sets_the_field_of_its_name() {
         for argument in ARGUMENTS {
             let (value, set) = match argument.place {
-                Place::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
-                Place::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
-                Place::Stations(_) | Place::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
-                Place::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
+                ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
+                ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
+                ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
                 _ => ("7", format!("{}: Some(7.0)", argument.name)),
             };
-            let question = Question::parse(&format!("--{} {value}", argument.name)).expect("an argument");
+            let question = WheelQuestion::parse(&format!("--{} {value}", argument.name)).expect("an argument");
             let set = format!(" {}", set.replace('-', "_"));
             assert!(format!("{question:?}").contains(&set), "--{}: no{set}", argument.name);
         }

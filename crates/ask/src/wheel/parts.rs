@@ -1,12 +1,12 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
-use super::design::Design;
-use crate::written::degrees as degrees_told;
-use crate::{Error, Field, Rounding, Value};
+use super::design::WheelDesign;
+use crate::number_format::degrees as degrees_told;
+use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
-fn nearest_words(design: &Design, nearest: &ClosestApproach) -> String {
+fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
     let parts = match nearest.contact {
         ContactPair::PinInSlot => "pin and slot",
         ContactPair::PinOutside => "pin and wheel, while it is in no slot",
@@ -21,12 +21,12 @@ fn nearest_words(design: &Design, nearest: &ClosestApproach) -> String {
 const LIMIT: Rounding = Rounding::Limit(4);
 const SOUGHT: Rounding = Rounding::Limit(2);
 
-fn mm(key: &'static str, length: Option<f64>) -> Field {
-    Field::in_unit(key, length, "mm")
+fn mm(key: &'static str, length: Option<f64>) -> ReportField {
+    ReportField::in_unit(key, length, "mm").needing(Needs::SIZE)
 }
 
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
-pub fn parts(design: &Design) -> Vec<Field> {
+pub fn parts(design: &WheelDesign) -> Vec<ReportField> {
     let sizes = design.sizes.as_ref();
     let of = |length: fn(&Sizes) -> f64| sizes.map(length);
     // A shaft that there is not has no diameter.
@@ -91,20 +91,21 @@ pub fn parts(design: &Design) -> Vec<Field> {
         mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
             .line("web of the disc", "least thickness between crescent and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
-            .line("web between crescents", "least thickness of the disc between two of them"),
+            .line("web between crescents", "least thickness of the disc between two of them")
+            .needing(Needs::SIZE.and(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
     ]
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
-pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
+pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
     // What is less than the tolerance is not known to be more than none; without play it is none.
     let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
     let least = found.map(|(least, _)| least);
     let tolerance = design.centre_tolerance()?;
-    let not_found = |field: Field, name, is_found: bool| {
+    let not_found = |field: ReportField, name, is_found: bool| {
         if sizes.is_some() && !is_found {
             field.words(
                 name,
@@ -123,7 +124,8 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
         .rounded(SOUGHT);
     let play = sizes.and_then(Sizes::dwell_play);
-    let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
+    let degrees =
+        |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(Needs::SIZE);
     let at_greatest = play.map_or_else(String::new, |play| {
         let until = degrees_told(play.until_entry);
         format!(
@@ -133,7 +135,9 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
     let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
     let speed = |key, of: fn(&Knock) -> f64| {
         let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        Field::in_unit(key, speed, "mm/s").rounded(Rounding::Significant(3))
+        ReportField::in_unit(key, speed, "mm/s")
+            .needing(Needs::SIZE.and(Needs::SPEED))
+            .rounded(Rounding::Significant(3))
     };
     Ok(vec![
         not_found(nearest, "least clearance", least.is_some()),
@@ -160,8 +164,9 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
             .rounded(LIMIT),
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
-        Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
+        ReportField::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
             .line("", "part of the dwell, about its middle, in which it is no greater")
+            .needing(Needs::SIZE)
             .rounded(Rounding::Percent(0)),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
@@ -176,7 +181,7 @@ pub fn tolerances(design: &Design) -> Result<Vec<Field>, Error> {
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
-pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
+pub fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let found = design.shared_tolerance()?;
     let (limits, radius) = (found.flatten(), design.sizes.map(|sizes| sizes.wheel_radius));
     let of = |length: fn(&SharedTolerance) -> f64| limits.as_ref().map(length);
@@ -203,10 +208,10 @@ pub fn together(design: &Design) -> Result<Vec<Field>, Error> {
 }
 
 /// What a maker should know about sizes that do fit.
-pub fn warnings(design: &Design) -> Vec<Field> {
+pub fn warnings(design: &WheelDesign) -> Vec<ReportField> {
     let found = design.warnings();
-    let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
+    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
-    let field = Field::new("warnings", texts);
+    let field = ReportField::new("warnings", texts);
     vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
 }

@@ -3,21 +3,21 @@
 //! Ratios of length are to the crank radius; those of velocity, acceleration and jerk to the driver's angular speed, its
 //! square and its cube; fractions are of the driver's turn. What needs something that was not given is missing.
 
-use super::design::Design;
+use super::design::{WheelDesign, too_large};
 use super::instant::item;
-use super::kind::Kind;
+use super::kind::WheelKind;
 use super::{loads, parts};
-use crate::written::{as_typed, count, degrees, number};
-use crate::{Answer, Error, Field};
+use crate::number_format::{as_typed, count, degrees, number};
+use crate::{Error, MechanismReport, Needs, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
-impl Design {
+impl WheelDesign {
     /// The answer, with the motion at the angles of the question.
     ///
     /// # Errors
     ///
     /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
-    pub fn answer(&self) -> Result<Answer, Error> {
+    pub fn answer(&self) -> Result<MechanismReport, Error> {
         let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
@@ -32,7 +32,7 @@ impl Design {
         ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
-        let answer = Answer { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
+        let answer = MechanismReport { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
         if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
     }
 
@@ -43,7 +43,7 @@ impl Design {
     /// # Errors
     ///
     /// Speeds and inertias that no wheel has.
-    pub fn shown(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+    pub fn live_fields(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
         let mut fields = geometry(self, wheel);
         fields.extend(parts::parts(self));
         fields.extend(parts::tolerances(self)?);
@@ -53,25 +53,18 @@ impl Design {
     }
 }
 
-/// The error of numbers that are not finite.
-pub(super) fn too_large() -> Error {
-    refused!(
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
-    )
-}
-
-fn given(design: &Design) -> Vec<Field> {
+fn given(design: &WheelDesign) -> Vec<ReportField> {
     let wheel = design.wheel.indexing();
     vec![
-        Field::new("type", design.wheel.kind().name()),
-        Field::new("stations", wheel.stations()),
-        Field::new("pins", wheel.pins()),
-        Field::new("rpm", design.question.rpm),
-        Field::in_unit("crank_radius_mm", design.crank_radius, "mm"),
+        ReportField::new("type", design.wheel.kind().name()),
+        ReportField::new("stations", wheel.stations()),
+        ReportField::new("pins", wheel.pins()),
+        ReportField::new("rpm", design.question.rpm).needing(Needs::SPEED),
+        ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm").needing(Needs::SIZE),
     ]
 }
 
-fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> {
+fn geometry(design: &WheelDesign, indexing: &(impl Indexing + ?Sized)) -> Vec<ReportField> {
     let wheel = &design.wheel;
     // Of an external wheel the length that was given comes back as it was given.
     let of_parts = design.sizes.map(|sizes| [sizes.centre_distance, sizes.wheel_radius]);
@@ -79,40 +72,44 @@ fn geometry(design: &Design, indexing: &(impl Indexing + ?Sized)) -> Vec<Field> 
     let centres = of_parts.map(|[centres, _]| centres).or(wheel.centre_distance_ratio().and_then(lengths));
     let radius = of_parts.map(|[_, radius]| radius).or(lengths(wheel.wheel_radius_ratio()));
     let slot = match wheel.kind() {
-        Kind::External => "from there to where the pin is deepest",
-        Kind::Internal => "from there outwards to the pin's centre at its deepest",
-        Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
+        WheelKind::External => "from there to where the pin is deepest",
+        WheelKind::Internal => "from there outwards to the pin's centre at its deepest",
+        WheelKind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };
     vec![
-        Field::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
+        ReportField::in_unit("engagement_half_angle_deg", indexing.engagement_half_angle().to_degrees(), "°")
             .line("engagement half-angle", "crank angle where a pin enters and leaves"),
-        Field::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
+        ReportField::in_unit("centre_distance_ratio", wheel.centre_distance_ratio(), "× crank radius")
             .line("centre distance", "wheel's axis to driver's axis"),
-        Field::in_unit("centre_distance_mm", centres, "mm").also(),
-        Field::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
+        ReportField::in_unit("centre_distance_mm", centres, "mm").in_other_unit().needing(Needs::SIZE),
+        ReportField::in_unit("wheel_radius_ratio", wheel.wheel_radius_ratio(), "× crank radius")
             .line("wheel radius", "wheel's axis to a pin's centre as it enters"),
-        Field::in_unit("wheel_radius_mm", radius, "mm").also(),
-        Field::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
+        ReportField::in_unit("wheel_radius_mm", radius, "mm").in_other_unit().needing(Needs::SIZE),
+        ReportField::in_unit("slot_length_ratio", wheel.slot_length_ratio(), "× crank radius")
             .line("least slot length", slot),
-        Field::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm").also(),
+        ReportField::in_unit("slot_length_mm", lengths(wheel.slot_length_ratio()), "mm")
+            .in_other_unit()
+            .needing(Needs::SIZE),
     ]
 }
 
-fn cycle(design: &Design, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<Field>, Error> {
+fn cycle(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let times = design.times(wheel)?;
     Ok(vec![
-        Field::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
+        ReportField::in_unit("motion_fraction", wheel.motion_fraction(), "× driver turn")
             .line("motion fraction", "while a pin is in a slot"),
-        Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
+        ReportField::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
-        Field::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
-            .line("indexing time", "from when a pin enters to when it leaves"),
-        Field::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
-            .line("dwell time", "from when it leaves to when the next pin enters"),
+        ReportField::in_unit("indexing_time_s", times.map(|[index, _]| index), "s")
+            .line("indexing time", "from when a pin enters to when it leaves")
+            .needing(Needs::SPEED),
+        ReportField::in_unit("dwell_time_s", times.map(|[_, dwell]| dwell), "s")
+            .line("dwell time", "from when it leaves to when the next pin enters")
+            .needing(Needs::SPEED),
     ])
 }
 
-fn motion(design: &Design) -> Vec<Field> {
+fn motion(design: &WheelDesign) -> Vec<ReportField> {
     let (wheel, speed, kind) = (design.wheel.indexing(), design.speed(), design.wheel.kind());
     let (velocity, entry) = (wheel.peak_velocity(), wheel.entry_acceleration());
     let (acceleration, jerk) = (wheel.acceleration_peak(), wheel.jerk_peak());
@@ -128,28 +125,39 @@ fn motion(design: &Design) -> Vec<Field> {
     };
     let jerk_at = place(jerk.angle);
     vec![
-        Field::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
-        Field::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s").also(),
-        Field::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
-        Field::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²").also(),
-        Field::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
+        ReportField::in_unit("peak_velocity_ratio", velocity, "× driver speed").line("peak velocity", place(0.0)),
+        ReportField::in_unit("peak_speed_rad_s", speed.map(|speed| speed * velocity), "rad/s")
+            .in_other_unit()
+            .needing(Needs::SPEED),
+        ReportField::in_unit("entry_acceleration_ratio", entry, "× driver speed²").line("entry acceleration", at_entry),
+        ReportField::in_unit("entry_acceleration_rad_s2", speed.map(|speed| speed * speed * entry), "rad/s²")
+            .in_other_unit()
+            .needing(Needs::SPEED),
+        ReportField::in_unit("peak_acceleration_ratio", acceleration.ratio, "× driver speed²")
             .line("peak acceleration", place(acceleration.angle)),
-        Field::in_unit("peak_acceleration_rad_s2", speed.map(|speed| speed * speed * acceleration.ratio), "rad/s²")
-            .also(),
+        ReportField::in_unit(
+            "peak_acceleration_rad_s2",
+            speed.map(|speed| speed * speed * acceleration.ratio),
+            "rad/s²",
+        )
+        .in_other_unit()
+        .needing(Needs::SPEED),
         // Of the peak of deceleration; that of acceleration is as far before the middle.
-        Field::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
-        Field::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
+        ReportField::in_unit("peak_acceleration_angle_deg", acceleration.angle.to_degrees(), "°"),
+        ReportField::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
             .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
-        Field::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³").also(),
+        ReportField::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³")
+            .in_other_unit()
+            .needing(Needs::SPEED),
     ]
 }
 
-fn title(design: &Design) -> String {
+fn title(design: &WheelDesign) -> String {
     let wheel = design.wheel.indexing();
     let name = match design.wheel.kind() {
-        Kind::External => "External",
-        Kind::Internal => "Internal",
-        Kind::Spherical => "Spherical",
+        WheelKind::External => "External",
+        WheelKind::Internal => "Internal",
+        WheelKind::Spherical => "Spherical",
     };
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
     let radius =
@@ -165,8 +173,8 @@ fn short_length(length: f64) -> String {
 }
 
 /// Which options would add to the report.
-fn missing(design: &Design) -> String {
-    let sizes = if design.wheel.kind() == Kind::Spherical {
+fn missing(design: &WheelDesign) -> String {
+    let sizes = if design.wheel.kind() == WheelKind::Spherical {
         "--crank-radius MM or --wheel-radius MM"
     } else {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"

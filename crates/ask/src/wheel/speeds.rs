@@ -3,17 +3,17 @@
 //! A slower driver makes index and dwell longer. So the greatest index gives the least speed and the least dwell the greatest
 //! speed, and a driver fits if the least speed is not above the greatest.
 
-use super::kind::{AnyWheel, Kind};
+use super::kind::{AnyWheel, WheelKind};
 use super::times::{SAME, Times};
-use crate::written::{as_typed, count, number};
-use crate::{Answer, Error, Field, Item, Row};
+use crate::number_format::{as_typed, count, number};
+use crate::{DataRow, Error, Item, MechanismReport, ReportField};
 
 /// How many pins a driver has, by what heads it. No wheel has a dwell with more.
 const PINS: [&str; 6] = ["One pin", "Two pins", "Three pins", "Four pins", "Five pins", "Six pins"];
 
 /// A driver, and the two speeds that the wanted times ask of it.
 struct Driver {
-    kind: Kind,
+    kind: WheelKind,
     pins: u32,
     /// Part of the cycle of index and dwell that the index takes.
     motion: f64,
@@ -64,16 +64,16 @@ impl Driver {
         Item {
             heading: PINS.get(self.pins as usize - 1).copied().unwrap_or_default(),
             fields: vec![
-                Field::in_unit("least_rpm", slow_rpm, "rpm").line(for_index, name),
-                Field::in_unit("greatest_turn_s", self.longest, "s").line("", "a turn"),
-                Field::in_unit("greatest_index_time_s", slow.index, "s").line("", "index, the longest you allow"),
-                Field::in_unit("greatest_dwell_time_s", slow.dwell, "s").line("", format!("dwell, {dwell}")),
-                Field::in_unit("greatest_rpm", fast_rpm, "rpm").line(for_dwell, ""),
-                Field::in_unit("least_turn_s", self.shortest, "s").line("", "a turn"),
-                Field::in_unit("least_index_time_s", fast.index, "s").line("", format!("index, {index}")),
-                Field::in_unit("least_dwell_time_s", fast.dwell, "s").line("", "dwell, the shortest you allow"),
+                ReportField::in_unit("least_rpm", slow_rpm, "rpm").line(for_index, name),
+                ReportField::in_unit("greatest_turn_s", self.longest, "s").line("", "a turn"),
+                ReportField::in_unit("greatest_index_time_s", slow.index, "s").line("", "index, the longest you allow"),
+                ReportField::in_unit("greatest_dwell_time_s", slow.dwell, "s").line("", format!("dwell, {dwell}")),
+                ReportField::in_unit("greatest_rpm", fast_rpm, "rpm").line(for_dwell, ""),
+                ReportField::in_unit("least_turn_s", self.shortest, "s").line("", "a turn"),
+                ReportField::in_unit("least_index_time_s", fast.index, "s").line("", format!("index, {index}")),
+                ReportField::in_unit("least_dwell_time_s", fast.dwell, "s").line("", "dwell, the shortest you allow"),
             ],
-            row: Row(vec![
+            row: DataRow(vec![
                 ("type", self.kind.name().into()),
                 ("stations", stations.into()),
                 ("pins", self.pins.into()),
@@ -104,8 +104,8 @@ another, which is slower. This driver comes nearest.";
 /// # Errors
 ///
 /// A number of stations that no wheel has.
-pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Answer, Error> {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+pub fn speeds(times: Times, stations: u32, kind: Option<WheelKind>) -> Result<MechanismReport, Error> {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut drivers = Vec::new();
     for kind in kinds {
         AnyWheel::new(kind, stations, 1)?;
@@ -132,7 +132,7 @@ pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Answer,
             count(stations as usize, "station")
         )
     };
-    Ok(Answer {
+    Ok(MechanismReport {
         title: format!(
             "Drivers for {}, an index of at most {most} s and a dwell of at least {least} s",
             count(stations as usize, "station")
@@ -141,8 +141,8 @@ pub fn speeds(times: Times, stations: u32, kind: Option<Kind>) -> Result<Answer,
         sections: vec![(
             "Wanted",
             vec![
-                Field::in_unit("index_time_s", index, "s").line("index", "at most"),
-                Field::in_unit("dwell_time_s", dwell, "s").line("dwell", "at least"),
+                ReportField::in_unit("index_time_s", index, "s").line("index", "at most"),
+                ReportField::in_unit("dwell_time_s", dwell, "s").line("dwell", "at least"),
             ],
         )],
         list: Some(("drivers", drivers.iter().map(|driver| driver.item(stations, times)).collect())),

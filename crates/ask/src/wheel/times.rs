@@ -4,9 +4,9 @@
 //! speed is free: so the nearest ratios are looked for, and the driver's speed is such that index and dwell together last
 //! as long as is wanted.
 
-use super::kind::{AnyWheel, Kind};
-use crate::written::{as_typed, count, number};
-use crate::{Answer, Field, Item, Row};
+use super::kind::{AnyWheel, WheelKind};
+use crate::number_format::{as_typed, count, number};
+use crate::{DataRow, Item, MechanismReport, ReportField};
 
 /// Wanted times, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub(super) const SAME: f64 = 1e-9;
 /// A kind, its numbers and the part of the cycle in which its wheel moves.
 #[derive(Clone, Copy)]
 struct Candidate {
-    kind: Kind,
+    kind: WheelKind,
     /// None if any number will do.
     stations: Option<u32>,
     pins: u32,
@@ -37,20 +37,20 @@ struct Candidate {
 }
 
 /// All that have a dwell; of spherical wheels one stands for all numbers of stations, which have one ratio.
-fn candidates(kind: Kind) -> Vec<Candidate> {
-    let stations = if kind == Kind::Spherical { 3..=3 } else { STATIONS };
+fn candidates(kind: WheelKind) -> Vec<Candidate> {
+    let stations = if kind == WheelKind::Spherical { 3..=3 } else { STATIONS };
     let of = |stations: u32, pins: u32| {
         let wheel = AnyWheel::new(kind, stations, pins).ok()?;
         let motion = wheel.indexing().motion_fraction();
-        let stations = (kind != Kind::Spherical).then_some(stations);
+        let stations = (kind != WheelKind::Spherical).then_some(stations);
         (wheel.indexing().dwell_fraction() > SAME).then_some(Candidate { kind, stations, pins, motion })
     };
     stations.flat_map(|stations| (1..=6).filter_map(move |pins| of(stations, pins))).collect()
 }
 
 /// The nearest to a wanted part of the cycle, the nearest first; of equals the one with fewer stations.
-fn nearest(wanted: f64, kind: Option<Kind>) -> Vec<Candidate> {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+fn nearest(wanted: f64, kind: Option<WheelKind>) -> Vec<Candidate> {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut all: Vec<_> = kinds.flat_map(candidates).collect();
     all.sort_by(|a, b| {
         (a.motion - wanted).abs().total_cmp(&(b.motion - wanted).abs()).then(a.stations.cmp(&b.stations))
@@ -60,8 +60,8 @@ fn nearest(wanted: f64, kind: Option<Kind>) -> Vec<Candidate> {
 }
 
 /// The times and the speed of a candidate whose cycle lasts so many seconds.
-fn row(of: &Candidate, cycle: f64) -> Row {
-    Row(vec![
+fn row(of: &Candidate, cycle: f64) -> DataRow {
+    DataRow(vec![
         ("type", of.kind.name().into()),
         ("stations", of.stations.into()),
         ("pins", of.pins.into()),
@@ -78,22 +78,22 @@ only makes the whole cycle faster or slower. These wheels come nearest, each at 
 last as long as you want.";
 
 /// Which wheels come nearest to wanted times: of one kind, or of all.
-pub fn proposals(times: Times, kind: Option<Kind>) -> Answer {
+pub fn proposals(times: Times, kind: Option<WheelKind>) -> MechanismReport {
     let Times { index, dwell } = times;
     let (cycle, wanted) = (index + dwell, index / (index + dwell));
     let found = nearest(wanted, kind);
     let items = PROPOSED.into_iter().zip(&found);
     let items = items.map(|(heading, of)| Item { heading, fields: lines(of, cycle, wanted), row: row(of, cycle) });
     let is_exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
-    Answer {
+    MechanismReport {
         title: format!("Wheels nearest to an index of {} s and a dwell of {} s", as_typed(index), as_typed(dwell)),
         introduction: INTRODUCTION,
         sections: vec![(
             "Wanted",
             vec![
-                Field::in_unit("index_time_s", index, "s"),
-                Field::in_unit("dwell_time_s", dwell, "s"),
-                Field::in_unit("dwell_over_index", dwell / index, "× index").line("dwell", "the wanted ratio"),
+                ReportField::in_unit("index_time_s", index, "s"),
+                ReportField::in_unit("dwell_time_s", dwell, "s"),
+                ReportField::in_unit("dwell_over_index", dwell / index, "× index").line("dwell", "the wanted ratio"),
             ],
         )],
         list: Some(("proposals", items.collect())),
@@ -101,7 +101,7 @@ pub fn proposals(times: Times, kind: Option<Kind>) -> Answer {
     }
 }
 
-fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
+fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<ReportField> {
     let numbers = match of.stations {
         Some(stations) => count(stations as usize, "station"),
         None => "any number of stations".to_owned(),
@@ -114,16 +114,16 @@ fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
         less => format!("index, {} % shorter than wanted", number(-less)),
     };
     vec![
-        Field::in_unit("rpm", 60.0 / (cycle * f64::from(of.pins)), "rpm").line("driver", name),
-        Field::in_unit("index_time_s", of.motion * cycle, "s").line("", index),
-        Field::in_unit("dwell_time_s", (1.0 - of.motion) * cycle, "s").line("", "dwell"),
-        Field::in_unit("dwell_over_index", (1.0 - of.motion) / of.motion, "× index").line("", "dwell"),
+        ReportField::in_unit("rpm", 60.0 / (cycle * f64::from(of.pins)), "rpm").line("driver", name),
+        ReportField::in_unit("index_time_s", of.motion * cycle, "s").line("", index),
+        ReportField::in_unit("dwell_time_s", (1.0 - of.motion) * cycle, "s").line("", "dwell"),
+        ReportField::in_unit("dwell_over_index", (1.0 - of.motion) / of.motion, "× index").line("", "dwell"),
     ]
 }
 
 /// The bounds of these kinds of wheel, and a way round them.
-fn bounds(wanted: f64, kind: Option<Kind>) -> String {
-    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+fn bounds(wanted: f64, kind: Option<WheelKind>) -> String {
+    let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let all: Vec<f64> = kinds.flat_map(candidates).map(|of| of.motion).collect();
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let most = all.iter().copied().fold(0.0, f64::max);

@@ -75,11 +75,11 @@ fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
 mod tests {
     use super::*;
     use crate::asked::{question, value};
-    use geneva_ask::Field;
-    use geneva_ask::wheel::{Design, Question};
+    use geneva_ask::ReportField;
+    use geneva_ask::wheel::{WheelDesign, WheelQuestion};
     use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
-    use geneva_live::Arguments;
+    use geneva_live::LiveArguments;
 
     #[track_caller]
     fn asked(name: &str, key: &str) -> f64 {
@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn the_worked_design_is_the_figure_as_it_stands_at_first() {
         let live = geneva_live::by_name("design").expect("a figure");
-        let answer = live.answer(&Arguments::default()).expect("an answer");
+        let answer = live.answer(&LiveArguments::default()).expect("an answer");
         assert!(answer.figure.svg == stations::dimensions_on_a_page(&sizes().expect("fits")).svg, "another drawing");
         let shown = |name: &str| answer.numbers.iter().find(|number| number.name == name).expect("shown").value;
         for of in live.quantities {
@@ -183,9 +183,9 @@ mod tests {
     fn with_the_best_crank_radius_the_force_is_least() {
         let question = design("worked-best").expect("fits").question;
         let force = |crank_radius| {
-            let question = Question { crank_radius: Some(crank_radius), ..question.clone() };
-            let answer = Design::new(question).and_then(|design| design.answer()).expect("loaded");
-            answer.field("peak_pin_force_n").and_then(Field::number).expect("a force")
+            let question = WheelQuestion { crank_radius: Some(crank_radius), ..question.clone() };
+            let answer = WheelDesign::new(question).and_then(|design| design.answer()).expect("loaded");
+            answer.field("peak_pin_force_n").and_then(ReportField::number).expect("a force")
         };
         let best = question.crank_radius.expect("a size");
         for radius in 10..=100 {

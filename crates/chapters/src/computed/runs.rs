@@ -5,7 +5,7 @@ use crate::lookup::judged;
 use crate::numbers::{fixed, significant};
 use crate::rows::score;
 use anyhow::Context;
-use geneva_ask::written::no_greater;
+use geneva_ask::number_format::no_greater;
 use geneva_case1973::chance::ShuffleScope;
 use geneva_case1973::fitted::InertiaFit;
 use geneva_case1973::rise_times::{DefinitionTrial, OF_A_PART, TorqueGroup, groups};

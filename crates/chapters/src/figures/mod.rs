@@ -8,7 +8,7 @@ use crate::computed::making;
 use crate::rows::{NONE, example, question};
 use crate::{live, lookup};
 use anyhow::Context;
-use geneva_ask::escapement::{Design, Drawing, Question};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion};
 use geneva_case1973::{Hypothesis, weakest};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::{jazar, pin::Instant, quick_return::Instant as Lever};
@@ -65,7 +65,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("escapement-normal-force", || {
         let question = question(example()?);
         let (_, arguments) = question.split_once(' ').context("a question with arguments")?;
-        Ok(Design::new(Question::parse(arguments)?)?.drawing(Drawing::NormalForce)?)
+        Ok(EscapementDesign::new(EscapementQuestion::parse(arguments)?)?.drawing(EscapementDrawing::NormalForce)?)
     }),
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
@@ -157,8 +157,9 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
 }
 
 /// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
-fn designs() -> anyhow::Result<Vec<escapement::Design>> {
-    let design = |row| Ok(escapement::Design::of(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
+fn designs() -> anyhow::Result<Vec<escapement::MarkedEscapement>> {
+    let design =
+        |row| Ok(escapement::MarkedEscapement::from_parameters(&Hypothesis::IDEAL.parameters(row).context(NONE)?));
     weakest(rows()).map(design).collect()
 }
 

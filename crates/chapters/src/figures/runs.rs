@@ -12,15 +12,15 @@ use geneva_documents::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_
 use geneva_documents::meyer::runs::study::{delays, scores};
 use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Compared, Count, Group, Lag, Scan};
-use geneva_figures::steady::{self, Measurement};
+use geneva_figures::runs::{self, ComparedCells, Count, LagLikelihood, MechanismRuns, Scan};
+use geneva_figures::steady::{self, SolverMeasurement};
 use geneva_kinematics::Mechanism;
 use geneva_press::numbers::fixed;
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
-        Ok::<_, anyhow::Error>(Compared::new(name.to_owned(), rows::score(hypothesis)?))
+        Ok::<_, anyhow::Error>(ComparedCells::new(name.to_owned(), rows::score(hypothesis)?))
     };
     let compared =
         [of(&Hypothesis::IDEAL, "real mechanisms")?, of(&Hypothesis::AS_RUN, "the program with its mistake")?];
@@ -54,7 +54,7 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
 
 /// What each of the compared hypotheses makes of the rows.
 pub fn hypotheses() -> anyhow::Result<Figure> {
-    let named = |score: &Score| Compared::new(score.hypothesis.brief_words(), score);
+    let named = |score: &Score| ComparedCells::new(score.hypothesis.brief_words(), score);
     Ok(runs::deviations(&scores().iter().map(named).collect::<Vec<_>>()))
 }
 
@@ -67,12 +67,12 @@ pub fn columns() -> anyhow::Result<Figure> {
 /// How likely the tables are, over the lag of the friction's sign.
 pub fn lags() -> anyhow::Result<Figure> {
     const MILLISECONDS: f64 = 1e3;
-    let lag = |(lag, score): &(f64, Score)| Lag {
+    let lag = |(lag, score): &(f64, Score)| LagLikelihood {
         lag: MILLISECONDS * lag,
         likelihoods: score.likelihoods(),
         peaks: score.fits[0].within_one,
     };
-    let all: Vec<Lag> = delays().iter().map(lag).collect();
+    let all: Vec<LagLikelihood> = delays().iter().map(lag).collect();
     Ok(runs::lags(&all, MILLISECONDS * listing().delay, rows().len()))
 }
 
@@ -117,8 +117,8 @@ pub fn collapse() -> anyhow::Result<Figure> {
 }
 
 /// A mechanism's rows, with the reset angle and the inertias that explain the tables.
-fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
-    Group::of(&Hypothesis::WITHOUT_LAG, rows_of(rows(), mechanism)).context(NONE)
+fn group(mechanism: Mechanism) -> anyhow::Result<MechanismRuns> {
+    MechanismRuns::from_rows(&Hypothesis::WITHOUT_LAG, rows_of(rows(), mechanism)).context(NONE)
 }
 
 /// The return map of the three-pin run that brakes least: an engagement leaves more of a difference than with four pins, so
@@ -178,7 +178,7 @@ pub fn work_precision() -> anyhow::Result<Figure> {
     let runs = CONTESTANTS.iter().filter_map(|(contestant, words)| Some((*contestant, words.strip_suffix(": run")?)));
     let drawn = runs.flat_map(|(contestant, words)| {
         all.iter().filter(move |one| one.contestant == contestant).filter_map(move |one| {
-            Some(Measurement {
+            Some(SolverMeasurement {
                 contestant: words.to_owned(),
                 tolerance: one.tolerance.parse().ok()?,
                 evaluations: one.evaluations,

@@ -13,7 +13,7 @@ use geneva_press::numbers::fixed;
 
 /// The mechanisms with the frictions of their runs.
 fn tested() -> anyhow::Result<Vec<Tested>> {
-    Mechanism::ALL.into_iter().map(|mechanism| Tested::of(rows_of(rows(), mechanism)).context(NONE)).collect()
+    Mechanism::ALL.into_iter().map(|mechanism| Tested::from_rows(rows_of(rows(), mechanism)).context(NONE)).collect()
 }
 
 /// Hours a day over the friction, beside handbook values of steel on brass.

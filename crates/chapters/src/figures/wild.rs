@@ -3,7 +3,7 @@
 use anyhow::Context;
 use geneva_documents::wild::ratio;
 use geneva_figures::Figure;
-use geneva_figures::stations::{self, Compared, wrong_formulas};
+use geneva_figures::stations::{self, WrongFormula, wrong_formulas};
 
 /// Wrong formulas, and what each is for.
 const FORMULAS: [(&str, &str); 7] = [
@@ -28,7 +28,7 @@ pub fn locking_cuts() -> anyhow::Result<Figure> {
 pub fn formulas() -> anyhow::Result<Figure> {
     let compared = FORMULAS.map(|(id, name)| {
         let of = |slots| Ok((slots, ratio(id, slots).with_context(|| format!("`{id}` gives no ratio"))?));
-        Ok(Compared { name: name.to_owned(), ratios: (3..=12).map(of).collect::<anyhow::Result<_>>()? })
+        Ok(WrongFormula { name: name.to_owned(), ratios: (3..=12).map(of).collect::<anyhow::Result<_>>()? })
     });
     Ok(wrong_formulas(&compared.into_iter().collect::<anyhow::Result<Vec<_>>>()?))
 }

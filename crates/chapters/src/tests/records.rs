@@ -4,7 +4,7 @@ use crate::BOOK;
 use geneva_evidence::Document;
 use geneva_press::address;
 use geneva_press::edition::Edition;
-use geneva_press::fields::Value;
+use geneva_press::fields::FieldValue;
 use geneva_press::records::{OF_A_CLAIM, OF_A_SLIP, OF_AN_ENTRY, described, entries, files, types};
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
@@ -85,13 +85,13 @@ fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_fi
     let in_rows: usize = listed
         .iter()
         .map(|row| match &row.0[4].1 {
-            Value::List(numbers) => numbers.len(),
+            FieldValue::List(numbers) => numbers.len(),
             _ => 0,
         })
         .sum();
     assert_eq!(in_rows, documents.map(numbers).sum::<usize>());
     for claim in BOOK.ledger.claims().iter().filter(|claim| claim.document.is_mirrored()) {
-        let id = Value::from(claim.id);
+        let id = FieldValue::from(claim.id);
         assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
     }
 }

@@ -1,6 +1,6 @@
 //! Axes: what they cover, how their values are spaced, where the ticks are and how they are numbered.
 
-use crate::number::{fixed, power, power_of_ten, round_step, trimmed, with_minus_sign};
+use crate::number::{format_fixed, format_trimmed, power, power_of_ten, round_step, with_minus_sign};
 use crate::svg::Label;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
@@ -18,7 +18,7 @@ const MOST_TICKS: usize = 100;
 
 /// How the values of an axis are spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Equal differences, equal lengths.
     Linear,
     /// Equal ratios, equal lengths; only for values above zero.
@@ -37,7 +37,7 @@ fn signed_decades(value: f64) -> f64 {
 
 /// One axis: what it covers, the ticks on it, and its title.
 #[derive(Clone, Debug)]
-pub struct Axis {
+pub struct ChartAxis {
     /// From the least to the greatest value.
     pub range: Range<f64>,
     /// Where the ticks are.
@@ -45,7 +45,7 @@ pub struct Axis {
     /// Digits after the point of the ticks' numbers; at most so many where the scale is logarithmic.
     pub decimals: usize,
     /// How its values are spaced.
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// What it shows, with the unit.
     pub title: Option<Label>,
     /// What is written at the ticks instead of their numbers.
@@ -55,15 +55,15 @@ pub struct Axis {
     pub grid: bool,
 }
 
-impl Axis {
+impl ChartAxis {
     /// An axis with these ticks, numbered with so many digits after the point.
-    pub fn new(scale: Scale, range: Range<f64>, ticks: Vec<f64>, decimals: usize) -> Self {
+    pub fn new(scale: AxisScale, range: Range<f64>, ticks: Vec<f64>, decimals: usize) -> Self {
         Self { range, ticks, decimals, scale, title: None, names: Vec::new(), numbered: true, grid: true }
     }
 
     /// A linear axis with ticks at whole numbers.
     pub fn whole(range: Range<f64>, ticks: impl IntoIterator<Item = f64>) -> Self {
-        Self::new(Scale::Linear, range, ticks.into_iter().collect(), 0)
+        Self::new(AxisScale::Linear, range, ticks.into_iter().collect(), 0)
     }
 
     /// An axis with a strip for each of several kinds, the first at the top: around 1, around 2, and so on.
@@ -79,7 +79,7 @@ impl Axis {
         let powers: Vec<f64> = (0..20).map(power).take_while(|tick| *tick <= limit).collect();
         let below = powers.iter().rev().map(|tick| -tick);
         let ticks = below.chain(std::iter::once(0.0)).chain(powers.iter().copied()).collect();
-        Self::new(Scale::SymmetricLog, -limit..limit, ticks, 0)
+        Self::new(AxisScale::SymmetricLog, -limit..limit, ticks, 0)
     }
 
     /// An axis in at least so many round steps that holds zero and both values, with some room beyond them.
@@ -118,7 +118,7 @@ impl Axis {
         let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
         let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
         let ticks = (low..=high).rev().step_by(each).map(power).collect();
-        Self::new(Scale::Decades, power(low)..power(high), ticks, 0)
+        Self::new(AxisScale::Decades, power(low)..power(high), ticks, 0)
     }
 
     /// A logarithmic axis over a range, with ticks at 1, 2 and 5 times powers of ten; at powers of ten alone if those
@@ -128,7 +128,7 @@ impl Axis {
         let ticks: Vec<f64> = one_two_five().filter(within).collect();
         let wide = ticks.len() > 9;
         let ticks = if wide { (-20..20).map(power).filter(within).collect() } else { ticks };
-        Self::new(Scale::Logarithmic, range, ticks, 9)
+        Self::new(AxisScale::Logarithmic, range, ticks, 9)
     }
 
     /// A logarithmic axis over whole steps of 1, 2 and 5 times powers of ten that holds all values of the range.
@@ -166,20 +166,20 @@ impl Axis {
 
     /// An axis from one multiple of a step to another, with a tick at each, or at each so many if there are too many.
     fn stepped(step: f64, low: i32, high: i32) -> Self {
-        let digits = trimmed(step, 6);
+        let digits = format_trimmed(step, 6);
         let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
         let each = usize::try_from(i64::from(high) - i64::from(low)).map_or(1, |steps| steps / MOST_TICKS + 1);
         let ticks = (low..=high).step_by(each).map(|k| step * f64::from(k)).collect();
-        Self::new(Scale::Linear, step * f64::from(low)..step * f64::from(high), ticks, decimals)
+        Self::new(AxisScale::Linear, step * f64::from(low)..step * f64::from(high), ticks, decimals)
     }
 
     /// How far along the axis a value lies: 0 at its start, 1 at its end.
     pub fn share(&self, value: f64) -> f64 {
         let Range { start, end } = self.range;
         let share = match self.scale {
-            Scale::Linear => (value - start) / (end - start),
-            Scale::Logarithmic | Scale::Decades => libm::log(value / start) / libm::log(end / start),
-            Scale::SymmetricLog => {
+            AxisScale::Linear => (value - start) / (end - start),
+            AxisScale::Logarithmic | AxisScale::Decades => libm::log(value / start) / libm::log(end / start),
+            AxisScale::SymmetricLog => {
                 let [value, start, end] = [value, start, end].map(signed_decades);
                 (value - start) / (end - start)
             }
@@ -191,9 +191,9 @@ impl Axis {
     pub fn value_at(&self, share: f64) -> f64 {
         let Range { start, end } = self.range;
         match self.scale {
-            Scale::Linear => start + share * (end - start),
-            Scale::Logarithmic | Scale::Decades => start * libm::exp(share * libm::log(end / start)),
-            Scale::SymmetricLog => {
+            AxisScale::Linear => start + share * (end - start),
+            AxisScale::Logarithmic | AxisScale::Decades => start * libm::exp(share * libm::log(end / start)),
+            AxisScale::SymmetricLog => {
                 let [start, end] = [start, end].map(signed_decades);
                 let decades = start + share * (end - start);
                 let size = decades.abs();
@@ -203,14 +203,14 @@ impl Axis {
     }
 
     /// A tick's number as it is written.
-    pub fn written(&self, value: f64) -> String {
+    pub fn tick_label(&self, value: f64) -> String {
         let named = self.ticks.iter().position(|tick| *tick == value).and_then(|number| self.names.get(number));
         match self.scale {
             _ if !self.numbered => String::new(),
             _ if named.is_some() => named.cloned().unwrap_or_default(),
-            Scale::Linear | Scale::SymmetricLog => with_minus_sign(&fixed(value, self.decimals)),
-            Scale::Logarithmic => with_minus_sign(&trimmed(value, self.decimals)),
-            Scale::Decades => power_of_ten(value),
+            AxisScale::Linear | AxisScale::SymmetricLog => with_minus_sign(&format_fixed(value, self.decimals)),
+            AxisScale::Logarithmic => with_minus_sign(&format_trimmed(value, self.decimals)),
+            AxisScale::Decades => power_of_ten(value),
         }
     }
 
@@ -219,8 +219,8 @@ impl Axis {
     pub fn is_readable(&self, room: f64) -> bool {
         let step = self.ticks.get(1).zip(self.ticks.first()).map_or(0.0, |(second, first)| second - first);
         self.ticks.iter().all(|tick| {
-            let read = fixed(*tick, self.decimals).parse().unwrap_or(f64::INFINITY);
-            (read - tick).abs() <= 1e-3 * step && Label::words(&self.written(*tick)).width() <= room
+            let read = format_fixed(*tick, self.decimals).parse().unwrap_or(f64::INFINITY);
+            (read - tick).abs() <= 1e-3 * step && Label::words(&self.tick_label(*tick)).width() <= room
         })
     }
 }
@@ -229,7 +229,7 @@ fn one_two_five() -> impl Iterator<Item = f64> {
     (-9..9).flat_map(|k| [1.0, 2.0, 5.0].map(|m| m * power(k)))
 }
 
-impl Ranged for Axis {
+impl Ranged for ChartAxis {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
@@ -246,9 +246,9 @@ impl Ranged for Axis {
     }
 }
 
-impl ValueFormatter<f64> for Axis {
+impl ValueFormatter<f64> for ChartAxis {
     fn format_ext(&self, value: &f64) -> String {
-        self.written(*value)
+        self.tick_label(*value)
     }
 }
 
@@ -259,26 +259,28 @@ mod tests {
     #[test]
     fn every_kind_of_axis_holds_its_values_between_its_ends() {
         for (least, greatest) in [(-0.3, 7.1), (0.0, 1e-4), (-250.0, 3.0), (2.0, 2.5)] {
-            for axis in [Axis::from_zero(least, greatest, 4.0), Axis::spanning(least, greatest, 5.0)] {
+            for axis in [ChartAxis::from_zero(least, greatest, 4.0), ChartAxis::spanning(least, greatest, 5.0)] {
                 assert!([least, greatest].iter().all(|value| (-1e-9..=1.0 + 1e-9).contains(&axis.share(*value))));
                 assert!(axis.ticks.len() >= 4, "{axis:?}");
             }
-            assert!(Axis::from_zero(least, greatest, 4.0).ticks.contains(&0.0));
+            assert!(ChartAxis::from_zero(least, greatest, 4.0).ticks.contains(&0.0));
         }
-        for axis in [Axis::decades(0.03, 40.0, 1), Axis::logarithmic_about(0.03..40.0)] {
+        for axis in [ChartAxis::decades(0.03, 40.0, 1), ChartAxis::logarithmic_about(0.03..40.0)] {
             assert!(axis.share(0.03) >= 0.0 && axis.share(40.0) <= 1.0, "{axis:?}");
             assert!((axis.share(4.0) - axis.share(0.4) - axis.share(0.4) + axis.share(0.04)).abs() < 1e-12);
         }
-        assert_eq!(Axis::symmetric(2.9).ticks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
-        assert_eq!(Axis::of_angles(-27.0, 27.0, 4.0).range, -30.0..30.0);
+        assert_eq!(ChartAxis::symmetric(2.9).ticks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
+        assert_eq!(ChartAxis::of_angles(-27.0, 27.0, 4.0).range, -30.0..30.0);
     }
 
     #[test]
     fn no_axis_has_more_marks_than_a_page_can_show() {
         for (least, greatest) in [(1e300, 2e300), (-1e154, 1e154), (0.0, f64::INFINITY), (1.0, 1.0 + 1e-12), (0.0, 1e9)]
         {
-            let spanning = Axis::spanning(least, greatest, 5.0);
-            for axis in [Axis::from_zero(least, greatest, 4.0), Axis::of_angles(least, greatest, 4.0), spanning] {
+            let spanning = ChartAxis::spanning(least, greatest, 5.0);
+            for axis in
+                [ChartAxis::from_zero(least, greatest, 4.0), ChartAxis::of_angles(least, greatest, 4.0), spanning]
+            {
                 assert!(axis.ticks.len() <= MOST_TICKS + 1, "{least} {greatest}: {} ticks", axis.ticks.len());
             }
         }
@@ -286,15 +288,15 @@ mod tests {
 
     #[test]
     fn the_value_at_a_share_has_that_share() {
-        for scale in [Scale::Linear, Scale::Logarithmic, Scale::Decades, Scale::SymmetricLog] {
-            let axis = Axis::new(scale, 0.1..30.0, vec![], 1);
+        for scale in [AxisScale::Linear, AxisScale::Logarithmic, AxisScale::Decades, AxisScale::SymmetricLog] {
+            let axis = ChartAxis::new(scale, 0.1..30.0, vec![], 1);
             assert!([0.0, 0.3, 1.0].iter().all(|share| (axis.share(axis.value_at(*share)) - share).abs() < 1e-12));
         }
     }
 
     #[test]
     fn a_symmetric_log_axis_is_linear_within_one_and_a_decade_is_as_long_as_a_unit() {
-        let axis = Axis::symmetric_log(100.0);
+        let axis = ChartAxis::symmetric_log(100.0);
         assert_eq!(axis.ticks, [-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0]);
         let shares = [0.0, 0.5, 1.0, 10.0, 100.0].map(|value| axis.share(value));
         for (share, expected) in shares.into_iter().zip([3.0, 3.5, 4.0, 5.0, 6.0]) {
@@ -305,17 +307,18 @@ mod tests {
 
     #[test]
     fn kinds_are_written_by_name_and_the_first_is_at_the_top() {
-        let axis = Axis::of_kinds(["six", "four"].map(str::to_owned));
-        assert_eq!([1.0, 2.0].map(|tick| axis.written(tick)), ["six", "four"]);
+        let axis = ChartAxis::of_kinds(["six", "four"].map(str::to_owned));
+        assert_eq!([1.0, 2.0].map(|tick| axis.tick_label(tick)), ["six", "four"]);
         assert_eq!([axis.share(1.0), axis.share(2.0)], [0.75, 0.25]);
     }
 
     #[test]
     fn marks_are_written_as_their_scale_wants() {
-        let axis = |scale| Axis::new(scale, 0.1..100.0, vec![], 1);
-        let written = [Scale::Linear, Scale::Logarithmic, Scale::Decades].map(|scale| axis(scale).written(10.0));
+        let axis = |scale| ChartAxis::new(scale, 0.1..100.0, vec![], 1);
+        let written =
+            [AxisScale::Linear, AxisScale::Logarithmic, AxisScale::Decades].map(|scale| axis(scale).tick_label(10.0));
         assert_eq!(written, ["10.0", "10", "10¹"]);
-        assert_eq!(axis(Scale::Linear).written(-10.0), "−10.0");
-        assert_eq!(axis(Scale::Linear).unnumbered().written(10.0), "");
+        assert_eq!(axis(AxisScale::Linear).tick_label(-10.0), "−10.0");
+        assert_eq!(axis(AxisScale::Linear).unnumbered().tick_label(10.0), "");
     }
 }

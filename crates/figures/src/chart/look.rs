@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 
 /// How a line looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stroke {
+pub struct LineStyle {
     /// Its colour.
     pub colour: Colour,
     /// Its width in pixels.
@@ -17,7 +17,7 @@ pub struct Stroke {
     pub class: &'static str,
 }
 
-impl Stroke {
+impl LineStyle {
     /// An unbroken curve of this colour.
     pub const fn new(colour: Colour) -> Self {
         Self { colour, width: 2.8, dashes: None, class: "curve" }
@@ -54,7 +54,7 @@ impl Stroke {
     }
 
     /// A shape drawn with it.
-    pub fn on(&self, shape: Shape) -> Shape {
+    pub fn apply_to(&self, shape: Shape) -> Shape {
         let shape = shape.stroke(self.colour, self.width).class(self.class);
         self.dashes.map_or(shape.clone(), |dashes| shape.dashed(dashes))
     }
@@ -62,7 +62,7 @@ impl Stroke {
 
 /// The shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
+pub enum MarkShape {
     /// A disc.
     Disc,
     /// A square.
@@ -86,7 +86,7 @@ pub struct Marker {
     /// Their colour.
     pub colour: Colour,
     /// Their shape.
-    pub mark: Mark,
+    pub mark: MarkShape,
     /// Their size in pixels.
     pub size: f64,
     /// What they are, for pages and tests.
@@ -95,7 +95,7 @@ pub struct Marker {
 
 impl Marker {
     /// A marker of the usual size.
-    pub const fn new(colour: Colour, mark: Mark) -> Self {
+    pub const fn new(colour: Colour, mark: MarkShape) -> Self {
         Self { colour, mark, size: 9.0, class: "marks" }
     }
 
@@ -115,20 +115,20 @@ const DASHES: [Option<&str>; 3] = [None, Some("9 4"), Some("3 4")];
 
 /// The curve and the marks of the first to the eighth of several kinds: from the fifth on in the colour of the text,
 /// and with other dashes.
-pub fn kind(number: usize) -> (Stroke, Marker) {
+pub fn kind(number: usize) -> (LineStyle, Marker) {
     let (colour, mark) = match number % 4 {
-        0 => (FOLLOWER, Mark::Disc),
-        1 => (DRIVER, Mark::Square),
-        2 => (RELATIVE, Mark::Diamond),
-        _ => (CORIOLIS, Mark::Triangle),
+        0 => (FOLLOWER, MarkShape::Disc),
+        1 => (DRIVER, MarkShape::Square),
+        2 => (RELATIVE, MarkShape::Diamond),
+        _ => (CORIOLIS, MarkShape::Triangle),
     };
     let colour = if number % 8 < 4 { colour } else { INK };
     let dashes = DASHES.get((number + number / 4) % DASHES.len()).copied().flatten();
-    (Stroke { dashes, ..Stroke::new(colour) }, Marker::new(colour, mark))
+    (LineStyle { dashes, ..LineStyle::new(colour) }, Marker::new(colour, mark))
 }
 
 /// The curve and the marks of a mechanism with so many slots: the same in all figures.
-pub fn of_mechanism(slots: u32) -> (Stroke, Marker) {
+pub fn of_mechanism(slots: u32) -> (LineStyle, Marker) {
     kind(match slots {
         3 => 0,
         4 => 1,
@@ -142,18 +142,18 @@ const RIMMED: f64 = 7.0;
 /// Draws equal marks at places of the page: they weigh little, for all are one path.
 pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
     let Marker { colour, mark, size, class } = *marker;
-    if matches!(mark, Mark::Ring | Mark::Circle) {
+    if matches!(mark, MarkShape::Ring | MarkShape::Circle) {
         for at in places {
             let circle = Shape::circle(at, size / 2.0).stroke(colour, 2.0).class(class);
-            canvas.draw(if mark == Mark::Ring { circle.fill(PAPER) } else { circle });
+            canvas.draw(if mark == MarkShape::Ring { circle.fill(PAPER) } else { circle });
         }
         return;
     }
     // The first corner, and the steps from there.
     let corners: &[(f64, f64)] = match mark {
-        Mark::Triangle => &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)],
-        Mark::Left => &[(0.0, 0.0), (1.1, -0.6), (0.0, 1.2)],
-        Mark::Right => &[(0.0, 0.0), (-1.1, -0.6), (0.0, 1.2)],
+        MarkShape::Triangle => &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)],
+        MarkShape::Left => &[(0.0, 0.0), (1.1, -0.6), (0.0, 1.2)],
+        MarkShape::Right => &[(0.0, 0.0), (-1.1, -0.6), (0.0, 1.2)],
         _ => &[],
     };
     let begin = |at: &Pixels| corners.first().map_or(*at, |(x, y)| at + Vector2::new(*x, *y) * size);
@@ -162,9 +162,9 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         path = path.again_at(&begin(place));
         path = match mark {
             // Square ends stand across the line, however short it is.
-            Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
+            MarkShape::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
             // A line of no length has no direction, so programs that show PDF leave its square ends out.
-            Mark::Square => path.line_by(&Vector2::new(0.1, 0.0)),
+            MarkShape::Square => path.line_by(&Vector2::new(0.1, 0.0)),
             _ if !corners.is_empty() => {
                 let steps = corners.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
                 steps.fold(path, |path, step| path.line_by(&step)).close()
@@ -181,8 +181,8 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         canvas.draw(if size >= RIMMED { shape.stroke(PAPER, 1.2) } else { shape }.class(class));
         return;
     }
-    let (cap, size) = if mark == Mark::Disc { ("round", size) } else { ("square", 0.86 * size) };
-    let shape = shape.with("stroke-linecap", cap);
+    let (cap, size) = if mark == MarkShape::Disc { ("round", size) } else { ("square", 0.86 * size) };
+    let shape = shape.attribute("stroke-linecap", cap);
     if size >= RIMMED {
         canvas.draw(shape.clone().stroke(PAPER, size + 2.4).class("rim"));
     }

@@ -5,22 +5,23 @@
 //! draws frame, grid, numbers and layers on a [pen](pen::Pen) that writes our SVG.
 
 mod axis;
+mod frame;
 mod look;
 mod names;
 mod panel;
 mod pen;
 mod trace;
 
-pub use axis::{Axis, Scale};
-pub use look::{Mark, Marker, Stroke, kind, of_mechanism};
+pub use axis::{AxisScale, ChartAxis};
+pub use look::{LineStyle, MarkShape, Marker, kind, of_mechanism};
 pub use names::Spot;
 pub use panel::{NUMBER_ROOM, Panel};
 
-use crate::svg::{Canvas, Kind, Label, Pixels, Shape, escape};
+use crate::svg::{Canvas, DrawingKind, Label, Pixels, Shape, escape};
 use crate::{Figure, Series, Words};
 use look::draw_marks;
 use nalgebra::Vector2;
-use panel::Column;
+use panel::PanelColumn;
 
 /// Width of a figure, in pixels.
 const WIDTH: f64 = 640.0;
@@ -34,17 +35,17 @@ const PIECE: f64 = 44.0;
 const MARK: f64 = 15.0;
 const GAP: f64 = 9.0;
 
-/// One entry of a key: a piece of a curve, marks, and what they stand for.
+/// An entry of a chart's key: a piece of a curve, marks, and what they stand for.
 #[derive(Clone, Debug)]
-pub struct Entry {
-    stroke: Option<Stroke>,
+pub struct LegendEntry {
+    stroke: Option<LineStyle>,
     markers: Vec<Marker>,
     label: Label,
 }
 
-impl Entry {
+impl LegendEntry {
     /// A curve and what it stands for.
-    pub fn curve(stroke: Stroke, label: Label) -> Self {
+    pub fn curve(stroke: LineStyle, label: Label) -> Self {
         Self { stroke: Some(stroke), markers: Vec::new(), label }
     }
 
@@ -54,7 +55,7 @@ impl Entry {
     }
 
     /// A curve with marks on it, and what they stand for.
-    pub fn both((stroke, marker): (Stroke, Marker), label: Label) -> Self {
+    pub fn curve_with_marks((stroke, marker): (LineStyle, Marker), label: Label) -> Self {
         Self { stroke: Some(stroke), markers: vec![marker], label }
     }
 
@@ -74,7 +75,7 @@ impl Entry {
     fn draw(&self, canvas: &mut Canvas, at: &Pixels) {
         let right = Vector2::new(1.0, 0.0);
         if let Some(stroke) = &self.stroke {
-            canvas.draw(stroke.class("sample").on(Shape::line(at, &(at + right * PIECE))));
+            canvas.draw(stroke.class("sample").apply_to(Shape::line(at, &(at + right * PIECE))));
         }
         let pitch = self.sample() / self.markers.len().max(1) as f64;
         for (k, marker) in self.markers.iter().enumerate() {
@@ -87,7 +88,7 @@ impl Entry {
 /// What a figure with axes shows.
 #[derive(Clone, Debug, Default)]
 pub struct Chart {
-    key: Vec<Entry>,
+    key: Vec<LegendEntry>,
     panels: Vec<Panel>,
     columns: usize,
 }
@@ -104,7 +105,7 @@ impl Chart {
     }
 
     /// What curves and marks stand for, above the panels.
-    pub fn key(self, entries: impl IntoIterator<Item = Entry>) -> Self {
+    pub fn key(self, entries: impl IntoIterator<Item = LegendEntry>) -> Self {
         Self { key: entries.into_iter().collect(), ..self }
     }
 
@@ -123,11 +124,11 @@ impl Chart {
         let mut top = head;
         for row in rows() {
             for (number, panel) in row.iter().enumerate() {
-                draw_panel(panel, &mut canvas, size, &Column::of(number, self.columns, size.x), top);
+                draw_panel(panel, &mut canvas, size, &PanelColumn::new(number, self.columns, size.x), top);
             }
             top += room(row);
         }
-        words.figure(canvas, Kind::Plot, series)
+        words.figure(canvas, DrawingKind::Plot, series)
     }
 
     /// The panels one under another, below what `draw` draws on so much of the page's height.
@@ -138,20 +139,20 @@ impl Chart {
         draw(&mut canvas);
         let mut top = above;
         for panel in &self.panels {
-            draw_panel(panel, &mut canvas, size, &Column::of(0, 1, size.x), top);
+            draw_panel(panel, &mut canvas, size, &PanelColumn::new(0, 1, size.x), top);
             top += panel.room();
         }
-        words.figure(canvas, Kind::Plot, series)
+        words.figure(canvas, DrawingKind::Plot, series)
     }
 
     /// Where the entries of the key begin: in equal columns, or one after another if that takes fewer lines.
     fn key_places(&self) -> Vec<Pixels> {
         let room = WIDTH - LEFT;
-        let widest = self.key.iter().map(Entry::width).fold(1.0, f64::max);
+        let widest = self.key.iter().map(LegendEntry::width).fold(1.0, f64::max);
         let columns = ((room / widest) as usize).clamp(1, self.key.len().max(1));
         let place = |x: f64, line: usize| Vector2::new(LEFT + x, 18.0 + LINE * line as f64);
         let (mut flowing, mut x, mut line) = (Vec::new(), 0.0, 0);
-        for width in self.key.iter().map(Entry::width) {
+        for width in self.key.iter().map(LegendEntry::width) {
             if x > 0.0 && x + width > room {
                 (x, line) = (0.0, line + 1);
             }
@@ -166,7 +167,7 @@ impl Chart {
 }
 
 /// Nothing that is written can fail. Should plotters fail all the same, the page says so.
-fn draw_panel(panel: &Panel, canvas: &mut Canvas, size: Pixels, column: &Column, top: f64) {
+fn draw_panel(panel: &Panel, canvas: &mut Canvas, size: Pixels, column: &PanelColumn, top: f64) {
     if let Err(error) = panel.draw(canvas, size, column, top) {
         canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
     }
@@ -175,7 +176,7 @@ fn draw_panel(panel: &Panel, canvas: &mut Canvas, size: Pixels, column: &Column,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn, number};
+    use crate::checks::{ParsedDrawing, assert_drawn, number};
     use crate::theme::DRIVER;
 
     fn figure(chart: Chart) -> Figure {
@@ -183,16 +184,16 @@ mod tests {
     }
 
     fn panel() -> Panel {
-        let axis = Axis::whole(0.0..1.0, [0.0, 1.0]);
+        let axis = ChartAxis::whole(0.0..1.0, [0.0, 1.0]);
         Panel::new(200.0, &axis, &axis)
     }
 
     #[test]
     fn curves_and_marks_end_on_the_frame() {
         let points = [(-1.0, 0.5), (0.5, 0.5), (0.5, 3.0), (0.75, 0.25)];
-        let some = figure(Chart::new([panel().curve(points, Stroke::new(DRIVER)).marks(points, kind(3).1)]));
-        drawn(&some);
-        let data = Drawing::of(&some).all("curve")[0].attribute("d").expect("a path").to_owned();
+        let some = figure(Chart::new([panel().curve(points, LineStyle::new(DRIVER)).marks(points, kind(3).1)]));
+        assert_drawn(&some);
+        let data = ParsedDrawing::parse(&some).elements("curve")[0].attribute("d").expect("a path").to_owned();
         let corners: Vec<f64> = data.split(['M', 'L', ' ']).filter_map(|word| word.parse().ok()).collect();
         let heights: Vec<f64> = corners.iter().skip(1).step_by(2).copied().collect();
         let widths: Vec<f64> = corners.iter().step_by(2).copied().collect();
@@ -201,23 +202,26 @@ mod tests {
         assert!(
             heights.iter().all(|y| (22.0..=222.0).contains(y)) && widths.iter().all(|x| (70.0..=570.0).contains(x))
         );
-        assert_eq!(Drawing::of(&some).all("marks")[0].attribute("d").expect("a path").matches('M').count(), 2);
+        assert_eq!(
+            ParsedDrawing::parse(&some).elements("marks")[0].attribute("d").expect("a path").matches('M').count(),
+            2
+        );
         for outside in [[(0.2, 2.0), (0.8, 3.0)], [(-0.2, 0.9), (0.1, 1.3)], [(2.0, 0.1), (2.0, 0.9)]] {
-            let none = figure(Chart::new([panel().curve(outside, Stroke::new(DRIVER))]));
-            assert_eq!(Drawing::of(&none).count("curve"), 0, "{outside:?}");
+            let none = figure(Chart::new([panel().curve(outside, LineStyle::new(DRIVER))]));
+            assert_eq!(ParsedDrawing::parse(&none).count("curve"), 0, "{outside:?}");
         }
     }
 
     #[test]
     fn columns_share_the_width_and_a_row_is_as_high_as_its_highest_panel() {
         let high = |height: f64| {
-            let axis = Axis::whole(0.0..1.0, [0.0, 1.0]);
-            Panel::new(height, &axis, &axis).curve([(0.0, 0.0), (1.0, 1.0)], Stroke::new(DRIVER))
+            let axis = ChartAxis::whole(0.0..1.0, [0.0, 1.0]);
+            Panel::new(height, &axis, &axis).curve([(0.0, 0.0), (1.0, 1.0)], LineStyle::new(DRIVER))
         };
         let chart = Chart::new([high(100.0), high(200.0), high(100.0)]).in_columns(2);
         let figure = figure(chart);
-        drawn(&figure);
-        let drawing = Drawing::of(&figure);
+        assert_drawn(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let ends = [0, 1, 2].map(|number| {
             let path = drawing.path("curve", number);
             [path[0], path[path.len() - 1]]
@@ -230,8 +234,8 @@ mod tests {
     fn names_beside_the_frame_keep_apart() {
         let name = |panel: Panel, y: f64| panel.name(Label::words("x"), Spot::Beside(y));
         let figure = figure(Chart::new([[0.5, 0.5, 0.52, 0.0].into_iter().fold(panel(), name)]));
-        let drawing = Drawing::of(&figure);
-        let mut heights: Vec<f64> = drawing.all("leader").iter().map(|line| number(line, "y2")).collect();
+        let drawing = ParsedDrawing::parse(&figure);
+        let mut heights: Vec<f64> = drawing.elements("leader").iter().map(|line| number(line, "y2")).collect();
         heights.sort_by(f64::total_cmp);
         assert_eq!(heights.len(), 4);
         assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > 22.0), "{heights:?}");
@@ -240,9 +244,9 @@ mod tests {
     #[test]
     fn a_name_that_has_no_room_is_left_out_and_one_on_a_curve_interrupts_it() {
         let curve = [(0.0, 0.5), (0.5, 0.5), (1.0, 0.5)];
-        let panel = panel().curve(curve, Stroke::new(DRIVER)).name(Label::words("on"), Spot::On(curve.to_vec()));
+        let panel = panel().curve(curve, LineStyle::new(DRIVER)).name(Label::words("on"), Spot::On(curve.to_vec()));
         let figure = figure(Chart::new([panel.name(Label::words("under"), Spot::Free(vec![[0.5, 0.5]]))]));
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         assert_eq!(drawing.count("ground"), 1);
         assert!(drawing.texts().contains(&"on".to_owned()) && !drawing.texts().contains(&"under".to_owned()));
     }
@@ -250,7 +254,7 @@ mod tests {
     #[test]
     fn long_entries_of_a_key_stand_one_under_another() {
         let places = |names: &[&str]| {
-            let entries = names.iter().map(|name| Entry::both(kind(0), Label::words(name)));
+            let entries = names.iter().map(|name| LegendEntry::curve_with_marks(kind(0), Label::words(name)));
             Chart::new([]).key(entries).key_places()
         };
         let long = "a name that takes more than half of the width of a figure";

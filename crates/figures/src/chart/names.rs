@@ -1,7 +1,7 @@
 //! Where the names of curves and points stand: where they hide least.
 
-use super::panel::Frame;
-use crate::svg::{Canvas, Label, Path, Pixels, Place, Placing, Shape, around, leader};
+use super::frame::Frame;
+use crate::svg::{Canvas, Label, LabelPosition, Path, Pixels, Placing, Shape, leader, positions_around};
 use crate::theme::PAPER;
 use nalgebra::Vector2;
 use std::ops::Range;
@@ -46,7 +46,7 @@ pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curve
             Spot::Near(points, first) => {
                 let places = frame.inside(points);
                 let spots = places.iter().step_by(places.len().div_ceil(TRIED).max(1)).flat_map(|at| {
-                    around(at, *first, &NEAR).into_iter().chain(above_and_below(frame, at, label.width()))
+                    positions_around(at, *first, &NEAR).into_iter().chain(above_and_below(frame, at, label.width()))
                 });
                 if let Some(place) = all.put(canvas, label, spots.collect::<Vec<_>>()) {
                     // A place aside of all points has nothing to which a line could lead.
@@ -66,25 +66,25 @@ pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curve
 }
 
 /// Above and below a point, and as far to the side as the frame wants it.
-fn above_and_below(frame: &Frame, at: &Pixels, width: f64) -> Vec<Place> {
+fn above_and_below(frame: &Frame, at: &Pixels, width: f64) -> Vec<LabelPosition> {
     let [least, greatest] = frame.corners();
     let half = (width / 2.0 + 10.0).min((greatest.x - least.x) / 2.0);
     let place = |shift: f64, y: f64, distance: f64| {
         let x = (at.x + shift).clamp(least.x + half, greatest.x - half);
-        Place { point: Vector2::new(x, at.y), towards: Vector2::new(0.0, y), distance }
+        LabelPosition { point: Vector2::new(x, at.y), towards: Vector2::new(0.0, y), distance }
     };
     let shifts = [0.0, -30.0, 30.0, -60.0, 60.0].into_iter();
     let sides = shifts.flat_map(|shift| [(shift, -1.0), (shift, 1.0)]);
     sides.flat_map(|(shift, y)| [20.0, 28.0, 38.0, 50.0].map(|distance| place(shift, y, distance))).collect()
 }
 
-fn centred(point: Pixels, cost: f64) -> Place {
+fn centred(point: Pixels, cost: f64) -> LabelPosition {
     // Counts as a cost, not as a distance: there is no direction.
-    Place { point, towards: Pixels::zeros(), distance: cost }
+    LabelPosition { point, towards: Pixels::zeros(), distance: cost }
 }
 
 fn within(canvas: &mut Canvas, frame: &Frame, label: &Label, range: &Range<f64>, y: f64) {
-    let [left, right] = [range.start, range.end].map(|x| frame.at(x, y));
+    let [left, right] = [range.start, range.end].map(|x| frame.place(x, y));
     let short = label.first_word();
     if label.width() < right.x - left.x {
         canvas.label(&left.lerp(&right, 0.5), &Pixels::zeros(), 0.0, label);
@@ -132,7 +132,7 @@ fn beside(canvas: &mut Canvas, frame: &Frame, names: &[Name]) {
     let mut beside: Vec<(f64, &Label)> = names
         .iter()
         .filter_map(|name| match name.spot {
-            Spot::Beside(y) => Some((frame.at(frame.x.range.end, y).y, &name.label)),
+            Spot::Beside(y) => Some((frame.place(frame.x.range.end, y).y, &name.label)),
             _ => None,
         })
         .collect();

@@ -1,11 +1,12 @@
 //! One frame with its axes, and what it shows: areas, curves, marks, lines of reference and names.
 
-use super::axis::Axis;
-use super::look::{Marker, Stroke};
+use super::axis::ChartAxis;
+use super::frame::Frame;
+use super::look::{LineStyle, Marker};
 use super::names::{Name, Spot, write};
 use super::pen::{ENLARGED, Look, Pen, colour};
 use crate::parts::arrow;
-use crate::svg::{Canvas, Label, Pixels, Placing, part_within};
+use crate::svg::{Canvas, Label, Pixels, Placing};
 use crate::theme::Colour;
 use nalgebra::Vector2;
 use plotters::prelude::*;
@@ -38,7 +39,7 @@ enum Layer {
     /// A filled area, under the grid.
     Area { corners: Vec<(f64, f64)>, colour: Colour, class: &'static str },
     /// A curve, as far as it lies in the frame.
-    Curve { points: Vec<(f64, f64)>, stroke: Stroke },
+    Curve { points: Vec<(f64, f64)>, stroke: LineStyle },
     /// Equal marks, as far as they lie in the frame.
     Marks { points: Vec<(f64, f64)>, marker: Marker },
 }
@@ -48,19 +49,19 @@ enum Layer {
 struct Impulse {
     x: f64,
     upwards: bool,
-    stroke: Stroke,
+    stroke: LineStyle,
 }
 
 /// From where to where on the page a panel goes, and its frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Column {
+pub struct PanelColumn {
     panel: [f64; 2],
     frame: [f64; 2],
 }
 
-impl Column {
+impl PanelColumn {
     /// The column of this number, of so many on a page of this width.
-    pub fn of(number: usize, columns: usize, width: f64) -> Self {
+    pub fn new(number: usize, columns: usize, width: f64) -> Self {
         if columns < 2 {
             return Self { panel: [0.0, width], frame: [SIDE, width - SIDE] };
         }
@@ -73,9 +74,9 @@ impl Column {
 #[derive(Clone, Debug)]
 pub struct Panel {
     height: f64,
-    x: Axis,
-    left: Axis,
-    right: Axis,
+    x: ChartAxis,
+    left: ChartAxis,
+    right: ChartAxis,
     layers: Vec<Layer>,
     impulses: Vec<Impulse>,
     names: Vec<Name>,
@@ -83,7 +84,7 @@ pub struct Panel {
 
 impl Panel {
     /// An empty frame of this height in pixels.
-    pub fn new(height: f64, x: &Axis, left: &Axis) -> Self {
+    pub fn new(height: f64, x: &ChartAxis, left: &ChartAxis) -> Self {
         let right = left.blank();
         Self {
             height,
@@ -97,7 +98,7 @@ impl Panel {
     }
 
     /// Other marks and words at the right: for what belongs to the same heights.
-    pub fn right(self, right: Axis) -> Self {
+    pub fn right_axis(self, right: ChartAxis) -> Self {
         Self { right, ..self }
     }
 
@@ -115,7 +116,7 @@ impl Panel {
     }
 
     /// A curve, as far as it lies in the frame.
-    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
+    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: LineStyle) -> Self {
         self.layers.push(Layer::Curve { points: points.into_iter().collect(), stroke });
         self
     }
@@ -127,25 +128,25 @@ impl Panel {
     }
 
     /// An arrow from zero to the top of the frame, or to its foot: what becomes infinite for an instant.
-    pub fn impulse(mut self, x: f64, upwards: bool, stroke: Stroke) -> Self {
+    pub fn impulse(mut self, x: f64, upwards: bool, stroke: LineStyle) -> Self {
         self.impulses.push(Impulse { x, upwards, stroke });
         self
     }
 
     /// A line from the foot of the frame to its top.
-    pub fn vertical(self, x: f64, stroke: Stroke) -> Self {
+    pub fn vertical(self, x: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.left.range;
         self.curve([(x, start), (x, end)], stroke)
     }
 
     /// A line across the frame.
-    pub fn horizontal(self, y: f64, stroke: Stroke) -> Self {
+    pub fn horizontal(self, y: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.x.range;
         self.curve([(start, y), (end, y)], stroke)
     }
 
     /// A name near one of the points, first in this direction (radians, counter-clockwise as seen).
-    pub fn near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
+    pub fn name_near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
         self.name(label, Spot::Near(points.into_iter().collect(), first))
     }
 
@@ -183,12 +184,12 @@ impl Panel {
         if titles.into_iter().flatten().any(Label::has_subscript) { LIFT } else { 0.0 }
     }
 
-    fn frame(&self, column: &Column, top: f64) -> Frame {
+    fn frame(&self, column: &PanelColumn, top: f64) -> Frame {
         let above = self.above();
         let [left, right] = column.frame;
         let corner = Vector2::new(left, top + above);
         let end = Vector2::new(right, top + above + self.height);
-        Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone() }
+        Frame::new([corner, end], &self.x, &self.left)
     }
 
     /// Draws it on a canvas of this size, in a column, from `top` on.
@@ -196,7 +197,7 @@ impl Panel {
         &self,
         canvas: &mut Canvas,
         size: Pixels,
-        column: &Column,
+        column: &PanelColumn,
         top: f64,
     ) -> Result<(), Box<dyn std::error::Error + '_>> {
         let frame = self.frame(column, top);
@@ -216,7 +217,7 @@ impl Panel {
         let looks: Vec<Look> =
             [Look::Frame, Look::Grid].into_iter().chain(self.layers.iter().map(Layer::look)).collect();
         let large = |length: f64| (length * ENLARGED) as u32;
-        let [least, greatest] = frame.corners;
+        let [least, greatest] = frame.corners();
         let (below, beside) = (size.y - greatest.y, size.x - greatest.x);
         let root = Pen::new(canvas, size, &looks).into_drawing_area();
         let mut chart = ChartBuilder::on(&root)
@@ -266,7 +267,7 @@ impl Panel {
                     }
                 }
                 Layer::Marks { points, .. } => {
-                    let inside = points.iter().filter(|(x, y)| frame.holds(&frame.at(*x, *y)));
+                    let inside = points.iter().filter(|(x, y)| frame.contains(&frame.place(*x, *y)));
                     let marks = inside.map(|point| Circle::new(*point, 1, style));
                     chart.draw_series(marks)?;
                 }
@@ -276,8 +277,8 @@ impl Panel {
         Ok(())
     }
 
-    fn titles(&self, canvas: &mut Canvas, column: &Column, frame: &Frame) {
-        let [least, greatest] = frame.corners;
+    fn titles(&self, canvas: &mut Canvas, column: &PanelColumn, frame: &Frame) {
+        let [least, greatest] = frame.corners();
         let [left, end] = column.panel;
         let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, TITLE_HEIGHT + self.lift()));
         if let Some(title) = &self.left.title {
@@ -295,7 +296,7 @@ impl Panel {
     /// Tail and tip of each impulse.
     fn arrows(&self, frame: &Frame) -> Vec<[Pixels; 2]> {
         let Range { start, end } = self.left.range;
-        let arrow = |of: &Impulse| [0.0, if of.upwards { end } else { start }].map(|y| frame.at(of.x, y));
+        let arrow = |of: &Impulse| [0.0, if of.upwards { end } else { start }].map(|y| frame.place(of.x, y));
         self.impulses.iter().map(arrow).collect()
     }
 
@@ -306,9 +307,9 @@ impl Panel {
 
     /// What names keep clear of, within the frame: marks, and those of the curves that are asked for.
     fn placing(&self, frame: &Frame, avoided: impl Fn(&[(f64, f64)]) -> bool) -> Placing {
-        let [least, greatest] = frame.corners;
+        let [least, greatest] = frame.corners();
         let room = Vector2::new(6.0, 4.0);
-        let mut placing = Placing::within(least + room, greatest - room);
+        let mut placing = Placing::new(least + room, greatest - room);
         for [from, to] in self.arrows(frame) {
             placing.avoid(&from, &to, 2.0);
         }
@@ -317,12 +318,12 @@ impl Panel {
                 Layer::Area { .. } => {}
                 Layer::Curve { points, .. } if !avoided(points) => {}
                 Layer::Curve { points, stroke } => {
-                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*x, *y)).collect();
-                    placing.avoid_all(&super::trace::thinned(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
+                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
+                    placing.avoid_all(&super::trace::thin_out(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
                 }
                 Layer::Marks { points, marker } => {
                     let room = Vector2::new(1.0, 1.0) * (marker.size / 2.0 + 1.0);
-                    for at in points.iter().map(|(x, y)| frame.at(*x, *y)) {
+                    for at in points.iter().map(|(x, y)| frame.place(*x, *y)) {
                         placing.take([at - room, at + room]);
                     }
                 }
@@ -339,70 +340,5 @@ impl Layer {
             Self::Curve { stroke, .. } => Look::Line(*stroke),
             Self::Marks { marker, .. } => Look::Marks(*marker),
         }
-    }
-}
-
-/// Where data lie on the page.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    corners: [Pixels; 2],
-    /// The x axis.
-    pub x: Axis,
-    left: Axis,
-}
-
-impl Frame {
-    /// The upper left and the lower right corner.
-    pub fn corners(&self) -> [Pixels; 2] {
-        self.corners
-    }
-
-    /// Where values of the x axis and of the y axis meet.
-    pub fn at(&self, x: f64, y: f64) -> Pixels {
-        self.at_share([self.x.share(x), self.left.share(y)])
-    }
-
-    /// A place in shares of the frame, from its lower left corner.
-    pub fn at_share(&self, [x, y]: [f64; 2]) -> Pixels {
-        let [least, greatest] = self.corners;
-        Vector2::new(least.x + x * (greatest.x - least.x), greatest.y + y * (least.y - greatest.y))
-    }
-
-    /// The places of points, as far as they lie within.
-    pub fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
-        points.iter().map(|(x, y)| self.at(*x, *y)).filter(|at| self.holds(at)).collect()
-    }
-
-    fn holds(&self, at: &Pixels) -> bool {
-        let [least, greatest] = self.corners;
-        let slack = Vector2::new(1e-6, 1e-6);
-        at.sup(&(least - slack)) == *at && at.inf(&(greatest + slack)) == *at
-    }
-
-    /// The parts of a curve that lie within: plotters would draw the rest along the edge.
-    fn parts(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
-        let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
-        let mut goes_on = false;
-        for pair in points.windows(2) {
-            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(x, y));
-            let Some([enter, leave]) = part_within(&from, &to, &self.corners) else {
-                goes_on = false;
-                continue;
-            };
-            let end = if leave < 1.0 { self.data(&from.lerp(&to, leave)) } else { pair[1] };
-            match parts.last_mut() {
-                Some(part) if goes_on => part.push(end),
-                _ => parts.push(vec![if enter > 0.0 { self.data(&from.lerp(&to, enter)) } else { pair[0] }, end]),
-            }
-            goes_on = leave >= 1.0;
-        }
-        parts
-    }
-
-    /// The values at a place.
-    fn data(&self, at: &Pixels) -> (f64, f64) {
-        let [least, greatest] = self.corners;
-        let x = self.x.value_at((at.x - least.x) / (greatest.x - least.x));
-        (x, self.left.value_at((greatest.y - at.y) / (greatest.y - least.y)))
     }
 }

@@ -3,9 +3,9 @@
 //! plotters knows whole pixels and fixed colours. So the page is a hundred times larger for it, and a colour is the
 //! number of a look in a table: what is drawn with it has that look. Lines of one look are one path.
 
-use super::look::{Marker, Stroke, draw_marks};
-use super::trace::thinned;
-use crate::number::trimmed;
+use super::look::{LineStyle, Marker, draw_marks};
+use super::trace::thin_out;
+use crate::number::format_trimmed;
 use crate::svg::{Canvas, Path, Pixels, Shape, TEXT_SIZE, escape};
 use crate::theme::{Colour, GRID, INK};
 use nalgebra::Vector2;
@@ -25,7 +25,7 @@ pub enum Look {
     /// Lines across the frame.
     Grid,
     /// A curve.
-    Line(Stroke),
+    Line(LineStyle),
     /// Marks.
     Marks(Marker),
     /// A filled area of a class.
@@ -98,7 +98,7 @@ impl DrawingBackend for Pen<'_> {
             let shape = Shape::path(path);
             match self.looks.get(number) {
                 Some(Look::Grid) => self.canvas.draw(shape.stroke(GRID, 0.8).class("grid")),
-                Some(Look::Line(stroke)) => self.canvas.draw(stroke.on(shape)),
+                Some(Look::Line(stroke)) => self.canvas.draw(stroke.apply_to(shape)),
                 _ => self.canvas.draw(shape.stroke(INK, 1.0).class("axes")),
             }
         }
@@ -125,7 +125,7 @@ impl DrawingBackend for Pen<'_> {
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
         if let Some((number, look)) = self.look(style.color()) {
             let points: Vec<Pixels> = path.into_iter().map(pixels).collect();
-            self.add(number, &if matches!(look, Look::Line(_)) { thinned(&points) } else { points });
+            self.add(number, &if matches!(look, Look::Line(_)) { thin_out(&points) } else { points });
         }
         Ok(())
     }
@@ -165,7 +165,7 @@ impl DrawingBackend for Pen<'_> {
             VPos::Bottom => 0.0,
         };
         let base = pixels(at) + Vector2::new(0.0, drop * TEXT_SIZE);
-        let (x, y) = (trimmed(base.x, 1), trimmed(base.y, 1));
+        let (x, y) = (format_trimmed(base.x, 1), format_trimmed(base.y, 1));
         let text = format!("<text x=\"{x}\" y=\"{y}\">{}</text>", escape(text));
         match self.numbers.iter_mut().find(|(known, _)| *known == anchor) {
             Some((_, texts)) => texts.push(text),

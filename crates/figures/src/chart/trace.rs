@@ -6,7 +6,7 @@ use crate::svg::Pixels;
 const THIN: f64 = 0.1;
 
 /// The points without those that lie on the line between their neighbours, but for a part of a pixel.
-pub fn thinned(points: &[Pixels]) -> Vec<Pixels> {
+pub fn thin_out(points: &[Pixels]) -> Vec<Pixels> {
     let mut kept: Vec<Pixels> = points.first().copied().into_iter().collect();
     let mut parts = vec![(0, points.len().saturating_sub(1))];
     while let Some((from, to)) = parts.pop() {
@@ -35,7 +35,7 @@ mod tests {
     fn what_is_left_of_a_curve_is_the_curve() {
         let circle = |k: u32| crate::svg::heading(f64::from(k) / 100.0) * 200.0;
         let points: Vec<Pixels> = (0..=600).map(circle).collect();
-        let kept = thinned(&points);
+        let kept = thin_out(&points);
         assert!(kept.len() < 150, "{}", kept.len());
         assert_eq!((kept.first(), kept.last()), (points.first(), points.last()));
         for point in &points {
@@ -46,7 +46,7 @@ mod tests {
             };
             assert!(kept.windows(2).map(off).fold(f64::INFINITY, f64::min) <= THIN * 1.000_001);
         }
-        assert_eq!(thinned(&points[..1]).len(), 1);
-        assert!(thinned(&[]).is_empty());
+        assert_eq!(thin_out(&points[..1]).len(), 1);
+        assert!(thin_out(&[]).is_empty());
     }
 }

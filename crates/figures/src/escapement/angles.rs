@@ -1,16 +1,16 @@
 //! The general position: the triangle of the two axes and the pin.
 
-use super::pose::{Bodies, Margins, id, side};
+use super::pose::{EscapementMargins, EscapementPose, id, side};
 use crate::number::{degrees, significant, without_noise};
 use crate::parts::{NEAR, WIDTH, angle, right_angle};
-use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, around, beside_line};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, Pixels, Placing, Shape, positions_around, positions_beside_line};
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const MARGINS: Margins = Margins { side: 46.0, above: 26.0, below: 26.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 46.0, above: 26.0, below: 26.0 };
 /// Radii of the marks of the angles, over the sides there.
 const MARK: f64 = 0.4;
 /// A pin so many pixels from the line of centres has room for the height of the triangle.
@@ -24,7 +24,7 @@ const TALL: f64 = 34.0;
 ///
 /// [`FigureError::Escapement`] if the angle is beyond ±π/m or not finite.
 pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError> {
-    let bodies = Bodies::at(escapement, crank, MARGINS)?;
+    let bodies = EscapementPose::at_driver_angle(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
     canvas.faint(0.55, "", |canvas| {
@@ -70,11 +70,11 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
             escapement.slots()
         ),
     );
-    Ok(words.figure(canvas, Kind::Mechanism, series))
+    Ok(words.figure(canvas, DrawingKind::Mechanism, series))
 }
 
 /// Sides, height, pins and axes.
-fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) {
+fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, pin: &Pixels) {
     let foot = Vector2::new(pin.x, at.axis.y);
     let height = (pin - foot).norm();
     if height > TALL {
@@ -90,7 +90,7 @@ fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
 }
 
 /// Angles, sides and corners.
-fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) {
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, pin: &Pixels) {
     let reach = (pin - at.pivot).norm();
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::part("θ"));
     let mark = (MARK * reach).max(22.0);
@@ -98,13 +98,13 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     let sides =
         [(&at.axis, pin, Label::part("R").in_colour(DRIVER)), (&at.pivot, pin, Label::part("r").in_colour(FOLLOWER))];
     for (from, to, label) in sides {
-        placing.put(canvas, &label, beside_line(from, to, &NEAR));
+        placing.put(canvas, &label, positions_beside_line(from, to, &NEAR));
     }
     // Away from the pin, where the angles are not.
-    let places = beside_line(&at.axis, &at.pivot, &NEAR).into_iter();
+    let places = positions_beside_line(&at.axis, &at.pivot, &NEAR).into_iter();
     let away = places.filter(|place| place.towards.y * (pin.y - at.axis.y) <= 0.0);
     placing.put(canvas, &Label::part("l"), away);
-    placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
-    placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
-    placing.put(canvas, &Label::words("P"), around(pin, at.theta, &at.near_pin()));
+    placing.put(canvas, &Label::words("B"), positions_around(&at.axis, PI, &NEAR));
+    placing.put(canvas, &Label::words("O"), positions_around(&at.pivot, 0.0, &NEAR));
+    placing.put(canvas, &Label::words("P"), positions_around(pin, at.theta, &at.near_pin()));
 }

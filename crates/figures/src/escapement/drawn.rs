@@ -2,7 +2,7 @@
 
 use super::forces::forces;
 use super::{angles, existence, hand_over, mechanism, normal_force, order, ratios};
-use crate::checks::{Drawing, PIXELS, columns, drawn, number, sound};
+use crate::checks::{PIXELS, ParsedDrawing, assert_drawn, assert_sound, columns, number};
 use crate::{Figure, FigureError};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -15,16 +15,16 @@ fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
 
 #[test]
 fn the_figures_as_a_reader_is_shown_them_are_sound() {
-    [ratios(&Mechanism::ALL), existence(&existence::tests::designs()), order()].iter().for_each(sound);
+    [ratios(&Mechanism::ALL), existence(&existence::tests::designs()), order()].iter().for_each(assert_sound);
     for one in Mechanism::ALL {
         let (state, half) = (parameters(one, 0.125), one.engagement_half_angle());
-        sound(&mechanism(&one, -0.4 * half).expect("engaged"));
-        sound(&hand_over(&one));
+        assert_sound(&mechanism(&one, -0.4 * half).expect("engaged"));
+        assert_sound(&hand_over(&one));
         for share in [-0.6, 0.6] {
-            sound(&angles(&one, share * half).expect("engaged"));
-            sound(&forces(&state, share * half, 0.5).expect("engaged"));
+            assert_sound(&angles(&one, share * half).expect("engaged"));
+            assert_sound(&forces(&state, share * half, 0.5).expect("engaged"));
         }
-        sound(&normal_force(&state, 0.5).expect("followed"));
+        assert_sound(&normal_force(&state, 0.5).expect("followed"));
     }
 }
 
@@ -33,16 +33,16 @@ fn every_position_and_state_is_drawn_in_true_numbers() {
     for one in Mechanism::ALL {
         let half = one.engagement_half_angle();
         for share in [-1.0, -0.97, -0.5, -1e-3, -1e-14, 0.0, 0.3, 1.0] {
-            drawn(&mechanism(&one, share * half).expect("engaged"));
-            drawn(&angles(&one, share * half).expect("engaged"));
+            assert_drawn(&mechanism(&one, share * half).expect("engaged"));
+            assert_drawn(&angles(&one, share * half).expect("engaged"));
             for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 2.0), (0.0, 90.0)] {
-                drawn(&forces(&parameters(one, friction), share * half, speed).expect("engaged"));
+                assert_drawn(&forces(&parameters(one, friction), share * half, speed).expect("engaged"));
             }
         }
     }
     // Nothing, one and one twice are drawn too.
     let four = Mechanism::FOUR_PIN;
-    [vec![], vec![four], vec![four, four]].iter().for_each(|some| drawn(&ratios(some)));
+    [vec![], vec![four], vec![four, four]].iter().for_each(|some| assert_drawn(&ratios(some)));
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn the_triangles_close_to_nine_places() {
             drawn.push((angles(&one, share * half).expect("engaged"), share * half));
         }
         for (figure, theta) in drawn {
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let [c, r, distance] = ["side-l", "side-R", "side-r"].map(|name| drawing.path(name, 0));
             assert_eq!([c[0], c[1], r[1]], [r[0], distance[0], distance[1]], "{}", figure.id);
             let vector = |ends: Vec<Vector2<f64>>| ends[1] - ends[0];
@@ -96,9 +96,9 @@ fn the_follower_and_the_pins_are_to_scale() {
     for one in Mechanism::ALL {
         for share in [-1.0, 0.0, 0.7] {
             let figure = mechanism(&one, share * one.engagement_half_angle()).expect("engaged");
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let (axis, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
-            let pins = drawing.all("pin");
+            let pins = drawing.elements("pin");
             assert_eq!(pins.len() as u32, one.pins());
             for pin in &pins {
                 let at = Vector2::new(number(pin, "cx"), number(pin, "cy"));
@@ -116,7 +116,7 @@ fn the_follower_and_the_pins_are_to_scale() {
 fn at_the_hand_over_both_pins_move_along_their_slots() {
     for one in Mechanism::ALL {
         let figure = hand_over(&one);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let (r, pivot) = (drawing.path("side-R", 0), drawing.path("side-r", 0)[0]);
         let (axis, leaving) = (r[0], r[1]);
         for (name, outward) in [("v-leaving", 1.0), ("v-entering", -1.0)] {
@@ -142,7 +142,7 @@ fn forces_point_as_the_equation_of_motion_says() {
         for share in [-0.9, -0.5, -0.2, 0.2, 0.5, 0.9] {
             for speed in [0.0, 0.5, 5.0] {
                 let figure = forces(&sound, share * half, speed).expect("engaged");
-                let drawing = Drawing::of(&figure);
+                let drawing = ParsedDrawing::parse(&figure);
                 let (axis, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
                 let pivot = axis + Vector2::new(one.centre_distance_ratio() * crank, 0.0);
                 // Counter-clockwise as seen is positive, in pixels.
@@ -203,7 +203,7 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
                     "the expression between the bars has the sign of F sin θ"
                 );
             }
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let strips = ["switch", "positive", "negative"].map(|class| drawing.count(class));
             // The curve is above zero, so its name has the minus of a torque that is below.
             assert!(drawing.texts().iter().any(|text| text.contains("−τ2")), "{:?}", drawing.texts());

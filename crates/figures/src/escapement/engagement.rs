@@ -9,9 +9,9 @@ pub const STEPS: u32 = 180;
 /// Relative error of the motion: far below what a series is written to.
 const TOLERANCE: f64 = 1e-13;
 
-/// What acts at one instant, over the driving torque K.
+/// What acts at one instant of an engagement, over the driving torque K.
 #[derive(Clone, Copy, Debug)]
-pub struct Instant {
+pub struct EngagementState {
     /// θ, in radians.
     pub theta: f64,
     /// θ', in radians per unit of time.
@@ -26,7 +26,7 @@ pub struct Instant {
     pub follower_acceleration: f64,
 }
 
-impl Instant {
+impl EngagementState {
     /// The forces at an angle and a speed.
     pub fn new(parameters: &Parameters, theta: f64, speed: f64) -> Result<Self, DynamicsError> {
         let forces = parameters.contact_forces(theta, speed)?;

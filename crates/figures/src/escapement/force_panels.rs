@@ -1,9 +1,12 @@
 //! The three panels of the forces.
 
-use super::forces::Senses;
-use super::pose::Bodies;
-use crate::parts::{NEAR, WIDTH, angle, arrow, axis, numbered, right_angle, sense, vector};
-use crate::svg::{Canvas, DASHED, Label, Path, Pixels, Placing, Shape, View, angle_of, around, beside_line, heading};
+use super::force_senses::Senses;
+use super::pose::EscapementPose;
+use crate::parts::{NEAR, WIDTH, angle, arrow, axis, draw_number, right_angle, sense, vector};
+use crate::svg::{
+    Canvas, DASHED, Label, Path, Pixels, Placing, Shape, View, angle_of, heading, positions_around,
+    positions_beside_line,
+};
 use crate::theme::{CORIOLIS, Colour, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -26,7 +29,7 @@ const BESIDE: f64 = 6.0;
 /// The number of a panel and its title, at a corner.
 fn title(canvas: &mut Canvas, corner: &Pixels, number: usize, words: &str) {
     let at = corner + Vector2::new(20.0, 24.0);
-    numbered(canvas, &at, number);
+    draw_number(canvas, &at, number);
     canvas.label(&(at + Vector2::new(22.0, 0.0)), &Vector2::new(1.0, 0.0), 0.0, &Label::words(words).bare());
 }
 
@@ -39,7 +42,7 @@ fn friction_label() -> Label {
 }
 
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
-pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
+pub fn pin_and_driver(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses) {
     let mut placing = at.placing();
     canvas.faint(0.5, "", |canvas| at.draw_follower(canvas, 1.3));
     at.draw_driver(canvas, 1.6);
@@ -48,7 +51,7 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     let foot = at.on_follower(at.star.centre * libm::cos(at.phi), at.phi);
     let end = foot + senses.out * 30.0;
     canvas.draw(Shape::line(&at.pivot, &end).stroke(FOLLOWER, 1.4).dashed("10 4").class("slot-line"));
-    canvas.draw(Shape::line(&at.axis, &pin).stroke(DRIVER, 3.0).class("crank").with("data-letter", "R"));
+    canvas.draw(Shape::line(&at.axis, &pin).stroke(DRIVER, 3.0).class("crank").attribute("data-letter", "R"));
     placing.avoid(&at.pivot, &end, 1.5);
     placing.avoid(&at.axis, &pin, 2.0);
     let has_arm = (foot - at.axis).norm() > 8.0;
@@ -71,12 +74,12 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     }
     if has_arm {
         let label = Label::symbol("l").and(" sin ").and_symbol("φ").in_colour(FRICTION);
-        placing.put(canvas, &label, beside_line(&at.axis, &foot, &NEAR));
+        placing.put(canvas, &label, positions_beside_line(&at.axis, &foot, &NEAR));
     }
     let radius = at.disc() + 14.0;
     sense(canvas, &at.axis, radius, PI, 1.0, &Label::symbol("K").in_colour(DRIVER));
-    placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
-    placing.put(canvas, &Label::words("O"), around(&at.pivot, -0.9, &NEAR));
+    placing.put(canvas, &Label::words("B"), positions_around(&at.axis, PI, &NEAR));
+    placing.put(canvas, &Label::words("O"), positions_around(&at.pivot, -0.9, &NEAR));
     title(canvas, &Pixels::zeros(), 1, "The driver, with the forces on its pin");
 }
 
@@ -86,7 +89,7 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
     title(canvas, &corner, 2, "The contact, enlarged");
     let centre = corner + Vector2::new(WIDTH / 4.0, height / 2.0 + 20.0);
     let mut placing =
-        Placing::within(corner + Vector2::new(8.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 8.0, height - 8.0));
+        Placing::new(corner + Vector2::new(8.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 8.0, height - 8.0));
     let at = |along: f64, across: f64| centre + senses.out * along + senses.ahead * across;
     for side in [1.0, -1.0] {
         let [near, far] = [side * HALF_SLOT, side * (HALF_SLOT + WALL)];
@@ -114,7 +117,7 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
     }
     for (side, words) in [(1.0, "leading"), (-1.0, "trailing")] {
         let [from, to] = [-FLANK, FLANK].map(|along| at(along, side * (HALF_SLOT + WALL)));
-        let places = beside_line(&from, &to, &[8.0, 14.0, 22.0])
+        let places = positions_beside_line(&from, &to, &[8.0, 14.0, 22.0])
             .into_iter()
             .filter(|place| place.towards.dot(&senses.ahead) * side > 0.0);
         placing.put(canvas, &Label::words(words).in_colour(FOLLOWER), places);
@@ -125,13 +128,13 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
         let to = from + senses.out * (senses.sliding * 44.0);
         arrow(canvas, &from, &to, INK, 2.0, "sliding");
         placing.avoid(&from, &to, 1.5);
-        placing.put(canvas, &Label::words("slides"), around(&to, angle_of(&(to - from)), &NEAR));
+        placing.put(canvas, &Label::words("slides"), positions_around(&to, angle_of(&(to - from)), &NEAR));
     }
-    placing.put(canvas, &Label::words("to O"), around(&at(-FLANK, 0.0), angle_of(&-senses.out), &NEAR));
+    placing.put(canvas, &Label::words("to O"), positions_around(&at(-FLANK, 0.0), angle_of(&-senses.out), &NEAR));
 }
 
 /// Panel 3: the follower by itself.
-pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, height: f64) {
+pub fn follower(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses, top: f64, height: f64) {
     let corner = Vector2::new(WIDTH / 2.0, top);
     title(canvas, &corner, 3, "The follower by itself");
     let scale = RIM / at.star.rim;
@@ -139,10 +142,10 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
     let view = View { origin: pivot, scale };
     canvas.draw(at.star.body(PI - at.phi, &view, 2.0).class("free-follower"));
     let mut placing =
-        Placing::within(corner + Vector2::new(4.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 6.0, height - 6.0));
+        Placing::new(corner + Vector2::new(4.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 6.0, height - 6.0));
     let distance = (at.layout.pins[0] - at.layout.follower_axis).norm() * scale;
     let pin = pivot + senses.out * distance;
-    canvas.draw(Shape::line(&pivot, &pin).stroke(INK, 2.2).class("arm-r").with("data-letter", "r"));
+    canvas.draw(Shape::line(&pivot, &pin).stroke(INK, 2.2).class("arm-r").attribute("data-letter", "r"));
     placing.avoid(&pivot, &pin, 2.0);
     for k in 0..at.star.slots {
         let towards = heading(PI - at.phi + 2.0 * PI / f64::from(at.star.slots) * f64::from(k));
@@ -164,6 +167,6 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
         sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::rate("φ", 2).in_colour(FOLLOWER));
     }
     axis(canvas, &pivot, FOLLOWER);
-    placing.put(canvas, &Label::part("r"), beside_line(&pivot, &pin, &NEAR));
-    placing.put(canvas, &Label::words("O"), around(&pivot, 0.0, &NEAR));
+    placing.put(canvas, &Label::part("r"), positions_beside_line(&pivot, &pin, &NEAR));
+    placing.put(canvas, &Label::words("O"), positions_around(&pivot, 0.0, &NEAR));
 }

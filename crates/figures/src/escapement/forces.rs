@@ -1,20 +1,19 @@
 //! The forces at one instant: on the pin, at the contact, on the follower.
 
-use super::engagement::{Instant, speed_at};
+use super::engagement::{EngagementState, speed_at};
 use super::force_panels::{contact, follower, pin_and_driver};
-use super::pose::{Bodies, Margins};
-use crate::number::{degrees, short, shown, significant, without_noise};
+use super::force_senses::Senses;
+use super::pose::{EscapementMargins, EscapementPose};
+use crate::number::{degrees, describe_parameters, short, significant, without_noise};
 use crate::parts::{WIDTH, angle_label};
-use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Shape};
 use crate::theme::GRID;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
-use geneva_dynamics::forces::Flank;
 use geneva_dynamics::steady::Engagement;
 use nalgebra::Vector2;
-use std::f64::consts::{FRAC_PI_2, PI};
 
-const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 46.0, above: 48.0, below: 30.0 };
 /// Height of the two lower panels and of the values under them, in pixels.
 const LOWER: f64 = 330.0;
 const VALUES: f64 = 92.0;
@@ -45,8 +44,8 @@ pub fn steady_forces(parameters: &Parameters, part: f64) -> Result<Figure, Figur
 /// [`FigureError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
 pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
     let escapement = parameters.mechanism();
-    let bodies = Bodies::at(&escapement, crank, MARGINS)?;
-    let at = Instant::new(parameters, crank, speed)?;
+    let bodies = EscapementPose::at_driver_angle(&escapement, crank, MARGINS)?;
+    let at = EngagementState::new(parameters, crank, speed)?;
     let normal = without_noise(at.normal, 1.0);
     let senses = Senses::new(crank, bodies.phi, normal, parameters.friction());
     let top = bodies.height;
@@ -89,7 +88,7 @@ pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<
              F r = I_f φ̈. F R / K is {}, the size of the friction's torque over K is {}.",
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0)),
-            senses.said(),
+            senses.describe(),
             senses.flank_words(),
             significant(distance, 4),
             short(normal, 3),
@@ -105,14 +104,14 @@ pub(super) fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<
             degrees(crank),
             significant(speed / parameters.drive().sqrt(), 3),
             senses.flank_words(),
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     );
-    Ok(words.figure(canvas, Kind::Diagram, series))
+    Ok(words.figure(canvas, DrawingKind::Diagram, series))
 }
 
 /// The state in numbers, below the panels.
-fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f64; 3], top: f64) {
+fn values(canvas: &mut Canvas, at: &EscapementPose, [normal, friction, acceleration]: [f64; 3], top: f64) {
     let rule = [20.0, WIDTH - 20.0].map(|x| Vector2::new(x, top));
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
     let number = |value: f64| format!(" = {}", short(value, 3));
@@ -137,63 +136,4 @@ fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f
     let label =
         Label::rate("φ", 2).and(" ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
     canvas.label(&Vector2::new(430.0, top + LINE * 0.8), &Vector2::new(1.0, 0.0), 0.0, &label.bare());
-}
-
-/// Below this angle (radians) the pin does not slide that one could see, and friction has no arm.
-const STILL: f64 = 1e-9;
-
-/// Which way everything points on the page. Unit vectors.
-#[derive(Clone, Copy, Debug)]
-pub struct Senses {
-    /// Along the slot, away from the follower's axis.
-    pub out: Pixels,
-    /// Across the slot, as the follower turns.
-    pub ahead: Pixels,
-    /// +1 where the pin drives the follower, −1 where the follower drives the pin, 0 if neither.
-    pub normal: f64,
-    /// +1 if the pin slides outwards, −1 inwards, 0 on the line of centres.
-    pub sliding: f64,
-    /// Whether there is friction to be drawn.
-    pub rubs: bool,
-}
-
-impl Senses {
-    /// The senses at these angles, for a normal force and a coefficient of friction.
-    pub fn new(theta: f64, phi: f64, normal: f64, friction: f64) -> Self {
-        let sign = |value: f64, least: f64| if value.abs() <= least { 0.0 } else { value.signum() };
-        let (normal, sliding) = (sign(normal, 0.0), sign(theta, STILL));
-        let rubs = friction > 0.0 && normal != 0.0 && sliding != 0.0;
-        Self { out: heading(PI - phi), ahead: heading(FRAC_PI_2 - phi), normal, sliding, rubs }
-    }
-
-    fn flank(&self) -> Flank {
-        match self.normal {
-            normal if normal > 0.0 => Flank::Leading,
-            normal if normal < 0.0 => Flank::Trailing,
-            _ => Flank::Neither,
-        }
-    }
-
-    /// The flank, in words.
-    pub fn flank_words(&self) -> &'static str {
-        match self.flank() {
-            Flank::Leading => "the pin bears on the leading flank and drives the follower",
-            Flank::Trailing => "the follower drives the pin, which bears on the trailing flank",
-            Flank::Neither => "the pin bears on neither flank",
-        }
-    }
-
-    /// What acts on the pin, in a sentence.
-    pub fn said(&self) -> String {
-        let towards = if self.sliding > 0.0 {
-            "outwards, so that the friction on it points to O"
-        } else {
-            "inwards, so that the friction on it points away from O"
-        };
-        match (self.normal == 0.0, self.rubs) {
-            (true, _) => "No force acts on the pin.".to_owned(),
-            (_, true) => format!("The reaction to F acts on the pin across the slot. The pin slides {towards}."),
-            (_, false) => "The reaction to F acts on the pin across the slot; there is no friction.".to_owned(),
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! The instant at which one pin leaves its slot and the next enters one.
 
-use super::pose::{Bodies, Margins, half_angle, id, side};
+use super::pose::{EscapementMargins, EscapementPose, half_angle, id, side};
 use crate::number::{degrees, significant};
 use crate::parts::{NEAR, WIDTH, angle, right_angle, vector};
-use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, around, beside_line};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, Pixels, Placing, Shape, positions_around, positions_beside_line};
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Field;
@@ -11,7 +11,7 @@ use geneva_kinematics::escapement::{Configuration, Mechanism, Roots, Slot};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const MARGINS: Margins = Margins { side: 30.0, above: 50.0, below: 40.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 30.0, above: 50.0, below: 40.0 };
 /// Lengths in pixels: of the velocities, of the right angle's mark, of the slot's line beyond the pin.
 const VELOCITY: f64 = 78.0;
 const CORNER: f64 = 20.0;
@@ -27,7 +27,7 @@ const MARK: f64 = 0.36;
 pub fn hand_over(escapement: &Mechanism) -> Figure {
     let exact = escapement.hand_over();
     let angles = [escapement.engagement_half_angle(), escapement.follower_half_angle()];
-    let bodies = Bodies::new(escapement, rounded(&exact.layout), angles, MARGINS);
+    let bodies = EscapementPose::new(escapement, rounded(&exact.layout), angles, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
     canvas.faint(0.55, "", |canvas| {
@@ -80,7 +80,7 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
              move along their slots, and the follower stands still for an instant."
         ),
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 /// Exact places as floating-point numbers.
@@ -100,7 +100,7 @@ fn rounded(exact: &Configuration<Roots>) -> Configuration<f64> {
 }
 
 /// The triangle of the leaving pin, and thinly that of the entering one; pins and axes.
-fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, entering: &Pixels) {
+fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, leaving: &Pixels, entering: &Pixels) {
     for (centre, colour) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
         canvas.draw(Shape::line(centre, entering).stroke(colour, 1.6).dashed("10 4").class("mirror"));
         placing.avoid(centre, entering, 1.0);
@@ -119,7 +119,7 @@ fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &P
 }
 
 /// A slot's centre line beyond the rim, and the velocity of the pin along it.
-fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels, outward: f64, name: &str) {
+fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, pin: &Pixels, outward: f64, name: &str) {
     let out = (pin - at.pivot).normalize();
     // The line is long enough for an arrow from the pin outwards; that of the entering pin ends at the pin's side of it.
     canvas.draw(Shape::line(pin, &(pin + out * BEYOND)).stroke(FOLLOWER, 1.2).dashed(DASHED).class("slot-line"));
@@ -131,7 +131,7 @@ fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
 }
 
 /// Angles, sides and corners.
-fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, escapement: &Mechanism) {
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, leaving: &Pixels, escapement: &Mechanism) {
     let (n, m) = (escapement.slots(), escapement.pins());
     let symbol = |letter: &str| Label::symbol(letter).sub("0").of_part(&format!("{letter}_0"));
     let value = |letter: &str, count| symbol(letter).and(&format!(" = {}", half_angle(count)));
@@ -149,9 +149,9 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixe
         (&at.axis, &at.pivot, Label::part("l")),
     ];
     for (from, to, label) in sides {
-        placing.put(canvas, &label, beside_line(from, to, &NEAR));
+        placing.put(canvas, &label, positions_beside_line(from, to, &NEAR));
     }
-    placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
-    placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
-    placing.put(canvas, &Label::words("P"), around(leaving, at.theta, &at.near_pin()));
+    placing.put(canvas, &Label::words("B"), positions_around(&at.axis, PI, &NEAR));
+    placing.put(canvas, &Label::words("O"), positions_around(&at.pivot, 0.0, &NEAR));
+    placing.put(canvas, &Label::words("P"), positions_around(leaving, at.theta, &at.near_pin()));
 }

@@ -1,16 +1,16 @@
 //! The whole mechanism to scale.
 
-use super::pose::{Bodies, Margins, half_angle, id};
+use super::pose::{EscapementMargins, EscapementPose, half_angle, id};
 use crate::number::{degrees, significant, without_noise};
 use crate::parts::{NEAR, WIDTH, angle};
-use crate::svg::{Canvas, Kind, Label, Placing, Shape, around};
+use crate::svg::{Canvas, DrawingKind, Label, Placing, Shape, positions_around};
 use crate::theme::{DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const MARGINS: Margins = Margins { side: 46.0, above: 44.0, below: 24.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 46.0, above: 44.0, below: 24.0 };
 /// Radii of the marks of the half angles, in pixels: at the driver's axis and at the follower's.
 const MARKS: [f64; 2] = [62.0, 46.0];
 
@@ -24,7 +24,7 @@ const MARKS: [f64; 2] = [62.0, 46.0];
 ///
 /// [`FigureError::Escapement`] if the angle is beyond ±π/m or not finite.
 pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError> {
-    let bodies = Bodies::at(escapement, crank, MARGINS)?;
+    let bodies = EscapementPose::at_driver_angle(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
     bodies.draw_driver(&mut canvas, 1.8);
@@ -71,11 +71,11 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
              and leaves where the upper ones cross, π/{m} past it."
         ),
     );
-    Ok(words.figure(canvas, Kind::Mechanism, series))
+    Ok(words.figure(canvas, DrawingKind::Mechanism, series))
 }
 
 /// Lines to the places of entry and exit, and their angles with the line of centres.
-fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
+fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, escapement: &Mechanism) {
     let (theta, phi) = (escapement.engagement_half_angle(), escapement.follower_half_angle());
     for sense in [1.0, -1.0] {
         let place = at.on_driver(1.0, sense * theta);
@@ -91,12 +91,12 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
 }
 
 /// Names of the bodies above them, and of the axes.
-fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &EscapementPose, escapement: &Mechanism) {
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
     let driver = Label::words(&format!("driver, {} pins", escapement.pins())).in_colour(DRIVER);
     canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);
     let follower = Label::words(&format!("follower, {} slots", escapement.slots())).in_colour(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &follower);
-    placing.put(canvas, &Label::words("B"), around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
-    placing.put(canvas, &Label::words("O"), around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));
+    placing.put(canvas, &Label::words("B"), positions_around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
+    placing.put(canvas, &Label::words("O"), positions_around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));
 }

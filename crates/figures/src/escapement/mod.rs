@@ -11,6 +11,7 @@ mod drawn;
 mod engagement;
 mod existence;
 mod force_panels;
+mod force_senses;
 mod forces;
 mod hand_over;
 mod mechanism;
@@ -22,7 +23,7 @@ mod running;
 
 pub use angles::angles;
 pub(crate) use engagement::speeds;
-pub use existence::{Design, existence};
+pub use existence::{MarkedEscapement, existence};
 pub use forces::steady_forces;
 pub use hand_over::hand_over;
 pub use mechanism::mechanism;

@@ -1,9 +1,9 @@
 //! The force between pin and slot over one engagement, and where the contact changes flank.
 
-use super::engagement::{Instant, STEPS, speeds};
+use super::engagement::{EngagementState, STEPS, speeds};
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Spot, Stroke};
-use crate::number::{degrees, short, shown, without_noise};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel, Spot};
+use crate::number::{degrees, describe_parameters, extent, short, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, PAPER};
 use crate::{Figure, FigureError, Series, Words};
@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const MARKS: i32 = 3;
 
 /// What is shown of an instant.
-type Value = fn(&Instant) -> f64;
+type Value = fn(&EngagementState) -> f64;
 
 /// The normal force F, as F R / K, and the size of the friction's torque, −τ₂ / K, for a pin that enters at this speed
 /// (θ' ≥ 0).
@@ -31,11 +31,11 @@ type Value = fn(&Instant) -> f64;
 pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure, FigureError> {
     let change = Engagement::new(parameters)?.passage(entry_speed)?.reversal_angle();
     let half = parameters.mechanism().engagement_half_angle();
-    let instants: Vec<Instant> = speeds(parameters, entry_speed)?
+    let instants: Vec<EngagementState> = speeds(parameters, entry_speed)?
         .into_iter()
-        .map(|[theta, speed]| Instant::new(parameters, theta, speed))
+        .map(|[theta, speed]| EngagementState::new(parameters, theta, speed))
         .collect::<Result<_, _>>()?;
-    let x = Axis::of_engagement(half.to_degrees(), MARKS);
+    let x = ChartAxis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let flank = Label::words("pin bears on");
     let bars = Label::words("sign of ").and_symbol("C\u{2009}").and_rate("θ", 1);
@@ -80,7 +80,7 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
              either flank, so its torque τ₂ is never positive. The dashed curve shows the size of this torque, −τ₂. \
              The quantity between the bars of (1-19) changes its sign with the flank, and also on the line of centres, \
              where the sliding reverses. {}",
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     );
     Ok(Chart::new(panels).figure(words, Series::new(columns, rows)))
@@ -92,45 +92,46 @@ fn ends(first: f64, changes: &[Option<f64>], last: f64) -> Vec<f64> {
 }
 
 /// Both curves, and where the flank changes.
-fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
+fn forces(x: &ChartAxis, instants: &[EngagementState], change: Option<f64>) -> Panel {
     let values = || instants.iter().flat_map(|at| [at.normal, at.friction]);
-    let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let y = y.titled(Label::words("moments in torques ").and_symbol("K").and(" of the spring"));
     // Where the words about the change of the flank stand: high above the curves there.
     let aloft = 0.75 * y.range.end;
-    let mut panel = Panel::new(336.0, x, &y).horizontal(0.0, Stroke::thin("zero"));
+    let mut panel = Panel::new(336.0, x, &y).horizontal(0.0, LineStyle::thin("zero"));
     let normal = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let friction = Label::words("friction −").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
-    let curves: [(Value, Stroke, Label); 2] = [
-        (|at| at.normal, Stroke::new(FOLLOWER), normal.in_colour(FOLLOWER)),
-        (|at| at.friction, Stroke::new(DRIVER).dashed("10 6"), friction.in_colour(DRIVER)),
+    let curves: [(Value, LineStyle, Label); 2] = [
+        (|at| at.normal, LineStyle::new(FOLLOWER), normal.in_colour(FOLLOWER)),
+        (|at| at.friction, LineStyle::new(DRIVER).dashed("10 6"), friction.in_colour(DRIVER)),
     ];
     let points = |value: Value| instants.iter().map(move |at| (at.theta.to_degrees(), value(at)));
     for (value, stroke, _) in &curves {
         panel = panel.curve(points(*value), *stroke);
     }
     if let Some(change) = change {
-        let marker = Marker::new(FOLLOWER, Mark::Ring).sized(10.0);
-        panel = panel.vertical(change.to_degrees(), Stroke::thin("switch").dashed("5 4"));
+        let marker = Marker::new(FOLLOWER, MarkShape::Ring).sized(10.0);
+        panel = panel.vertical(change.to_degrees(), LineStyle::thin("switch").dashed("5 4"));
         panel = panel.marks([(change.to_degrees(), 0.0)], marker);
         let label = Label::words("flank changes: ").and_symbol("θ").and(&format!(" = {}", degrees(change)));
-        panel = panel.near([(change.to_degrees(), aloft)], PI, label);
+        panel = panel.name_near([(change.to_degrees(), aloft)], PI, label);
     }
     for ((value, _, label), (share, side)) in curves.into_iter().zip([(0.25, FRAC_PI_2), (0.06, -FRAC_PI_2)]) {
         let first = (share * f64::from(STEPS)) as usize;
-        panel = panel.near(points(value).skip(first).step_by(12), side, label);
+        panel = panel.name_near(points(value).skip(first).step_by(12), side, label);
     }
     panel
 }
 
 /// A strip: its name, and its parts with the words for a positive and for a negative value, the first of this sign.
-fn strip(x: &Axis, name: Label, ends: &[f64], mut sign: f64, words: [&str; 2]) -> Panel {
-    let y = Axis::whole(0.0..1.0, []).titled(name);
-    let mut panel = Panel::new(30.0, &Axis { ticks: Vec::new(), ..x.clone() }, &y);
+fn strip(x: &ChartAxis, name: Label, ends: &[f64], mut sign: f64, words: [&str; 2]) -> Panel {
+    let y = ChartAxis::whole(0.0..1.0, []).titled(name);
+    let mut panel = Panel::new(30.0, &ChartAxis { ticks: Vec::new(), ..x.clone() }, &y);
     for part in ends.windows(2).map(|pair| [pair[0].to_degrees(), pair[1].to_degrees()]) {
         let (colour, class, word) =
             if sign > 0.0 { (FILL, "positive", words[0]) } else { (PAPER, "negative", words[1]) };
-        panel = panel.band(part[0]..part[1], colour, class).vertical(part[0], Stroke::thin("end"));
+        panel = panel.band(part[0]..part[1], colour, class).vertical(part[0], LineStyle::thin("end"));
         panel = panel.name(Label::words(word).bare(), Spot::Within(part[0]..part[1], 0.5));
         sign = -sign;
     }

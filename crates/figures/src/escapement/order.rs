@@ -1,7 +1,7 @@
 //! By which power of the step the error falls: on a smooth problem, and on one with a switch.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::fixed;
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::format_fixed;
 use crate::svg::{DASHED, Label};
 use crate::theme::{DRIVER, FOLLOWER};
 use crate::{Figure, Series, Words};
@@ -32,26 +32,32 @@ pub fn order() -> Figure {
     let errors = errors();
     let steps = || errors.iter().map(|at| at.step);
     let values = || errors.iter().flat_map(|at| [at.smooth, at.switched]).filter(|error| *error > 0.0);
-    let x = Axis::decades(steps().fold(1.0, f64::min), steps().fold(0.0, f64::max), 1);
-    let y = Axis::decades(values().fold(1.0, f64::min), 1.0, 2).titled(Label::words("error at the end"));
+    let x = ChartAxis::decades(steps().fold(1.0, f64::min), steps().fold(0.0, f64::max), 1);
+    let y = ChartAxis::decades(values().fold(1.0, f64::min), 1.0, 2).titled(Label::words("error at the end"));
     let mut panel = Panel::new(406.0, &x.titled(Label::words("step ").and_symbol("h")), &y);
-    let problems: [(ErrorOf, f64, Stroke, Marker, &str); 2] = [
-        (|at| at.switched, 1.0, Stroke::new(DRIVER).dashed("10 6"), Marker::new(DRIVER, Mark::Square), "with a switch"),
-        (|at| at.smooth, 4.0, Stroke::new(FOLLOWER), Marker::new(FOLLOWER, Mark::Disc), "smooth"),
+    let problems: [(ErrorOf, f64, LineStyle, Marker, &str); 2] = [
+        (
+            |at| at.switched,
+            1.0,
+            LineStyle::new(DRIVER).dashed("10 6"),
+            Marker::new(DRIVER, MarkShape::Square),
+            "with a switch",
+        ),
+        (|at| at.smooth, 4.0, LineStyle::new(FOLLOWER), Marker::new(FOLLOWER, MarkShape::Disc), "smooth"),
     ];
     for (error, slope, stroke, marker, name) in problems {
         let points: Vec<_> = errors.iter().map(|at| (at.step, error(at))).filter(|(_, error)| *error > 0.0).collect();
         let reference = |at: &Errors| ABOVE * error(&errors[0]) * libm::pow(at.step / errors[0].step, slope);
         let reference: Vec<_> = errors.iter().map(|at| (at.step, reference(at))).collect();
-        panel = panel.curve(reference.iter().copied(), Stroke::thin("slope").dashed(DASHED));
+        panel = panel.curve(reference.iter().copied(), LineStyle::thin("slope").dashed(DASHED));
         panel = panel.curve(points.iter().copied(), stroke).marks(points.iter().copied(), marker.class("point"));
         let middle = |points: &[(f64, f64)]| points.iter().copied().skip(3).take(4).collect::<Vec<_>>();
-        panel = panel.near(middle(&reference), FRAC_PI_2, Label::words(&format!("slope {slope}")));
-        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).in_colour(stroke.colour));
+        panel = panel.name_near(middle(&reference), FRAC_PI_2, Label::words(&format!("slope {slope}")));
+        panel = panel.name_near(middle(&points), -FRAC_PI_2, Label::words(name).in_colour(stroke.colour));
     }
 
     let [smooth, switched] = [observed_order(&errors, |at| at.smooth), observed_order(&errors, |at| at.switched)]
-        .map(|order| fixed(order, 2));
+        .map(|order| format_fixed(order, 2));
     let rows = errors.iter().map(|at| [at.step, at.smooth, at.switched]);
     let series = Series::new([("h", "1"), ("smooth", "1"), ("switch", "1")], rows).to_decimals(DECIMALS);
     let words = Words::new(

@@ -21,15 +21,15 @@ const TO_ARROW: f64 = 14.0;
 
 /// Free space around the mechanism, in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Margins {
+pub struct EscapementMargins {
     pub side: f64,
     pub above: f64,
     pub below: f64,
 }
 
-/// The two bodies, and where they lie.
+/// Driver and follower in one position, and where they lie on the page.
 #[derive(Clone, Debug)]
-pub struct Bodies {
+pub struct EscapementPose {
     /// The follower; lengths in crank radii.
     pub star: Star,
     /// Places of pins and slots.
@@ -46,17 +46,26 @@ pub struct Bodies {
     pub height: f64,
 }
 
-impl Bodies {
+impl EscapementPose {
     /// The mechanism at a driver angle within ±π/m, as large as it can be.
-    pub fn at(escapement: &Mechanism, theta: f64, margins: Margins) -> Result<Self, FigureError> {
+    pub fn at_driver_angle(
+        escapement: &Mechanism,
+        theta: f64,
+        margins: EscapementMargins,
+    ) -> Result<Self, FigureError> {
         let layout = escapement.layout(theta)?;
         let phi = escapement.wheel().engaged(theta)?.angle;
         Ok(Self::new(escapement, layout, [theta, phi], margins))
     }
 
     /// The mechanism at a driver angle within ±π/m in the middle of the page, of this height with its margins.
-    pub fn of_height(escapement: &Mechanism, theta: f64, height: f64, margins: Margins) -> Result<Self, FigureError> {
-        let large = Self::at(escapement, theta, margins)?;
+    pub fn of_height(
+        escapement: &Mechanism,
+        theta: f64,
+        height: f64,
+        margins: EscapementMargins,
+    ) -> Result<Self, FigureError> {
+        let large = Self::at_driver_angle(escapement, theta, margins)?;
         let above = margins.above + margins.below;
         let scale = large.view.scale * (height - above) / (large.height - above);
         let breadth = (WIDTH - 2.0 * margins.side) * scale / large.view.scale;
@@ -67,7 +76,12 @@ impl Bodies {
     }
 
     /// The mechanism with its parts in these places.
-    pub fn new(escapement: &Mechanism, layout: Configuration<f64>, angles: [f64; 2], margins: Margins) -> Self {
+    pub fn new(
+        escapement: &Mechanism,
+        layout: Configuration<f64>,
+        angles: [f64; 2],
+        margins: EscapementMargins,
+    ) -> Self {
         let [theta, phi] = angles;
         let star = Star::of_wheel(&escapement.wheel());
         let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
@@ -156,7 +170,7 @@ impl Bodies {
 
     /// What labels on the mechanism keep clear of: lines of it, pins and axes.
     pub fn placing(&self) -> Placing {
-        let mut placing = Placing::within(Vector2::new(6.0, 6.0), Vector2::new(WIDTH - 6.0, self.height - 6.0));
+        let mut placing = Placing::new(Vector2::new(6.0, 6.0), Vector2::new(WIDTH - 6.0, self.height - 6.0));
         placing.avoid(&self.axis, &self.pivot, 0.7);
         for pin in &self.layout.pins {
             let (at, room) = (self.view.place(pin), Vector2::new(1.0, 1.0) * (self.pin_radius() + 1.0));
@@ -183,8 +197,8 @@ impl Bodies {
 /// A side of a triangle by the letter of its length, written to more digits than the rest so that the triangle can be checked from the file.
 pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, colour: Colour, letter: &str) {
     let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
-    let side = Shape::path(path).stroke(colour, 3.0).with("stroke-linecap", "round");
-    canvas.draw(side.class(&format!("side-{letter}")).with("data-letter", letter));
+    let side = Shape::path(path).stroke(colour, 3.0).attribute("stroke-linecap", "round");
+    canvas.draw(side.class(&format!("side-{letter}")).attribute("data-letter", letter));
     placing.avoid(from, to, 2.0);
 }
 

@@ -1,7 +1,7 @@
 //! The follower's speed over the driver's through one engagement.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, of_mechanism};
-use crate::number::{significant, trimmed};
+use crate::chart::{Chart, ChartAxis, LegendEntry, MarkShape, Marker, Panel, of_mechanism};
+use crate::number::{format_trimmed, significant};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Mechanism;
@@ -21,22 +21,22 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let peak = |one: &Mechanism| one.wheel().peak_velocity();
     let greatest = escapements.iter().map(peak).fold(1e-3, f64::max);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" / (π/").and_symbol("m").and("): entry −1, exit 1");
-    let x = Axis { decimals: 1, ..Axis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
+    let x = ChartAxis { decimals: 1, ..ChartAxis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
     let ratio = Label::words("speed of the follower over the driver's, ").and_rate("φ", 1).and(" / ").and_rate("θ", 1);
-    let y = Axis::from_zero(0.0, greatest, 4.0).titled(ratio);
+    let y = ChartAxis::from_zero(0.0, greatest, 4.0).titled(ratio);
     let mut panel = Panel::new(366.0, &x.titled(angle), &y);
     let mut key = Vec::new();
     for (k, one) in escapements.iter().enumerate() {
         let (stroke, _) = of_mechanism(one.slots());
         panel = panel.curve(rows.iter().map(|row| (row[0], row[1 + 2 * k])), stroke);
         let name = format!("{} pins, {} slots: mean {}", one.pins(), one.slots(), mean(one));
-        key.push(Entry::curve(stroke, Label::words(&name).in_colour(stroke.colour)));
+        key.push(LegendEntry::curve(stroke, Label::words(&name).in_colour(stroke.colour)));
     }
     for one in escapements {
         let colour = of_mechanism(one.slots()).0.colour;
-        panel = panel.marks([(0.0, peak(one))], Marker::new(colour, Mark::Disc).class("peak"));
+        panel = panel.marks([(0.0, peak(one))], Marker::new(colour, MarkShape::Disc).class("peak"));
         let label = Label::words(&significant(peak(one), 3)).in_colour(colour);
-        panel = panel.near([(0.0, peak(one))], FRAC_PI_2, label);
+        panel = panel.name_near([(0.0, peak(one))], FRAC_PI_2, label);
     }
 
     let columns = escapements.iter().flat_map(|one| {
@@ -72,7 +72,7 @@ fn row(escapements: &[Mechanism], k: u32) -> Vec<f64> {
 }
 
 fn mean(one: &Mechanism) -> String {
-    trimmed(f64::from(one.pins()) / f64::from(one.slots()), 3)
+    format_trimmed(f64::from(one.pins()) / f64::from(one.slots()), 3)
 }
 
 fn peak_and_mean(one: &Mechanism) -> String {

@@ -1,8 +1,8 @@
 //! The escapement at an instant of its run from rest, above its speed and the force between pin and slot.
 
-use super::pose::{Bodies, Margins};
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{degrees, fixed, shown, significant};
+use super::pose::{EscapementMargins, EscapementPose};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{degrees, describe_parameters, extent, format_fixed, significant};
 use crate::svg::{Canvas, Label, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -15,15 +15,15 @@ const SHOWN: usize = 6;
 const INSTANTS: usize = 600;
 /// Height of the mechanism, and its margins, in pixels.
 const HEIGHT: f64 = 300.0;
-const MARGINS: Margins = Margins { side: 8.0, above: 8.0, below: 8.0 };
+const MARGINS: EscapementMargins = EscapementMargins { side: 8.0, above: 8.0, below: 8.0 };
 /// Heights of the two frames, in pixels.
 const FRAMES: [f64; 2] = [170.0, 110.0];
 /// Where a curve stands at the instant.
-const HERE: Marker = Marker::new(INK, Mark::Disc).sized(11.0).class("here");
+const HERE: Marker = Marker::new(INK, MarkShape::Disc).sized(11.0).class("here");
 /// The driver's speed, and the force while the pin bears on either flank.
-const SPEED: Stroke = Stroke::new(DRIVER).class("speed");
-const LEADING: Stroke = Stroke::new(FOLLOWER).class("leading");
-const TRAILING: Stroke = Stroke::new(CORIOLIS).class("trailing");
+const SPEED: LineStyle = LineStyle::new(DRIVER).class("speed");
+const LEADING: LineStyle = LineStyle::new(FOLLOWER).class("leading");
+const TRAILING: LineStyle = LineStyle::new(CORIOLIS).class("trailing");
 
 /// One instant: the line of the run, and F R / K.
 struct Instant {
@@ -56,11 +56,11 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
     let now = instants.get(at.min(INSTANTS - 1)).filter(|_| at != usize::MAX).ok_or(FigureError::Share(share))?;
 
     let panels = panels(&instants, now, &starts, [steady.minimum.speed, steady.peak.speed], duration);
-    let bodies = Bodies::of_height(&parameters.mechanism(), now.line.angle, HEIGHT, MARGINS)?;
+    let bodies = EscapementPose::of_height(&parameters.mechanism(), now.line.angle, HEIGHT, MARGINS)?;
     let (m, speed) = (parameters.mechanism().pins(), significant(now.line.speed, 4));
     let words = Words::new(
         "live-escapement",
-        format!("A Geneva escapement with {m} pins, {} ms after its start", fixed(1000.0 * now.line.time, 1)),
+        format!("A Geneva escapement with {m} pins, {} ms after its start", format_fixed(1000.0 * now.line.time, 1)),
         format!(
             "Above, the mechanism to scale at a driver angle of {}. Below it, over the time of six engagements from \
              rest, the driver's speed, {speed} rad/s at this instant, between dashed lines at {} and {} rad/s, the least and \
@@ -74,7 +74,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
              minimum and maximum in the steady motion. At the foot is the force between pin and slot, F R / K: \
              positive on the leading flank, negative on the trailing flank. The mark in the drawing shows where the \
              pin presses on the slot. {}",
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     );
     let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("F R/K", "1")];
@@ -103,7 +103,7 @@ fn instant(parameters: &Parameters, line: PrintedLine) -> Result<Instant, Figure
 }
 
 /// On which side of the slot the pin bears, ahead of it (1) or behind (−1), and the colour of that force.
-fn flank(normal: f64) -> Option<(f64, Stroke)> {
+fn flank(normal: f64) -> Option<(f64, LineStyle)> {
     match normal {
         normal if normal > 0.0 => Some((1.0, LEADING)),
         normal if normal < 0.0 => Some((-1.0, TRAILING)),
@@ -115,24 +115,25 @@ fn panels(instants: &[Instant], now: &Instant, starts: &[f64], steady: [f64; 2],
     let ms = |time: f64| 1000.0 * time;
     let most = instants.iter().map(|at| at.line.speed).fold(steady[1], f64::max);
     let forces = || instants.iter().map(|at| at.normal);
-    let [least_force, most_force] = [forces().fold(0.0, f64::min), forces().fold(0.0, f64::max)];
-    let steps = Axis::from_zero(0.0, ms(duration) / 1.04, 4.0);
+    let [least_force, most_force] = extent(forces().chain([0.0]));
+    let steps = ChartAxis::from_zero(0.0, ms(duration) / 1.04, 4.0);
     let ticks = steps.ticks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
-    let x = Axis { range: 0.0..ms(duration), ticks, ..steps };
-    let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").in_colour(SPEED.colour));
+    let x = ChartAxis { range: 0.0..ms(duration), ticks, ..steps };
+    let y =
+        ChartAxis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").in_colour(SPEED.colour));
     let mut speed = Panel::new(FRAMES[0], &x.clone().unnumbered(), &y);
     let title = Label::words("force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K");
-    let y = Axis::from_zero(least_force, most_force, 3.0).titled(title);
+    let y = ChartAxis::from_zero(least_force, most_force, 3.0).titled(title);
     let mut force = Panel::new(FRAMES[1], &x.titled(Label::words("time from rest in ms")), &y);
     for start in starts.iter().skip(1) {
-        speed = speed.vertical(ms(*start), Stroke::thin("entry"));
-        force = force.vertical(ms(*start), Stroke::thin("entry"));
+        speed = speed.vertical(ms(*start), LineStyle::thin("entry"));
+        force = force.vertical(ms(*start), LineStyle::thin("entry"));
     }
     for level in steady {
-        speed = speed.horizontal(level, Stroke::new(DRIVER).wide(1.3).dashed("5 4").class("steady"));
+        speed = speed.horizontal(level, LineStyle::new(DRIVER).wide(1.3).dashed("5 4").class("steady"));
     }
     speed = speed.curve(instants.iter().map(|at| (ms(at.line.time), at.line.speed)), SPEED);
-    force = force.horizontal(0.0, Stroke::thin("zero"));
+    force = force.horizontal(0.0, LineStyle::thin("zero"));
     for part in instants.chunk_by(|a, b| (a.normal < 0.0) == (b.normal < 0.0)) {
         let stroke = if part[0].normal < 0.0 { TRAILING } else { LEADING };
         force = force.curve(part.iter().map(|at| (ms(at.line.time), at.normal)), stroke);

@@ -1,7 +1,7 @@
 //! What must hold of the drawings as they are written, read back from the SVG.
 
 use super::{over_the_engagement, position_triangle, velocity_triangle};
-use crate::checks::{Drawing, PIXELS, drawn};
+use crate::checks::{PIXELS, ParsedDrawing, assert_drawn};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use std::f64::consts::{PI, SQRT_2};
@@ -20,10 +20,10 @@ fn mechanisms_are_drawn_at_entry_between_and_at_exit_turning_either_way() {
     for mechanism in &mechanisms {
         for share in [-1.0, -0.6, 0.0, 0.3, 1.0] {
             let crank = Turn::from_radians(PI + share * mechanism.engagement_half_angle());
-            drawn(&position_triangle(mechanism, &crank));
+            assert_drawn(&position_triangle(mechanism, &crank));
             for driver in [DRIVER, -DRIVER, 0.0] {
-                drawn(&velocity_triangle(mechanism, &crank, driver, "m/s"));
-                drawn(&over_the_engagement(mechanism, &crank, driver, "m"));
+                assert_drawn(&velocity_triangle(mechanism, &crank, driver, "m/s"));
+                assert_drawn(&over_the_engagement(mechanism, &crank, driver, "m"));
             }
         }
     }
@@ -32,7 +32,7 @@ fn mechanisms_are_drawn_at_entry_between_and_at_exit_turning_either_way() {
 #[test]
 fn the_position_triangle_is_to_scale() {
     let figure = position_triangle(&mechanism(4), &Turn::from_radians(2.5));
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     let circle = drawing.number("pin-circle", "r");
     for (side, length) in [("side-R", 1.0), ("side-l", SQRT_2), ("side-r", figure.series.rows[0][2])] {
         assert!((drawing.length(side) - circle * length).abs() < PIXELS, "{side}");
@@ -42,7 +42,7 @@ fn the_position_triangle_is_to_scale() {
 #[test]
 fn the_arrows_of_the_velocity_triangle_close_and_are_to_scale() {
     let figure = velocity_triangle(&mechanism(4), &Turn::from_radians(2.5), DRIVER, "m/s");
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     let [pin, slot_point, sliding] =
         ["v-pin", "v-slot-point", "v-sliding"].map(|name| drawing.arrow(name).expect("an arrow"));
     assert_eq!((pin[0], slot_point[1], sliding[1]), (slot_point[0], sliding[0], pin[1]));
@@ -77,7 +77,7 @@ fn the_series_of_the_engagement_has_both_ends_and_every_degree_between() {
     }
     assert!(first[2] > 0.0 && last[2] == -first[2]);
     // The curves go from one side of the frame to the other.
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     let [speed, acceleration, sliding] = [0, 1, 2].map(|number| drawing.path("curve", number));
     assert!((speed[0].x - sliding[0].x).abs() < PIXELS && sliding[0].y < sliding[sliding.len() - 1].y);
     assert!((speed[0].y - speed[speed.len() - 1].y).abs() < 0.11, "at rest at both ends");

@@ -1,8 +1,8 @@
 //! The motion over the whole engagement: the wheel's speed and acceleration, and the pin's speed along the slot.
 
-use super::instant::Instant;
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{degrees, short, significant, without_noise};
+use super::instant::PinState;
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{degrees, extent, short, significant, without_noise};
 use crate::svg::Label;
 use crate::theme::{Colour, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
@@ -77,7 +77,7 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 5]> {
 
 /// θ in degrees, φ′, φ″, speed along the slot, r/R at one crank angle. The wheel's rates are positive clockwise.
 fn row(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> [f64; 5] {
-    let instant = Instant::new(mechanism, crank, driver_speed);
+    let instant = PinState::new(mechanism, crank, driver_speed);
     let positive = |value: f64| if value == 0.0 { 0.0 } else { value };
     // The supplement is −θ: the sine changes its sign.
     let acceleration = acceleration_ratio(&mechanism.ratio(), &crank.supplement()) * driver_speed * driver_speed;
@@ -98,32 +98,32 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
         _ => (Label::symbol("v").sub("P/S"), speed_unit, "towards O", RELATIVE),
     };
     let values = || rows.iter().map(|row| row[column]);
-    let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
-    let y = if least == greatest { Axis::symmetric(0.0) } else { Axis::from_zero(least, greatest, STEPS) };
+    let [least, greatest] = extent(values().chain([0.0]));
+    let y = if least == greatest { ChartAxis::symmetric(0.0) } else { ChartAxis::from_zero(least, greatest, STEPS) };
     let title = symbol.and(&format!(" in {unit}, {way} positive")).in_colour(colour);
     let x = x_axis(rows);
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
     let mut panel = Panel::new(150.0, &x, &y.titled(title))
-        .curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(colour));
+        .curve(rows.iter().map(|row| (row[0], row[column])), LineStyle::new(colour));
     if let Some(now) = now {
         panel = mark(panel, (now[0], now[column]), greatest.max(-least), colour);
     }
     panel
 }
 
-fn x_axis(rows: &[[f64; 5]]) -> Axis {
+fn x_axis(rows: &[[f64; 5]]) -> ChartAxis {
     let half = rows.last().map_or(0.0, |row| row[0]);
     let each = f64::from(((half / MARKS / 4.0).ceil() as u32).max(1)) * MARKS;
     let count = ((half + 1e-9) / each) as i32;
-    Axis::whole(-half..half, (-count..=count).map(|k| each * f64::from(k)))
+    ChartAxis::whole(-half..half, (-count..=count).map(|k| each * f64::from(k)))
 }
 
 /// Marks the instant on a curve, with its value.
 fn mark(panel: Panel, (x, y): (f64, f64), scale: f64, colour: Colour) -> Panel {
     let y = without_noise(y, scale);
     panel
-        .vertical(x, Stroke::thin("instant").dashed("3 4"))
-        .marks([(x, y)], Marker::new(colour, Mark::Disc).sized(11.0))
-        .near([(x, y)], FRAC_PI_4, Label::words(&significant(y, 4)).in_colour(colour))
+        .vertical(x, LineStyle::thin("instant").dashed("3 4"))
+        .marks([(x, y)], Marker::new(colour, MarkShape::Disc).sized(11.0))
+        .name_near([(x, y)], FRAC_PI_4, Label::words(&significant(y, 4)).in_colour(colour))
 }

@@ -9,9 +9,9 @@ use geneva_kinematics::pin_slot::{self, PinSlot};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use nalgebra::Vector2;
 
-/// One instant of the motion. Lengths are in the mechanism's unit, speeds in that unit times the driver's.
+/// Position and motion of a pin in its slot at one instant. Lengths are in the mechanism's unit, speeds in that unit times the driver's.
 #[derive(Clone, Debug)]
-pub struct Instant {
+pub struct PinState {
     /// φ in radians, in [0, 2π).
     pub crank_angle: f64,
     /// r / R.
@@ -32,7 +32,7 @@ pub struct Instant {
     pub inward_speed: f64,
 }
 
-impl Instant {
+impl PinState {
     /// The instant at crank angle φ, for a driver of this angular velocity (radians per time, counter-clockwise).
     pub fn new(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> Self {
         let (ratio, unit) = (mechanism.ratio(), mechanism.crank_radius());
@@ -85,7 +85,7 @@ mod tests {
         let mechanism = PinSlot::new(3.0, 4.4).expect("possible");
         for degrees in [128, 141, 163, 180, 199, 217, 232].map(f64::from) {
             let crank = Turn::from_degrees(degrees);
-            let instant = Instant::new(&mechanism, &crank, 7.0);
+            let instant = PinState::new(&mechanism, &crank, 7.0);
             let gap = instant.slot_point_velocity + instant.sliding_velocity - instant.pin_velocity;
             assert!(gap.norm() <= 1e-12 * instant.pin_velocity.norm(), "{degrees}: {gap}");
             let motion = pin_vectors::solve(&3.0, &4.4, &crank, &7.0).expect("off the pivot");
@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn the_pin_slides_inwards_before_the_line_of_centres_and_outwards_after() {
         let mechanism = PinSlot::new(3.0, 4.4).expect("possible");
-        let at = |degrees| Instant::new(&mechanism, &Turn::from_degrees(degrees), 1.0);
+        let at = |degrees| PinState::new(&mechanism, &Turn::from_degrees(degrees), 1.0);
         assert!(at(160.0).inward_speed > 0.0 && at(200.0).inward_speed < 0.0);
         assert!(at(160.0).side() > 0.0 && at(200.0).side() < 0.0);
     }

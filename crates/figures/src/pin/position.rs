@@ -1,12 +1,12 @@
 //! The triangle of the two axes and the pin, drawn on the mechanism.
 
-use super::instant::Instant;
+use super::instant::PinState;
 use crate::number::{degrees, significant, without_noise};
 use crate::parts::{
     self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, part, pin, pin_circle, sense,
 };
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
-use crate::svg::{Canvas, Kind, Label, Pixels, Shape, View, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Pixels, Shape, View, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
@@ -46,7 +46,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(mechanism: &PinSlot, instant: &Instant) -> Self {
+    fn new(mechanism: &PinSlot, instant: &PinState) -> Self {
         let (l, r, rim) = (mechanism.centre_distance(), mechanism.crank_radius(), rim_radius(mechanism));
         let disc = DISC * r;
         let scale = (WIDTH - 2.0 * MARGIN) / (rim + l + disc);
@@ -71,7 +71,7 @@ impl Layout {
 /// direction O → B, meant to be within the engagement. Lengths are labelled in crank radii R, so no unit is needed;
 /// the driver is shown turning counter-clockwise. Series: θ, l/R, r/R, φ, the pin's coordinates in crank radii.
 pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
-    let instant = Instant::new(mechanism, crank, 1.0);
+    let instant = PinState::new(mechanism, crank, 1.0);
     let layout = Layout::new(mechanism, &instant);
     let mut canvas = Canvas::new(WIDTH, layout.height);
     bodies(&mut canvas, &layout, mechanism, &instant);
@@ -106,22 +106,22 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
              slot lies along OP."
         ),
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 /// The driver's disc, the follower with its slots over it and the pin's circle, in the background.
-fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
+fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &PinState) {
     canvas.draw(Shape::circle(&at.axis, DISC * at.crank).stroke(DRIVER, 1.5).class("driver"));
     let follower = Star::of_pin_slot(mechanism);
     canvas.draw(Shape::path(follower.outline(instant.slot_angle, &at.view)).fill(PAPER).class("follower-paper"));
     let body = follower.body(instant.slot_angle, &at.view, OUTLINE);
-    canvas.draw(body.with("stroke-opacity", "0.6").class("follower"));
+    canvas.draw(body.attribute("stroke-opacity", "0.6").class("follower"));
     pin_circle(canvas, &at.axis, at.crank);
     construction(canvas, &at.axis, &(at.axis + Vector2::new(DISC * at.crank, 0.0)), "line-of-centres");
 }
 
 /// The three sides with their lengths, and the corners.
-fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
+fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &PinState) {
     let beyond = 0.55 * DIMENSION + ROW;
     let row = if at.side > 0.0 { at.height - beyond } else { beyond };
     let drop = Vector2::new(0.0, row - at.pivot.y);
@@ -154,7 +154,7 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
 }
 
 /// The angles at O and at B.
-fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+fn angles(canvas: &mut Canvas, at: &Layout, instant: &PinState) {
     let (slot, crank) = (instant.slot_angle, instant.crank_angle);
     let half_turn = at.side * PI;
     let crank = if at.side > 0.0 { crank } else { crank - 2.0 * PI };
@@ -173,7 +173,7 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
 }
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
-fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+fn senses(canvas: &mut Canvas, at: &Layout, instant: &PinState) {
     let [driver, follower] = [("D", "θ", DRIVER), ("S", "φ", FOLLOWER)].map(|(name, letter, colour)| {
         (Label::words(name).in_colour(colour), Label::rate(letter, 1).of_part(&format!("{letter}'")).in_colour(colour))
     });

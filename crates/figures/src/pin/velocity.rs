@@ -1,9 +1,9 @@
 //! The velocity triangle of the pin in the slot.
 
-use super::instant::Instant;
+use super::instant::PinState;
 use crate::number::{degrees, significant};
 use crate::parts::{angle_label, arc, arrow, link, part, right_angle, scale_bar};
-use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, View, angle_of, heading};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, Pixels, Shape, View, angle_of, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
@@ -39,7 +39,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(instant: &Instant) -> Self {
+    fn new(instant: &PinState) -> Self {
         let corners = [Vector2::zeros(), instant.slot_point_velocity, instant.pin_velocity];
         let view = View::fitting(corners, ROOM, Pixels::zeros());
         let heights = corners.map(|corner| corner.y * view.scale);
@@ -66,7 +66,7 @@ impl Layout {
 /// per time, counter-clockwise positive; `speed_unit` the unit of the speeds that follow. Series: θ, the three
 /// speeds, γ (acute, between the pin's velocity and the slot) and φ (of the slot, from the line of centres).
 pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64, speed_unit: &str) -> Figure {
-    let instant = Instant::new(mechanism, crank, driver_speed);
+    let instant = PinState::new(mechanism, crank, driver_speed);
     let layout = Layout::new(&instant);
     let mut canvas = Canvas::new(WIDTH, layout.height);
     directions(&mut canvas, &layout, &instant);
@@ -103,16 +103,16 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
              slot."
         ),
     );
-    words.figure(canvas, Kind::Diagram, series)
+    words.figure(canvas, DrawingKind::Diagram, series)
 }
 
 /// Reference directions and the angles from them.
-fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+fn directions(canvas: &mut Canvas, at: &Layout, instant: &PinState) {
     let along = at.corner - at.tip;
     if let Some(direction) = along.try_normalize(1e-9) {
         let ends = (at.tip - direction * BEYOND, at.corner + direction * BEYOND);
         let slot = Shape::path(link(&ends.0, &ends.1, SLOT)).fill(FILL).stroke(FOLLOWER, 1.0);
-        canvas.draw(slot.with("stroke-opacity", "0.5").class("slot"));
+        canvas.draw(slot.attribute("stroke-opacity", "0.5").class("slot"));
         canvas.label(&(ends.0 - direction * SLOT), &-direction, 6.0, &Label::words("slot").in_colour(FOLLOWER));
         let horizontal = if direction.x < 0.0 { PI } else { 0.0 };
         if along.norm() > 2.0 * AT_TIP {
@@ -153,7 +153,7 @@ fn angle_from(canvas: &mut Canvas, corner: &Pixels, reference: f64, angle: f64, 
 }
 
 /// The three arrows with their symbols and magnitudes.
-fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
+fn vectors(canvas: &mut Canvas, at: &Layout, instant: &PinState, unit: &str) {
     let magnitude = |index: &str, speed: f64| {
         Label::symbol("v")
             .sub(index)

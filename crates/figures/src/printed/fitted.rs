@@ -1,6 +1,6 @@
 //! An axis for numbers of any size: with labels that have room beside it.
 
-use crate::chart::Axis;
+use crate::chart::ChartAxis;
 use crate::number::{exponent, power, power_of_ten, whole};
 
 /// Sizes whose numbers may be written as they are.
@@ -18,7 +18,7 @@ const STEPS: [f64; 4] = [5.0, 4.0, 3.0, 2.0];
 #[derive(Clone, Debug)]
 pub struct Fitted {
     /// The axis, without a title.
-    pub axis: Axis,
+    pub axis: ChartAxis,
     offset: f64,
     exponent: i32,
 }
@@ -47,12 +47,12 @@ impl Fitted {
         };
         let over = |exponent: i32, steps: f64| {
             let [from, to] = [from - margin, to + margin].map(|value| value * power(own - exponent));
-            Self { axis: Axis::spanning(from, to, steps), offset: 0.0, exponent }
+            Self { axis: ChartAxis::spanning(from, to, steps), offset: 0.0, exponent }
         };
         let wide = is_still || span > WIDE * size / power(own);
         let plain = || {
             let margin = margin * power(own);
-            let axis = Axis::spanning(low - margin, high + margin, STEPS[0]);
+            let axis = ChartAxis::spanning(low - margin, high + margin, STEPS[0]);
             Self { axis, offset: 0.0, exponent: 0 }
         };
         let plain = (size == 0.0 || USUAL.contains(&size) && span > 1e-6).then(plain);
@@ -63,7 +63,7 @@ impl Fitted {
             let exponent = own + exponent(1.001 * span);
             let offset = round_below(low, exponent);
             let [from, to] = [low, high].map(|value| (value - offset) / power(exponent));
-            Self { axis: Axis::spanning(from, to, STEPS[0]), offset, exponent }
+            Self { axis: ChartAxis::spanning(from, to, STEPS[0]), offset, exponent }
         })
     }
 
@@ -73,12 +73,12 @@ impl Fitted {
     }
 
     /// A value as the axis shows it.
-    pub fn at(&self, value: f64) -> f64 {
+    pub fn rescale(&self, value: f64) -> f64 {
         if value.abs() < NOTHING && self.offset == 0.0 { 0.0 } else { (value - self.offset) / power(self.exponent) }
     }
 
     /// What the axis shows of what has this name.
-    pub fn shown(&self, name: &str) -> String {
+    pub fn tick_meaning(&self, name: &str) -> String {
         let sign = if self.offset < 0.0 { '+' } else { '−' };
         let less = format!("{name} {sign} {}", whole(self.offset.abs()));
         match (self.offset != 0.0, self.exponent) {

@@ -2,7 +2,7 @@
 
 mod fitted;
 
-use crate::chart::{Chart, Entry, NUMBER_ROOM, Panel, kind};
+use crate::chart::{Chart, LegendEntry, NUMBER_ROOM, Panel, kind};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use fitted::Fitted;
@@ -38,20 +38,20 @@ pub fn plot(title: &str, names: &[String], points: &[Vec<f64>]) -> Result<Figure
     let x = Fitted::new(values(0..1), |marks| ACROSS / marks as f64 - GAP);
     let y = Fitted::new(values(1..names.len()), |_| NUMBER_ROOM);
     let y_title = if let [name] = others {
-        y.shown(name)
+        y.tick_meaning(name)
     } else if y.is_plain() {
         "see the key".to_owned()
     } else {
-        format!("see the key: {}", y.shown("each"))
+        format!("see the key: {}", y.tick_meaning("each"))
     };
     let (x_axis, y_axis) =
-        (x.axis.clone().titled(Label::words(&x.shown(first))), y.axis.clone().titled(Label::words(&y_title)));
+        (x.axis.clone().titled(Label::words(&x.tick_meaning(first))), y.axis.clone().titled(Label::words(&y_title)));
     let mut panel = Panel::new(HEIGHT, &x_axis, &y_axis);
     for k in 1..names.len() {
-        panel = panel.curve(rows.iter().map(|row| (x.at(row[0]), y.at(row[k]))), kind(k - 1).0);
+        panel = panel.curve(rows.iter().map(|row| (x.rescale(row[0]), y.rescale(row[k]))), kind(k - 1).0);
     }
     let key = others.iter().enumerate().filter(|_| others.len() > 1);
-    let key = key.map(|(k, name)| Entry::curve(kind(k).0, Label::words(name)));
+    let key = key.map(|(k, name)| LegendEntry::curve(kind(k).0, Label::words(name)));
     let words = Words::new(
         "printed-plot",
         title,
@@ -65,7 +65,7 @@ pub fn plot(title: &str, names: &[String], points: &[Vec<f64>]) -> Result<Figure
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn};
+    use crate::checks::{ParsedDrawing, assert_drawn};
 
     fn names(all: &[&str]) -> Vec<String> {
         all.iter().map(|name| (*name).to_owned()).collect()
@@ -75,9 +75,9 @@ mod tests {
     fn each_column_is_a_curve_over_the_first() {
         let points: Vec<Vec<f64>> = (0..50).map(f64::from).map(|t| vec![t, t * t, -t]).collect();
         let figure = plot("two", &names(&["T", "A", "B"]), &points).expect("a figure");
-        drawn(&figure);
-        assert_eq!(Drawing::of(&figure).count("curve"), 2);
-        let texts = Drawing::of(&figure).texts();
+        assert_drawn(&figure);
+        assert_eq!(ParsedDrawing::parse(&figure).count("curve"), 2);
+        let texts = ParsedDrawing::parse(&figure).texts();
         assert!(["T", "A", "B"].iter().all(|name| texts.iter().any(|text| text == name)), "{texts:?}");
     }
 
@@ -87,8 +87,8 @@ mod tests {
         let points: Vec<_> =
             (0..=10).map(f64::from).map(|k| vec![k, from * (1.0 - k / 10.0) + to * (k / 10.0)]).collect();
         let figure = plot("large", &names(&["T", "X"]), &points).expect("a figure");
-        drawn(&figure);
-        Drawing::of(&figure).texts()
+        assert_drawn(&figure);
+        ParsedDrawing::parse(&figure).texts()
     }
 
     #[test]
@@ -121,7 +121,7 @@ mod tests {
                     y.axis.is_readable(NUMBER_ROOM) && y.axis.ticks.len() < 12,
                     "{low} to {high} times {size}: {y:?}"
                 );
-                let shares = [low, high].map(|end| y.axis.share(y.at(end * size)));
+                let shares = [low, high].map(|end| y.axis.share(y.rescale(end * size)));
                 assert!(shares[0] > -0.01 && shares[1] < 1.01 && shares[1] - shares[0] > 0.3, "{shares:?} {y:?}");
             }
         }
@@ -130,14 +130,14 @@ mod tests {
     #[test]
     fn the_key_says_what_several_curves_are_over() {
         let points: Vec<Vec<f64>> = (0..5).map(f64::from).map(|t| vec![1e6 * t, 1e6 * t, -1e6 * t]).collect();
-        let texts = Drawing::of(&plot("two", &names(&["T", "A", "B"]), &points).expect("a figure")).texts();
+        let texts = ParsedDrawing::parse(&plot("two", &names(&["T", "A", "B"]), &points).expect("a figure")).texts();
         assert!(["T / 10⁶", "see the key: each / 10⁶", "A"].iter().all(|text| texts.iter().any(|of| of == text)));
     }
 
     #[test]
     fn what_stands_still_is_drawn_and_what_is_nothing_is_refused() {
         let still = vec![vec![0.0, 7.0], vec![1.0, 7.0]];
-        drawn(&plot("still", &names(&["T", "A"]), &still).expect("a figure"));
+        assert_drawn(&plot("still", &names(&["T", "A"]), &still).expect("a figure"));
         for (columns, points) in [(vec!["T", "A"], vec![]), (vec!["T"], vec![vec![1.0]]), (vec![], vec![vec![]])] {
             assert!(plot("nothing", &names(&columns), &points).is_err());
         }

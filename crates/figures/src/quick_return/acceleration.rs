@@ -1,10 +1,12 @@
 //! The acceleration diagram, step by step.
 
-use super::instant::{Instant, a, coriolis, lever_acceleration, rate_of, row, turning, turning_label, v, written};
+use super::instant::{
+    LeverState, a, coriolis, format_with_unit, lever_acceleration, rate_of, row, turning, turning_label, v,
+};
 use super::order::{Laid, Order};
-use super::steps::{Arrow, Diagram, Step};
+use super::steps::{Diagram, DiagramArrow, DiagramStep};
 use crate::number::degrees;
-use crate::svg::{Kind, Label};
+use crate::svg::{DrawingKind, Label};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, LeverMotion, Position, QuickReturn};
@@ -23,7 +25,7 @@ pub fn acceleration_diagram(
     drive: &Drive<f64>,
     length_unit: &str,
 ) -> Figure {
-    let instant = Instant::new(linkage, position, drive);
+    let instant = LeverState::new(linkage, position, drive);
     let (unit, ascii) = (format!("{length_unit}/s²"), format!("{length_unit}/s^2"));
     let alpha_4 = instant.lever_acceleration(drive);
     let laid = Laid::new(&instant.motion);
@@ -77,7 +79,7 @@ pub fn acceleration_diagram(
             third,
             value("a-lever-tangential"),
             value("a-sliding"),
-            written(alpha_4.abs(), "rad/s²"),
+            format_with_unit(alpha_4.abs(), "rad/s²"),
             turning(alpha_4)
         ),
         format!(
@@ -87,13 +89,14 @@ pub fn acceleration_diagram(
             degrees(instant.lever_angle)
         ),
     );
-    words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))
+    words.figure(diagram.draw(), DrawingKind::Diagram, Series::new(columns, rows))
 }
 
 /// The vectors: from the pole the pin's, then the lever's side in its order; what is known comes first.
-fn arrows(motion: &LeverMotion<f64>, laid: &Laid) -> Vec<Arrow> {
+fn arrows(motion: &LeverMotion<f64>, laid: &Laid) -> Vec<DiagramArrow> {
     let (terms, zero) = (&motion.accelerations, Vector2::zeros());
-    let arrow = |name, symbol, tail, vector, colour, if_zero| Arrow { name, symbol, tail, vector, colour, if_zero };
+    let arrow =
+        |name, symbol, tail, vector, colour, if_zero| DiagramArrow { name, symbol, tail, vector, colour, if_zero };
     let normal = arrow(
         "a-lever-normal",
         a("n", "4"),
@@ -130,7 +133,7 @@ fn arrows(motion: &LeverMotion<f64>, laid: &Laid) -> Vec<Arrow> {
 }
 
 /// What is said and drawn in the four small steps.
-fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
+fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<DiagramStep> {
     let line = Label::words;
     let value = |name: &str| line(&format!(" = {}", diagram.value_of(name)));
     let pivot = |link: &str| line("O").sub(link);
@@ -164,10 +167,10 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
     let end = if order == Order::Last { "then comes Coriolis" } else { "it ends at the tip" };
     let unknown = vec![goes_on, comes_in, line(end)];
     vec![
-        Step { words: pin, arrows: 2, directions: false },
-        Step { words: second, arrows: 3, directions: false },
-        Step { words: third, arrows: 4, directions: false },
-        Step { words: unknown, arrows: 4, directions: true },
+        DiagramStep { words: pin, arrows: 2, directions: false },
+        DiagramStep { words: second, arrows: 3, directions: false },
+        DiagramStep { words: third, arrows: 4, directions: false },
+        DiagramStep { words: unknown, arrows: 4, directions: true },
     ]
 }
 
@@ -181,7 +184,7 @@ fn closing(alpha_4: f64) -> Vec<Label> {
             .and_label(&a("t", "4"))
             .and(" / ")
             .and_symbol("r")
-            .and(&format!(" = {}{}", written(alpha_4.abs(), "rad/s²"), turning_label(alpha_4))),
+            .and(&format!(" = {}{}", format_with_unit(alpha_4.abs(), "rad/s²"), turning_label(alpha_4))),
         a("n", "rel").and(" = 0: the slot is straight"),
     ]
 }

@@ -1,7 +1,7 @@
 //! Where the 2 of the Coriolis acceleration comes from: a bead on a turning lever at three moments.
 
-use crate::parts::{arc, arc_arrow, arrow, axis, numbered};
-use crate::svg::{Canvas, Kind, Label, Path, Pixels, Sense, Shape, heading};
+use crate::parts::{arc, arc_arrow, arrow, axis, draw_number};
+use crate::svg::{Canvas, DrawingKind, Label, Path, Pixels, Sense, Shape, heading};
 use crate::theme::{CORIOLIS, FOLLOWER, INK, PAPER, RELATIVE};
 use crate::{Figure, Series, Words};
 use nalgebra::Vector2;
@@ -34,7 +34,7 @@ pub fn bead_on_a_lever() -> Figure {
     let [one, two, three] = [0.0, 1.0, 2.0].map(|k| FIRST + k * TURN);
     for angle in [one, two, three] {
         canvas.draw(
-            Shape::line(&PIVOT, &at(LEVER, angle)).stroke(INK, 1.2).with("stroke-opacity", "0.45").class("lever"),
+            Shape::line(&PIVOT, &at(LEVER, angle)).stroke(INK, 1.2).attribute("stroke-opacity", "0.45").class("lever"),
         );
     }
     steps(&mut canvas, at, [one, two, three]);
@@ -67,7 +67,7 @@ pub fn bead_on_a_lever() -> Figure {
          Across the lever, the second step goes farther than the first by two strips, each v Δt · ω Δt long. The \
          speeds v and ω are constant, and the angles are exaggerated for clarity.",
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 /// From each moment to the next: along the lever, then around the pivot.
@@ -105,12 +105,12 @@ fn strips(canvas: &mut Canvas, at: impl Fn(f64, f64) -> Pixels, [one, two, three
     let strips = [unturned.lerp(&slid, 0.5), at(far, (as_before + three) / 2.0)];
     let words = ["the slide turns with the lever", "the carry is longer farther out"];
     for (k, (strip, words)) in strips.iter().zip(words).enumerate() {
-        numbered(canvas, &(strip + right * 24.0), k + 1);
+        draw_number(canvas, &(strip + right * 24.0), k + 1);
         let length = Label::symbol("v").and(" Δ").and_symbol("t").and(" · ");
         let length = length.and_symbol("ω").and(" Δ").and_symbol("t").in_colour(CORIOLIS);
         canvas.label(strip, &right, 42.0, &length);
         let line = Vector2::new(26.0, WORDS + LINE * k as f64);
-        numbered(canvas, &line, k + 1);
+        draw_number(canvas, &line, k + 1);
         canvas.label(&(line + right * 24.0), &right, 0.0, &Label::words(words).bare());
     }
     arc(canvas, &bead, 46.0, one, two, INK, 1.2);

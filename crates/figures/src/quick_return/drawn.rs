@@ -2,7 +2,7 @@
 
 use super::{acceleration_diagram, bead_on_a_lever, mechanism, over_a_turn, velocity_diagram};
 use crate::Figure;
-use crate::checks::{Drawing, PIXELS, columns, drawn, number, sound};
+use crate::checks::{PIXELS, ParsedDrawing, assert_drawn, assert_sound, columns, number};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use nalgebra::Vector2;
@@ -45,14 +45,14 @@ fn each_case(mut check: impl FnMut(&QuickReturn, &Position, &Drive<f64>)) {
 
 #[test]
 fn every_case_is_drawn_and_a_usual_one_is_sound() {
-    usual().iter().for_each(sound);
+    usual().iter().for_each(assert_sound);
     each_case(|linkage, position, drive| {
-        drawn(&mechanism(linkage, position, drive, "m"));
-        drawn(&velocity_diagram(linkage, position, drive, "m"));
-        drawn(&acceleration_diagram(linkage, position, drive, "m"));
+        assert_drawn(&mechanism(linkage, position, drive, "m"));
+        assert_drawn(&velocity_diagram(linkage, position, drive, "m"));
+        assert_drawn(&acceleration_diagram(linkage, position, drive, "m"));
         // The curves of a linkage are the same but for the marked instant.
         if position.crank.sin >= 0.0 && drive.speed > 0.0 {
-            drawn(&over_a_turn(linkage, position, drive));
+            assert_drawn(&over_a_turn(linkage, position, drive));
         }
     });
 }
@@ -64,7 +64,7 @@ fn a_crank_at_rest_and_sizes_far_apart_are_drawn_too() {
         let linkage = linkage(ground, crank);
         for drive in [rest.clone(), STEADY] {
             let position = linkage.position_at_crank_degrees(100.0).expect("off the pivot");
-            all_four(&linkage, &position, &drive).iter().for_each(drawn);
+            all_four(&linkage, &position, &drive).iter().for_each(assert_drawn);
         }
     }
 }
@@ -100,7 +100,7 @@ fn the_arrows_close_and_are_to_scale() {
         &[("a-pin-normal", 0), ("a-lever-normal", 2), ("a-lever-tangential", 3), ("a-sliding", 5), ("a-coriolis", 6)],
     ];
     for (figure, names) in [velocity, acceleration].iter().zip(names) {
-        let drawing = Drawing::of(figure);
+        let drawing = ParsedDrawing::parse(figure);
         let [tail, tip] = drawing.arrow(names[0].0).expect("an arrow");
         let scale = (tip - tail).norm() / row(figure, 0).norm();
         let mut tips = vec![tip];
@@ -115,7 +115,7 @@ fn the_arrows_close_and_are_to_scale() {
         let loose = tails.iter().filter(|at| !tips.contains(at)).count();
         assert_eq!(loose, 2, "{}: two begin at the pole", figure.id);
         // The first scale bar is that of the small steps, the second that of the last one, whose arrows are named.
-        let bars = drawing.all("scale-bar");
+        let bars = drawing.elements("scale-bar");
         let said = drawing.texts().into_iter().filter(|text| text.contains(" in step"));
         let said: Vec<f64> =
             said.map(|text| text.split(' ').next().and_then(|of| of.parse().ok()).expect("said")).collect();
@@ -129,7 +129,7 @@ fn the_arrows_close_and_are_to_scale() {
 #[test]
 fn the_steps_are_numbered() {
     for (figure, count) in usual()[1..3].iter().zip([3, 5]) {
-        let drawing = Drawing::of(figure);
+        let drawing = ParsedDrawing::parse(figure);
         let texts = drawing.texts();
         for number in 1..=count {
             assert!(texts.contains(&number.to_string()), "{}: {number}", figure.id);
@@ -141,7 +141,7 @@ fn the_steps_are_numbered() {
 fn the_mechanism_is_to_scale_and_shows_the_other_branch_only_where_there_is_one() {
     each_case(|linkage, position, drive| {
         let figure = mechanism(linkage, position, drive, "m");
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let radius = drawing.number("pin-circle", "r");
         let from_axis = drawing.centre("pin") - drawing.centre("pin-circle");
         let direction = Vector2::new(position.crank.cos, -position.crank.sin);
@@ -183,7 +183,7 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
             let after = rows.iter().filter(|[theta, ..]| theta.abs() < end).all(|[_, _, speed, _]| *speed < 0.0);
             assert!(before && after);
         }
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         for (class, count) in [("fast", 3), ("reversal", 6), ("instant", 3), ("now", 3)] {
             assert_eq!(drawing.count(class), count, "{class}");
         }
@@ -193,13 +193,13 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
 #[test]
 fn the_two_strips_of_the_bead_are_equal_and_end_where_the_bead_does() {
     let figure = bead_on_a_lever();
-    sound(&figure);
-    let drawing = Drawing::of(&figure);
+    assert_sound(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     let farther = drawing.path("farther", 0);
     let length: f64 = farther.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     let turned = drawing.length("turned");
     assert!((turned - length).abs() < 0.01 * length, "{turned} and {length}");
-    let beads = drawing.all("bead");
+    let beads = drawing.elements("bead");
     let last = Vector2::new(number(&beads[2], "cx"), number(&beads[2], "cy"));
     assert!((farther[farther.len() - 1] - last).norm() < PIXELS);
     // The slide as it would be had the lever not turned, and the one that is, begin at the bead.

@@ -11,9 +11,9 @@ use std::f64::consts::PI;
 /// What is so small beside the greatest of its kind is written as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Position and motion at one instant. Angles in radians, the rest in the units of the arguments.
+/// Position and motion of a linkage at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
-pub struct Instant {
+pub struct LeverState {
     /// From the direction O4 → O2, in [0, 2π).
     pub crank_angle: f64,
     /// φ, in (−π, π].
@@ -28,7 +28,7 @@ pub struct Instant {
     pub motion: LeverMotion<f64>,
 }
 
-impl Instant {
+impl LeverState {
     /// The motion of a linkage at a position. With the pin on the lever's pivot nothing moves.
     pub fn new(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Self {
         let motion =
@@ -85,7 +85,7 @@ pub fn cleared(value: f64, scale: f64) -> f64 {
 }
 
 /// A value with its unit, to four significant digits; zero without any.
-pub fn written(value: f64, unit: &str) -> String {
+pub fn format_with_unit(value: f64, unit: &str) -> String {
     format!("{} {unit}", short(value, 4))
 }
 

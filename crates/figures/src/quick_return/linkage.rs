@@ -1,7 +1,7 @@
 //! The linkage on the page: where its parts lie, and how they are drawn.
 
-use super::instant::Instant;
-use crate::number::trimmed;
+use super::instant::LeverState;
+use crate::number::format_trimmed;
 use crate::parts::{axis, construction, fixed_pivot, link, pin, pin_circle};
 use crate::svg::{Canvas, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
@@ -27,9 +27,9 @@ pub const LEVER: f64 = 13.0;
 const SLOT: f64 = 7.0;
 const CRANK: f64 = 8.0;
 
-/// Where the parts lie on the page.
+/// Where the parts of a linkage lie on the page.
 #[derive(Clone, Debug)]
-pub struct Layout {
+pub struct LinkagePose {
     /// The mechanism's plane about O4.
     pub view: View,
     /// O4, O2 and the pin.
@@ -50,22 +50,22 @@ pub struct Layout {
     pub height: f64,
 }
 
-impl Layout {
+impl LinkagePose {
     /// The mechanism with its circle, its lever and the ends of the swing, as large as there is room, so far below the
     /// upper edge of the page.
-    pub fn new(linkage: &QuickReturn, instant: &Instant, top: f64) -> Self {
+    pub fn new(linkage: &QuickReturn, instant: &LeverState, top: f64) -> Self {
         Self::fitted(linkage, instant, top, false)
     }
 
     /// The mechanism with room for the lever at all angles, in the middle of the head of a page of this width.
-    pub fn of_the_turn(linkage: &QuickReturn, instant: &Instant, width: f64) -> Self {
+    pub fn of_the_turn(linkage: &QuickReturn, instant: &LeverState, width: f64) -> Self {
         let own = Self::fitted(linkage, instant, 0.0, true);
         let by = Pixels::new((width - WIDTH) / 2.0, 0.0);
         let view = View { origin: own.view.origin + by, ..own.view };
         Self { view, pivot: own.pivot + by, axis: own.axis + by, pin: own.pin + by, ..own }
     }
 
-    fn fitted(linkage: &QuickReturn, instant: &Instant, top: f64, whole_turn: bool) -> Self {
+    fn fitted(linkage: &QuickReturn, instant: &LeverState, top: f64, whole_turn: bool) -> Self {
         let (l, r) = (linkage.ground(), linkage.crank());
         let reach = REACH * (l + r);
         let at = |angle: f64, distance: f64| {
@@ -131,11 +131,17 @@ pub fn wrapped(angle: f64) -> f64 {
 
 /// A length that was given, as text.
 pub fn length(value: f64, unit: &str) -> String {
-    format!("{} {unit}", trimmed(value, 6))
+    format!("{} {unit}", format_trimmed(value, 6))
 }
 
 /// Circle, ends of the swing, other branch, lever, crank, pivots.
-pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: &QuickReturn, instant: &Instant) {
+pub fn bodies(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    at: &LinkagePose,
+    linkage: &QuickReturn,
+    instant: &LeverState,
+) {
     let beyond = at.axis + Vector2::new(at.crank + 22.0, 0.0);
     construction(canvas, &at.pivot, &beyond, "line-of-centres");
     pin_circle(canvas, &at.axis, at.crank);
@@ -144,7 +150,7 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
     if let Some(limit) = linkage.strokes().swing_limit {
         for angle in [limit, -limit] {
             let end = at.swing_end(angle);
-            let line = Shape::line(&at.pivot, &end).stroke(FOLLOWER, 1.2).with("stroke-opacity", "0.7");
+            let line = Shape::line(&at.pivot, &end).stroke(FOLLOWER, 1.2).attribute("stroke-opacity", "0.7");
             canvas.draw(line.dashed("10 4").class("swing-end"));
             placing.avoid(&at.pivot, &end, 0.5);
         }
@@ -172,9 +178,9 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
         placing.take([pivot + Vector2::new(-24.0, top), pivot + Vector2::new(24.0, foot)]);
     }
     let crank = Shape::path(link(&at.axis, &at.pin, CRANK)).tint(DRIVER, 0.22);
-    canvas.draw(crank.stroke(DRIVER, 2.0).class("crank").with("data-letter", "R"));
-    canvas.draw(Shape::line(&at.pivot, &at.pin).stroke(FOLLOWER, 1.0).with("data-letter", "r"));
-    canvas.draw(Shape::line(&at.pivot, &at.axis).stroke(INK, 1.0).with("data-letter", "l"));
+    canvas.draw(crank.stroke(DRIVER, 2.0).class("crank").attribute("data-letter", "R"));
+    canvas.draw(Shape::line(&at.pivot, &at.pin).stroke(FOLLOWER, 1.0).attribute("data-letter", "r"));
+    canvas.draw(Shape::line(&at.pivot, &at.axis).stroke(INK, 1.0).attribute("data-letter", "l"));
     placing.avoid(&at.axis, &at.pin, 2.0);
     axis(canvas, &at.axis, INK);
     pin(canvas, &at.pin, 6.0);
@@ -182,7 +188,7 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
 }
 
 /// Where the pin would be on the other branch at this lever angle, if that is another place.
-pub fn other_branch(at: &Layout, linkage: &QuickReturn, instant: &Instant) -> Option<Pixels> {
+pub fn other_branch(at: &LinkagePose, linkage: &QuickReturn, instant: &LeverState) -> Option<Pixels> {
     let far = instant.angle_at_pin <= FRAC_PI_2;
     let other = if far { Branch::Near } else { Branch::Far };
     // The lever's pivot inside the circle: one place only.

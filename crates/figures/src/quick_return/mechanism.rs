@@ -1,10 +1,12 @@
 //! The mechanism to scale at an instant.
 
-use super::instant::{Instant, lever_acceleration, rate_of, turning, written};
-use super::linkage::{LEVER, Layout, WIDTH, bodies, length, other_branch, wrapped};
+use super::instant::{LeverState, format_with_unit, lever_acceleration, rate_of, turning};
+use super::linkage::{LEVER, LinkagePose, WIDTH, bodies, length, other_branch, wrapped};
 use crate::number::degrees;
 use crate::parts::{NEAR, along_arc, angle_label, arc, arc_arrow, of_label, part, scale_bar};
-use crate::svg::{Canvas, Kind, Label, Pixels, Placing, Sense, Shape, around, beside_line, heading, leader};
+use crate::svg::{
+    Canvas, DrawingKind, Label, Pixels, Placing, Sense, Shape, heading, leader, positions_around, positions_beside_line,
+};
 use crate::theme::{DRIVER, FOLLOWER, GRID, INK};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
@@ -29,11 +31,11 @@ const SCALE_BAR: f64 = 34.0;
 /// its angle has a second place for the pin, the crank's position for it is drawn faintly. Series, one row: θ, φ, β;
 /// l, R, r; θ′, θ″, φ′, φ″; the sliding velocity, outwards positive.
 pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, length_unit: &str) -> Figure {
-    let instant = Instant::new(linkage, position, drive);
-    let layout = Layout::new(linkage, &instant, SCALE_BAR);
+    let instant = LeverState::new(linkage, position, drive);
+    let layout = LinkagePose::new(linkage, &instant, SCALE_BAR);
     let bottom = SCALE_BAR + layout.height;
     let mut canvas = Canvas::new(WIDTH, bottom + VALUES);
-    let mut placing = Placing::within(Vector2::new(6.0, SCALE_BAR), Vector2::new(WIDTH - 6.0, bottom));
+    let mut placing = Placing::new(Vector2::new(6.0, SCALE_BAR), Vector2::new(WIDTH - 6.0, bottom));
     bodies(&mut canvas, &mut placing, &layout, linkage, &instant);
     names(&mut canvas, &mut placing, &layout, linkage, &instant, drive);
     scale_bar(&mut canvas, &Vector2::new(COLUMNS[0], 24.0), layout.view.scale, false, length_unit);
@@ -70,10 +72,10 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
              lever's is {}{}. The lever {kind}.",
             length(linkage.crank(), length_unit),
             length(linkage.ground(), length_unit),
-            written(instant.pin_distance, length_unit),
-            written(driver.abs(), "rad/s"),
+            format_with_unit(instant.pin_distance, length_unit),
+            format_with_unit(driver.abs(), "rad/s"),
             turning(driver),
-            written(lever.abs(), "rad/s"),
+            format_with_unit(lever.abs(), "rad/s"),
             turning(lever)
         ),
         format!(
@@ -82,16 +84,16 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
              point” of its circle. Counter-clockwise is positive, and θ is counted from the line from O₂ to O₄."
         ),
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 /// Angles, senses and names, the most bound to their places first.
 fn names(
     canvas: &mut Canvas,
     placing: &mut Placing,
-    at: &Layout,
+    at: &LinkagePose,
     linkage: &QuickReturn,
-    instant: &Instant,
+    instant: &LeverState,
     drive: &Drive<f64>,
 ) {
     let (crank, phi) = (instant.crank_angle, instant.lever_angle);
@@ -111,24 +113,27 @@ fn names(
     ] {
         // At rest there is no sense.
         if rate != 0.0 {
-            let half = HALF_ARROW / radius * Sense::of(rate).sign();
+            let half = HALF_ARROW / radius * Sense::from_rate(rate).sign();
             of_label(canvas, &symbol, |canvas| {
                 arc_arrow(canvas, centre, radius, middle - half, middle + half, colour, 2.5);
             });
             placing.avoid_arc(centre, radius, middle - half, middle + half, 2.0);
-            placing.put(canvas, &symbol, around(&(centre + heading(middle) * radius), middle, &NEAR));
+            placing.put(canvas, &symbol, positions_around(&(centre + heading(middle) * radius), middle, &NEAR));
         }
     }
     let outwards = phi + FRAC_PI_2 * at.side;
     let pin = Label::words("P").sub("2").and(", P").sub("4");
-    placing.put(canvas, &pin, around(&at.pin, outwards, &[12.0, 18.0, 26.0, 36.0, 50.0]));
+    placing.put(canvas, &pin, positions_around(&at.pin, outwards, &[12.0, 18.0, 26.0, 36.0, 50.0]));
     for (point, name) in [(&at.pivot, "4"), (&at.axis, "2")] {
         let label = Label::words("O").sub(name);
-        placing.put(canvas, &label, around(point, -at.side * 0.5, &[14.0, 20.0, 28.0, 38.0]));
+        placing.put(canvas, &label, positions_around(point, -at.side * 0.5, &[14.0, 20.0, 28.0, 38.0]));
     }
     if let Some(ghost) = other_branch(at, linkage, instant) {
-        let places =
-            beside_line(&at.axis, &ghost, &NEAR).into_iter().chain(around(&ghost, -FRAC_PI_2 * at.side, &NEAR));
+        let places = positions_beside_line(&at.axis, &ghost, &NEAR).into_iter().chain(positions_around(
+            &ghost,
+            -FRAC_PI_2 * at.side,
+            &NEAR,
+        ));
         if let Some(place) = placing.put(canvas, &Label::words("other point").in_colour(DRIVER), places) {
             leader(canvas, &place);
         }
@@ -138,7 +143,7 @@ fn names(
             let end = at.swing_end(angle);
             let from = at.pivot.lerp(&end, 0.3);
             let label = Label::words(&format!("swing end {}", degrees(angle))).in_colour(FOLLOWER);
-            placing.put(canvas, &label, beside_line(&from, &end, &NEAR));
+            placing.put(canvas, &label, positions_beside_line(&from, &end, &NEAR));
         }
     }
 }
@@ -171,13 +176,13 @@ fn mark(
         placing.put(canvas, &whole, places(&NEAR[..3]));
     } else {
         let middle = (from + to) / 2.0;
-        let elsewhere = around(&(centre + heading(middle) * radius), middle, &NEAR);
+        let elsewhere = positions_around(&(centre + heading(middle) * radius), middle, &NEAR);
         placing.put(canvas, &Label::part(symbol), places(&NEAR).into_iter().chain(elsewhere));
     }
 }
 
 /// Lengths, angles, and the motion of the two links, in columns below.
-fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: &Drive<f64>, unit: &str, top: f64) {
+fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &LeverState, drive: &Drive<f64>, unit: &str, top: f64) {
     let rule = [COLUMNS[0], WIDTH - COLUMNS[0]].map(|x| Vector2::new(x, top));
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
     let columns = [
@@ -189,11 +194,13 @@ fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: 
             angle_label("β", instant.angle_at_pin),
         ],
         vec![
-            Label::part("r").and(&format!(" = {}", written(instant.pin_distance, unit))).in_colour(FOLLOWER),
-            rate_of("θ").and(&format!(" = {}", written(drive.speed, "rad/s"))).in_colour(DRIVER),
-            rate_of("φ").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).in_colour(FOLLOWER),
+            Label::part("r").and(&format!(" = {}", format_with_unit(instant.pin_distance, unit))).in_colour(FOLLOWER),
+            rate_of("θ").and(&format!(" = {}", format_with_unit(drive.speed, "rad/s"))).in_colour(DRIVER),
+            rate_of("φ")
+                .and(&format!(" = {}", format_with_unit(instant.lever_speed(drive), "rad/s")))
+                .in_colour(FOLLOWER),
             lever_acceleration()
-                .and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²")))
+                .and(&format!(" = {}", format_with_unit(instant.lever_acceleration(drive), "rad/s²")))
                 .in_colour(FOLLOWER),
         ],
     ];

@@ -1,10 +1,12 @@
 //! The mechanism above its two vector diagrams.
 
-use super::instant::{Instant, a, cleared, coriolis, v, written};
-use super::linkage::{Layout, bodies};
-use crate::number::{degrees, trimmed};
+use super::instant::{LeverState, a, cleared, coriolis, format_with_unit, v};
+use super::linkage::{LinkagePose, bodies};
+use crate::number::{degrees, format_trimmed};
 use crate::parts::{WIDTH, arrow, scale_bar};
-use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, View, around, beside_line};
+use crate::svg::{
+    Canvas, DASHED, DrawingKind, Label, Pixels, Placing, Shape, View, positions_around, positions_beside_line,
+};
 use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
@@ -40,15 +42,15 @@ struct Arrow {
 /// diagram](super::acceleration_diagram) at the printed position, at every angle alike. Series, a row for each vector in
 /// the order that the first column's name gives: components along O4 → O2 and across it, and magnitude.
 pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, factor: f64, unit: &str) -> Figure {
-    let here = diagrams(&Instant::new(linkage, position, drive), factor);
-    let instant = Instant::new(linkage, position, drive);
-    let layout = Layout::of_the_turn(linkage, &instant, WIDTH);
+    let here = diagrams(&LeverState::new(linkage, position, drive), factor);
+    let instant = LeverState::new(linkage, position, drive);
+    let layout = LinkagePose::of_the_turn(linkage, &instant, WIDTH);
     let height = layout.height;
     let mut canvas = Canvas::new(WIDTH, height + PART.y);
-    let mut placing = Placing::within(Vector2::zeros(), Vector2::new(WIDTH, height));
+    let mut placing = Placing::new(Vector2::zeros(), Vector2::new(WIDTH, height));
     bodies(&mut canvas, &mut placing, &layout, linkage, &instant);
     let pin = Label::words("P").sub("2").and(", P").sub("4");
-    placing.put(&mut canvas, &pin, around(&layout.pin, 1.0, &[12.0, 18.0, 26.0, 36.0]));
+    placing.put(&mut canvas, &pin, positions_around(&layout.pin, 1.0, &[12.0, 18.0, 26.0, 36.0]));
 
     for (k, (arrows, unit)) in here.iter().zip([format!("{unit}/s"), format!("{unit}/s²")]).enumerate() {
         let corner = Vector2::new(PART.x * k as f64, height);
@@ -60,10 +62,13 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
 
     let [velocities, accelerations] = &here;
     let gap = accelerations.last().map_or(0.0, |arrow| arrow.vector.norm());
-    let closes =
-        if gap == 0.0 { "closes".to_owned() } else { format!("misses by {}", written(gap, &format!("{unit}/s²"))) };
+    let closes = if gap == 0.0 {
+        "closes".to_owned()
+    } else {
+        format!("misses by {}", format_with_unit(gap, &format!("{unit}/s²")))
+    };
     let theta = degrees(instant.theta());
-    let times = trimmed(factor, 3);
+    let times = format_trimmed(factor, 3);
     let words = Words::new(
         "live-polygon",
         format!("Quick-return mechanism at a crank angle of {theta}, and its vector diagrams"),
@@ -88,7 +93,7 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
         velocities.iter().chain(accelerations).zip(1..).map(|(arrow, k)| {
             [f64::from(k), arrow.vector.x, arrow.vector.y, libm::hypot(arrow.vector.x, arrow.vector.y)]
         });
-    words.figure(canvas, Kind::Diagram, Series::new(columns, rows))
+    words.figure(canvas, DrawingKind::Diagram, Series::new(columns, rows))
 }
 
 /// The vectors as large as there is room about a place of the page, in one of a few scales, so that it seldom changes from
@@ -101,7 +106,7 @@ fn fitting(arrows: &[Arrow], middle: Pixels) -> View {
 }
 
 /// The vectors of both diagrams from the pole; the last one is the gap of the accelerations.
-fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
+fn diagrams(instant: &LeverState, factor: f64) -> [Vec<Arrow>; 2] {
     let arrow = |name, symbol, colour, tail, vector| Arrow { name, symbol, colour, tail, vector };
     let (zero, motion) = (Vector2::zeros(), &instant.motion);
     let of = &motion.velocities;
@@ -133,7 +138,7 @@ fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
 
 /// One diagram between two corners of the page.
 fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) {
-    let mut placing = Placing::within(corners[0], corners[1]);
+    let mut placing = Placing::new(corners[0], corners[1]);
     let pole = at.place(&Vector2::zeros());
     let long: Vec<&Arrow> = arrows.iter().filter(|arrow| arrow.vector.norm() * at.scale >= SHORTEST).collect();
     let ends = |arrow: &Arrow| [at.place(&arrow.tail), at.place(&(arrow.tail + arrow.vector))];
@@ -150,14 +155,18 @@ fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) 
     for drawn in &long {
         let [from, to] = ends(drawn);
         let label = drawn.symbol.clone().in_colour(drawn.colour);
-        placing.put(canvas, &label, beside_line(&from, &to, &NEAR).into_iter().chain(around(&to, 0.0, &NEAR)));
+        placing.put(
+            canvas,
+            &label,
+            positions_beside_line(&from, &to, &NEAR).into_iter().chain(positions_around(&to, 0.0, &NEAR)),
+        );
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{ParsedDrawing, assert_sound};
     use crate::quick_return::acceleration_diagram;
 
     fn linkage() -> QuickReturn {
@@ -166,7 +175,7 @@ mod tests {
 
     /// Where the vectors of the accelerations begin, in pixels from the pole over the length of the pin's.
     fn tails(figure: &Figure, pin: &str) -> Vec<Vector2<f64>> {
-        let drawing = Drawing::of(figure);
+        let drawing = ParsedDrawing::parse(figure);
         let [pole, tip] = drawing.arrow(pin).expect("drawn");
         let tail = |name| (drawing.arrow(name).expect("drawn")[0] - pole) / (tip - pole).norm();
         ["a-coriolis", "a-lever-normal", "a-lever-tangential", "a-sliding"].map(tail).to_vec()
@@ -180,7 +189,7 @@ mod tests {
         let live = tails(&polygons(&linkage(), &position, &drive, 2.0, "m"), "a-pin");
         let steps = acceleration_diagram(&linkage(), &position, &drive, "m");
         // The last step is drawn last: its arrows are the last two paths of each class.
-        let drawing = Drawing::of(&steps);
+        let drawing = ParsedDrawing::parse(&steps);
         let last = |name: &str, path: usize| {
             let count = drawing.count(name);
             drawing.path(name, count - 2 + path)[0]
@@ -197,8 +206,8 @@ mod tests {
         for crank in (0..360).step_by(15) {
             let position = linkage().position_at_crank_degrees(f64::from(crank)).expect("there");
             let figure = polygons(&linkage(), &position, &Drive::steady(5.0), 2.0, "m");
-            sound(&figure);
-            let drawing = Drawing::of(&figure);
+            assert_sound(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let view = [
                 "v-pin",
                 "v-lever",
@@ -224,6 +233,6 @@ mod tests {
 
     #[test]
     fn the_label_of_an_acceleration_without_a_part_has_its_index_on_the_line() {
-        assert!(!a("", "2").beside(&Vector2::zeros(), &Vector2::zeros(), 0.0, "none").contains("></tspan>"));
+        assert!(!a("", "2").markup_beside(&Vector2::zeros(), &Vector2::zeros(), 0.0, "none").contains("></tspan>"));
     }
 }

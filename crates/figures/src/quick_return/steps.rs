@@ -1,8 +1,10 @@
 //! A vector diagram in numbered steps, the last one larger than the others: how the steps lie on the page.
 
-use super::instant::{cleared, written};
-use crate::parts::{WIDTH, arrow, numbered, scale_bar};
-use crate::svg::{Canvas, DASHED, Label, Pixels, Placing, Shape, View, around, beside_line, leader};
+use super::instant::{cleared, format_with_unit};
+use crate::parts::{WIDTH, arrow, draw_number, scale_bar};
+use crate::svg::{
+    Canvas, DASHED, Label, Pixels, Placing, Shape, View, leader, positions_around, positions_beside_line,
+};
 use crate::theme::{Colour, INK, PAPER};
 use nalgebra::Vector2;
 
@@ -31,7 +33,7 @@ const NEAR: [f64; 7] = [10.0, 16.0, 24.0, 36.0, 52.0, 72.0, 96.0];
 
 /// One vector of a diagram.
 #[derive(Clone, Debug)]
-pub struct Arrow {
+pub struct DiagramArrow {
     /// Its class in the drawing.
     pub name: &'static str,
     /// Its symbol.
@@ -65,7 +67,7 @@ pub struct Direction {
 
 /// One step: its words, and how much of the diagram has been drawn by then.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub struct DiagramStep {
     /// Lines of words.
     pub words: Vec<Label>,
     /// So many of the vectors.
@@ -78,11 +80,11 @@ pub struct Step {
 #[derive(Clone, Debug)]
 pub struct Diagram {
     /// The vectors, in the order of drawing.
-    pub arrows: Vec<Arrow>,
+    pub arrows: Vec<DiagramArrow>,
     /// The two directions that close the diagram.
     pub directions: [Direction; 2],
     /// The steps but for the last, in pairs.
-    pub steps: Vec<Step>,
+    pub steps: Vec<DiagramStep>,
     /// Words of the last step.
     pub closing: Vec<Label>,
     /// Unit of the vectors.
@@ -145,24 +147,24 @@ impl Diagram {
         arrow.map_or(String::new(), |arrow| self.written(arrow))
     }
 
-    fn written(&self, arrow: &Arrow) -> String {
+    fn written(&self, arrow: &DiagramArrow) -> String {
         let value = self.value(arrow);
-        if value == 0.0 { "0".to_owned() } else { written(value, &self.unit) }
+        if value == 0.0 { "0".to_owned() } else { format_with_unit(value, &self.unit) }
     }
 
     /// The last step: its words, then what is zero and therefore not drawn.
-    fn closing_step(&self, scale: f64) -> Step {
+    fn closing_step(&self, scale: f64) -> DiagramStep {
         let mut words = self.closing.clone();
         for arrow in self.arrows.iter().filter(|arrow| arrow.vector.norm() * scale < SHORTEST) {
             let value = self.value(arrow);
             let why = if value == 0.0 { arrow.if_zero } else { "too short to be seen" };
             words.push(arrow.symbol.clone().in_colour(INK).and(&format!(" = {}: {why}", self.written(arrow))));
         }
-        Step { words, arrows: self.arrows.len(), directions: true }
+        DiagramStep { words, arrows: self.arrows.len(), directions: true }
     }
 
     /// The magnitude of a vector, as it is written.
-    fn value(&self, arrow: &Arrow) -> f64 {
+    fn value(&self, arrow: &DiagramArrow) -> f64 {
         let greatest = self.arrows.iter().map(|arrow| arrow.vector.norm()).fold(0.0, f64::max);
         cleared(arrow.vector.norm(), greatest)
     }
@@ -171,7 +173,7 @@ impl Diagram {
     fn step(
         &self,
         canvas: &mut Canvas,
-        step: &Step,
+        step: &DiagramStep,
         number: usize,
         corners: [Pixels; 2],
         at: &View,
@@ -179,19 +181,19 @@ impl Diagram {
     ) -> f64 {
         let [corner, end] = corners;
         let line = |x: f64, k: usize| corner + Vector2::new(x, FIRST_LINE + LINE * k as f64);
-        numbered(canvas, &line(NUMBER, 0), number);
+        draw_number(canvas, &line(NUMBER, 0), number);
         for (k, words) in step.words.iter().enumerate() {
             canvas.label(&line(WORDS, k), &Vector2::new(1.0, 0.0), 0.0, &words.clone().bare());
         }
         let below = corner.y + head(std::slice::from_ref(step));
-        let mut placing = Placing::within(Vector2::new(corner.x + 6.0, below), end - Vector2::new(6.0, 0.0));
-        let arrows: Vec<&Arrow> = self.arrows.iter().take(step.arrows).collect();
-        let long = |arrow: &&&Arrow| arrow.vector.norm() * at.scale >= SHORTEST;
+        let mut placing = Placing::new(Vector2::new(corner.x + 6.0, below), end - Vector2::new(6.0, 0.0));
+        let arrows: Vec<&DiagramArrow> = self.arrows.iter().take(step.arrows).collect();
+        let long = |arrow: &&&DiagramArrow| arrow.vector.norm() * at.scale >= SHORTEST;
         if step.directions {
             for direction in &self.directions {
                 let (from, to) = direction.ends(at);
                 let line = Shape::line(&from, &to).stroke(direction.colour, 1.3).dashed(DASHED);
-                canvas.draw(if last { line.with("stroke-opacity", "0.6") } else { line.class(direction.name) });
+                canvas.draw(if last { line.attribute("stroke-opacity", "0.6") } else { line.class(direction.name) });
                 placing.avoid(&from, &to, 0.5);
             }
         }
@@ -214,8 +216,8 @@ impl Diagram {
             let (from, to) = (at.place(&drawn.tail), at.place(&(drawn.tail + drawn.vector)));
             let label = drawn.symbol.clone().in_colour(drawn.colour);
             let value = if last { format!(" = {}", self.written(drawn)) } else { String::new() };
-            let elsewhere = around(&from.lerp(&to, 0.5), 0.0, &NEAR);
-            let places = beside_line(&from, &to, &NEAR).into_iter().chain(elsewhere);
+            let elsewhere = positions_around(&from.lerp(&to, 0.5), 0.0, &NEAR);
+            let places = positions_beside_line(&from, &to, &NEAR).into_iter().chain(elsewhere);
             if let Some(place) = placing.put(canvas, &label.and(&value), places) {
                 leader(canvas, &place);
             }
@@ -223,11 +225,11 @@ impl Diagram {
         if step.directions && !last {
             for direction in &self.directions {
                 let (from, to) = direction.ends(at);
-                let places = beside_line(&from, &to, &[10.0, 16.0, 24.0, 36.0]);
+                let places = positions_beside_line(&from, &to, &[10.0, 16.0, 24.0, 36.0]);
                 placing.put(canvas, &Label::words(direction.words).in_colour(direction.colour), places);
             }
         }
-        placing.put(canvas, &Label::symbol("o"), around(&pole, 0.0, &[8.0, 12.0, 18.0, 26.0]));
+        placing.put(canvas, &Label::symbol("o"), positions_around(&pole, 0.0, &[8.0, 12.0, 18.0, 26.0]));
         placing.spent()
     }
 }
@@ -242,7 +244,7 @@ impl Direction {
 }
 
 /// Height of the words of a row of steps.
-fn head(row: &[Step]) -> f64 {
+fn head(row: &[DiagramStep]) -> f64 {
     let lines = row.iter().map(|step| step.words.len()).max().unwrap_or_default();
     FIRST_LINE + LINE * lines as f64 - 10.0
 }

@@ -1,9 +1,9 @@
 //! The velocity diagram, step by step.
 
-use super::instant::{Instant, rate_of, row, turning, turning_label, v, written};
-use super::steps::{Arrow, Diagram, Direction, Step};
+use super::instant::{LeverState, format_with_unit, rate_of, row, turning, turning_label, v};
+use super::steps::{Diagram, DiagramArrow, DiagramStep, Direction};
 use crate::number::degrees;
-use crate::svg::{Kind, Label};
+use crate::svg::{DrawingKind, Label};
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -17,12 +17,18 @@ use nalgebra::Vector2;
 /// name gives: its components, along O4 → O2 and across it, its magnitude and its direction, which is zero for a
 /// vector of no length; the last row is the gap by which the drawn vectors miss each other.
 pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, length_unit: &str) -> Figure {
-    let instant = Instant::new(linkage, position, drive);
+    let instant = LeverState::new(linkage, position, drive);
     let unit = format!("{length_unit}/s");
     let velocities = &instant.motion.velocities;
     let (pin, slot, sliding) = (velocities.pin_velocity, velocities.slot_point_velocity, velocities.sliding_velocity);
-    let arrow =
-        |name, point, tail, vector, colour, if_zero| Arrow { name, symbol: v(point), tail, vector, colour, if_zero };
+    let arrow = |name, point, tail, vector, colour, if_zero| DiagramArrow {
+        name,
+        symbol: v(point),
+        tail,
+        vector,
+        colour,
+        if_zero,
+    };
     let zero = Vector2::zeros();
     let arrows = vec![
         arrow("v-pin", "2", zero, pin, DRIVER, "the crank stands still"),
@@ -40,7 +46,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let known = vec![
         line("Known: the pin. From ").and_symbol("o"),
         v("2").and(" = ").and_label(&rate_of("θ")).and("\u{2009}").and_symbol("R"),
-        line(&format!("= {}, ⊥ crank", written(pin.norm(), &unit))),
+        line(&format!("= {}, ⊥ crank", format_with_unit(pin.norm(), &unit))),
     ];
     let unknown = vec![
         v("4").and(" is across the lever"),
@@ -55,14 +61,14 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
             .and_label(&v("4"))
             .and(" / ")
             .and_symbol("r")
-            .and(&format!(" = {}{}", written(omega_4.abs(), "rad/s"), turning_label(omega_4))),
+            .and(&format!(" = {}{}", format_with_unit(omega_4.abs(), "rad/s"), turning_label(omega_4))),
     ];
     let diagram = Diagram {
         arrows,
         directions,
         steps: vec![
-            Step { words: known, arrows: 1, directions: false },
-            Step { words: unknown, arrows: 1, directions: true },
+            DiagramStep { words: known, arrows: 1, directions: false },
+            DiagramStep { words: unknown, arrows: 1, directions: true },
         ],
         closing,
         unit: unit.clone(),
@@ -88,7 +94,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
              right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to P4, \
              {sliding}, add up to the velocity of P2. The lever's angular velocity is {}{}.",
-            written(omega_4.abs(), "rad/s"),
+            format_with_unit(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
         format!(
@@ -96,7 +102,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
              other two, but two directions are enough to close the triangle. The pole o is where the vectors start."
         ),
     );
-    words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))
+    words.figure(diagram.draw(), DrawingKind::Diagram, Series::new(columns, rows))
 }
 
 /// v_2 = v_4 + v_rel.

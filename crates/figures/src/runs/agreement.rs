@@ -1,6 +1,6 @@
 //! By how much printed numbers differ from computed ones, in units of the last printed digit.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke, of_mechanism};
+use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel, of_mechanism};
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
@@ -23,14 +23,14 @@ fn residual(cell: &ComparedCell) -> f64 {
 
 /// All cells under one hypothesis.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Compared {
+pub struct ComparedCells {
     /// The hypothesis, in a few words.
     pub name: String,
     /// The cells.
     pub cells: Vec<ComparedCell>,
 }
 
-impl Compared {
+impl ComparedCells {
     /// The cells of a score, under this name of its hypothesis.
     pub fn new(name: String, score: &Score) -> Self {
         Self { name, cells: score.cells().collect() }
@@ -53,9 +53,9 @@ impl Compared {
 /// In each a strip for every mechanism, over one symmetric logarithmic axis; numbers that differ by one unit at most are on
 /// shaded ground. `units` says what a unit is, `others` what else is to be said of the runs in the caption. Series, a row
 /// for each cell: slots, printed, computed by either.
-pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figure {
+pub fn agreement(hypotheses: &[ComparedCells; 2], units: &str, others: &str) -> Figure {
     let [before, after] = hypotheses;
-    let beyond = if hypotheses.iter().any(Compared::goes_beyond) { BEYOND } else { "" };
+    let beyond = if hypotheses.iter().any(ComparedCells::goes_beyond) { BEYOND } else { "" };
     let words = Words::new(
         "runs-agreement",
         "Printed numbers minus computed ones, in units of the last printed digit",
@@ -88,7 +88,7 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
     let columns = [("slots", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
     let rows = before.cells.iter().zip(&after.cells);
     let rows = rows.map(|(a, b)| [f64::from(a.mechanism.slots()), a.printed, a.computed, b.computed]);
-    let x = Axis::symmetric_log(LIMIT);
+    let x = ChartAxis::symmetric_log(LIMIT);
     let panels = [panel(before, &x.clone().unnumbered()), panel(after, &titled(x))];
     Chart::new(panels).key(key()).figure(words, Series::new(columns, rows))
 }
@@ -96,7 +96,7 @@ pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figur
 /// Printed numbers less the computed ones under one hypothesis, on the axis of [`agreement`].
 ///
 /// Series, a row for each cell: slots, printed, computed.
-pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
+pub fn one_agreement(hypothesis: &ComparedCells, units: &str) -> Figure {
     let beyond = if hypothesis.goes_beyond() { format!(" {BEYOND}") } else { String::new() };
     let words = Words::new(
         "live-mistake",
@@ -117,35 +117,35 @@ pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
     );
     let rows = hypothesis.cells.iter().map(|cell| [f64::from(cell.mechanism.slots()), cell.printed, cell.computed]);
     let series = Series::new([("slots", "1"), ("printed", "unit"), ("computed", "unit")], rows);
-    Chart::new([panel(hypothesis, &titled(Axis::symmetric_log(LIMIT)))]).key(key()).figure(words, series)
+    Chart::new([panel(hypothesis, &titled(ChartAxis::symmetric_log(LIMIT)))]).key(key()).figure(words, series)
 }
 
-fn titled(x: Axis) -> Axis {
+fn titled(x: ChartAxis) -> ChartAxis {
     x.titled(Label::words("printed minus computed, in units of the last digit"))
 }
 
 /// The cells of a hypothesis in strips, and the band of one unit.
-fn panel(hypothesis: &Compared, x: &Axis) -> Panel {
-    let y = Axis::of_kinds(Mechanism::ALL.map(|mechanism| mechanism.pins().to_string()));
+fn panel(hypothesis: &ComparedCells, x: &ChartAxis) -> Panel {
+    let y = ChartAxis::of_kinds(Mechanism::ALL.map(|mechanism| mechanism.pins().to_string()));
     let count = y.blank().titled(Label::words(&format!("{} within ±1", hypothesis.count())));
     let y = y.titled(Label::words(&hypothesis.name));
-    let panel = Panel::new(STRIP * Mechanism::ALL.len() as f64, x, &y).right(count);
-    let panel = panel.band(-1.0..1.0, FILL, "one-unit").vertical(0.0, Stroke::thin("zero"));
+    let panel = Panel::new(STRIP * Mechanism::ALL.len() as f64, x, &y).right_axis(count);
+    let panel = panel.band(-1.0..1.0, FILL, "one-unit").vertical(0.0, LineStyle::thin("zero"));
     (1..).map(f64::from).zip(Mechanism::ALL).fold(panel, |panel, (strip, mechanism)| {
-        let panel = if strip > 1.0 { panel.horizontal(strip - 0.5, Stroke::edge()) } else { panel };
+        let panel = if strip > 1.0 { panel.horizontal(strip - 0.5, LineStyle::edge()) } else { panel };
         let points = points(hypothesis, mechanism, strip);
         let beyond =
             |side: f64| points.iter().filter(move |(x, _)| side * x > LIMIT).map(move |(_, y)| (side * LIMIT, *y));
         let [left, right] = [-1.0, 1.0].map(|side| beyond(side).collect::<Vec<_>>());
         let own = of_mechanism(mechanism.slots()).1.sized(SIZE);
         let [to_left, to_right] =
-            [Mark::Left, Mark::Right].map(|mark| Marker { mark, ..own }.sized(11.0).class("beyond"));
+            [MarkShape::Left, MarkShape::Right].map(|mark| Marker { mark, ..own }.sized(11.0).class("beyond"));
         panel.marks(points, own).marks(left, to_left).marks(right, to_right)
     })
 }
 
 /// The differences of a mechanism's cells, one below the other in its strip in the order of the tables.
-fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, f64)> {
+fn points(hypothesis: &ComparedCells, mechanism: Mechanism, strip: f64) -> Vec<(f64, f64)> {
     let own: Vec<&ComparedCell> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
     let place = |(k, cell): (usize, &&ComparedCell)| {
         let share = (k as f64 + 0.5) / own.len() as f64 - 0.5;
@@ -154,38 +154,38 @@ fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, 
     own.iter().enumerate().map(place).filter(|(x, _)| x.is_finite()).collect()
 }
 
-fn key() -> [Entry; 3] {
+fn key() -> [LegendEntry; 3] {
     Mechanism::ALL.map(|mechanism| {
         let marker = of_mechanism(mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
+        LegendEntry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn, sound};
+    use crate::checks::{ParsedDrawing, assert_drawn, assert_sound};
 
-    fn compared(name: &str, off: f64) -> Compared {
+    fn compared(name: &str, off: f64) -> ComparedCells {
         let cell = |mechanism| ComparedCell { mechanism, printed: 30.0, computed: 30.0 - off };
-        Compared { name: name.to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
+        ComparedCells { name: name.to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
     }
 
     /// Where the first mark of each path of a class is.
-    fn places(drawing: &Drawing<'_>, class: &str) -> Vec<[f64; 2]> {
+    fn places(drawing: &ParsedDrawing<'_>, class: &str) -> Vec<[f64; 2]> {
         let place = |data: &str| {
             let mut numbers = data.trim_start_matches('M').split([' ', 'h', 'l', 'L']).map(|word| word.parse::<f64>());
             [0, 1].map(|_| numbers.next().expect("two").expect("a number"))
         };
-        drawing.all(class).iter().map(|mark| place(mark.attribute("d").expect("a path"))).collect()
+        drawing.elements(class).iter().map(|mark| place(mark.attribute("d").expect("a path"))).collect()
     }
 
     #[test]
     fn marks_are_as_far_from_zero_as_printed_and_computed_differ() {
         let figure = agreement(&[compared("own angle", 10.0), compared("90°", -0.5)], "1 rad/s", "Made up.");
-        sound(&figure);
+        assert_sound(&figure);
         assert!(figure.caption.ends_with("Made up.") && !figure.caption.contains(BEYOND));
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let texts = drawing.texts();
         for count in ["0 of 3 within ±1", "3 of 3 within ±1", "6", "4", "3"] {
             assert!(texts.iter().any(|text| text == count), "{texts:?}");
@@ -207,9 +207,9 @@ mod tests {
     fn what_is_beyond_the_axis_is_an_arrowhead_at_its_edge() {
         let off = |off: f64| one_agreement(&compared("own angle", off), "1 rad/s");
         for (off, side) in [(off(1e4), 1.0), (off(-1e4), -1.0)] {
-            sound(&off);
+            assert_sound(&off);
             assert!(off.caption.ends_with(BEYOND));
-            let drawing = Drawing::of(&off);
+            let drawing = ParsedDrawing::parse(&off);
             let zero = drawing.path("zero", 0)[0].x;
             let edge = drawing.path("edge", 0).iter().map(|end| side * (end.x - zero)).fold(0.0, f64::max);
             let beyond = places(&drawing, "beyond");
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn nothing_is_drawn_too() {
-        let nothing = Compared { name: "nothing".to_owned(), cells: vec![] };
-        drawn(&agreement(&[nothing.clone(), nothing], "1 rad/s", ""));
+        let nothing = ComparedCells { name: "nothing".to_owned(), cells: vec![] };
+        assert_drawn(&agreement(&[nothing.clone(), nothing], "1 rad/s", ""));
     }
 }

@@ -1,7 +1,7 @@
 //! What a print-out shows of peaks that are narrower than its interval.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
-use crate::number::{fixed, significant, trimmed};
+use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{extent, format_fixed, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
@@ -15,9 +15,9 @@ const FINE: usize = 12;
 /// What of the peak the upper panel shows below it, in spreads of the printed peaks.
 const BELOW: f64 = 4.0;
 /// A true peak, a printed line, and the speed between.
-const TRUE: Marker = Marker::new(FOLLOWER, Mark::Circle).sized(12.0).class("peak");
-const PRINTED: Marker = Marker::new(DRIVER, Mark::Square).sized(8.0);
-const SPEED: Stroke = Stroke::new(FOLLOWER).wide(2.2).class("speed");
+const TRUE: Marker = Marker::new(FOLLOWER, MarkShape::Circle).sized(12.0).class("peak");
+const PRINTED: Marker = Marker::new(DRIVER, MarkShape::Square).sized(8.0);
+const SPEED: LineStyle = LineStyle::new(FOLLOWER).wide(2.2).class("speed");
 
 /// One engagement of the run.
 struct Peak {
@@ -44,14 +44,14 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
     // The start from rest is left out.
     let shown = peaks.get(1..=SHOWN).ok_or(FigureError::Nothing)?;
     let printed = || peaks.iter().skip(1).map(|peak| peak.printed.1);
-    let (least, most) = (printed().fold(f64::INFINITY, f64::min), printed().fold(0.0, f64::max));
+    let [least, most] = extent(printed());
     let actual = peaks.iter().skip(1).map(|peak| peak.actual.speed).fold(0.0, f64::max);
-    let y = |below: f64| Axis::spanning(actual - below * (actual - least), actual + 0.2 * (actual - least), 4.0);
+    let y = |below: f64| ChartAxis::spanning(actual - below * (actual - least), actual + 0.2 * (actual - least), 4.0);
     let label = Label::words;
     let chart = Chart::new([near(shown, &fine, interval, y(BELOW)), each(&peaks, y(1.3))]).key([
-        Entry::marks([TRUE], label("true peak")),
-        Entry::marks([PRINTED], label("printed")),
-        Entry::curve(SPEED, label("speed")),
+        LegendEntry::marks([TRUE], label("true peak")),
+        LegendEntry::marks([PRINTED], label("printed")),
+        LegendEntry::curve(SPEED, label("speed")),
     ]);
 
     let columns =
@@ -60,7 +60,7 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
         .iter()
         .map(|peak| [(peak.number + 1) as f64, peak.actual.time, peak.actual.speed, peak.printed.0, peak.printed.1]);
     // The first engagement from which on all true peaks have the digits of the last.
-    let other = peaks.iter().rposition(|peak| fixed(peak.actual.speed, 1) != fixed(actual, 1));
+    let other = peaks.iter().rposition(|peak| format_fixed(peak.actual.speed, 1) != format_fixed(actual, 1));
     let settled = other.map_or(1, |at| at + 2);
     let words = Words::new(
         "runs-aliasing",
@@ -69,7 +69,7 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             "Above, the driver's speed about five successive peaks: the curve is the same each time, but the printed \
              points, {} ms apart, lie elsewhere on it. Below, for each of {} engagements, the true peak, {} rad/s from \
              engagement {settled} on, and the greatest printed speed, which swings between {} and {} rad/s.",
-            trimmed(1000.0 * interval, 3),
+            format_trimmed(1000.0 * interval, 3),
             peaks.len(),
             significant(actual, 4),
             significant(least, 4),
@@ -79,10 +79,10 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             "The driver's speed around five peaks of one run, and the lines of its print-out. From engagement {settled} on, \
              all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
              the print-out seldom has a line at the peak. {} Torque K = {} in lb.",
-            fixed(actual, 1),
-            fixed(least, 1),
-            fixed(most, 1),
-            crate::number::shown(engagement.parameters()),
+            format_fixed(actual, 1),
+            format_fixed(least, 1),
+            format_fixed(most, 1),
+            crate::number::describe_parameters(engagement.parameters()),
             significant(engagement.parameters().torque(), 2)
         ),
     );
@@ -110,11 +110,11 @@ fn peaks(engagement: &Engagement, interval: f64, duration: f64) -> Result<Vec<Pe
 }
 
 /// The windows about the peaks, each numbered.
-fn near(shown: &[Peak], fine: &[(f64, f64)], interval: f64, y: Axis) -> Panel {
+fn near(shown: &[Peak], fine: &[(f64, f64)], interval: f64, y: ChartAxis) -> Panel {
     let number = |peak: &Peak| (peak.number + 1) as f64;
     let ends = [shown.first(), shown.last()].map(|peak| peak.map_or(0.0, number));
-    let x = Axis::whole(ends[0] - 0.5..ends[1] + 0.5, shown.iter().map(number)).without_grid();
-    let unit = trimmed(1000.0 * ASIDE * interval, 1);
+    let x = ChartAxis::whole(ends[0] - 0.5..ends[1] + 0.5, shown.iter().map(number)).without_grid();
+    let unit = format_trimmed(1000.0 * ASIDE * interval, 1);
     let title = Label::words(&format!("speed in rad/s, {unit} ms to either side of a peak"));
     let mut panel = Panel::new(270.0, &x, &y.titled(title));
     for peak in shown {
@@ -123,7 +123,7 @@ fn near(shown: &[Peak], fine: &[(f64, f64)], interval: f64, y: Axis) -> Panel {
             (number(peak) + (time - peak.actual.time) / interval / (2.0 * ASIDE + 0.4), *speed)
         };
         panel = panel
-            .vertical(number(peak) + 0.5, Stroke::edge())
+            .vertical(number(peak) + 0.5, LineStyle::edge())
             .curve(fine.iter().filter(inside).map(place), SPEED)
             .marks(fine.iter().step_by(FINE).filter(inside).map(place), PRINTED)
             .marks([(number(peak), peak.actual.speed)], TRUE);
@@ -132,12 +132,12 @@ fn near(shown: &[Peak], fine: &[(f64, f64)], interval: f64, y: Axis) -> Panel {
 }
 
 /// All engagements.
-fn each(peaks: &[Peak], y: Axis) -> Panel {
+fn each(peaks: &[Peak], y: ChartAxis) -> Panel {
     let numbers = || (1..=peaks.len()).map(|number| number as f64);
-    let x = Axis::whole(0.5..peaks.len() as f64 + 0.5, numbers()).titled(Label::words("number of the engagement"));
+    let x = ChartAxis::whole(0.5..peaks.len() as f64 + 0.5, numbers()).titled(Label::words("number of the engagement"));
     let printed = || numbers().zip(peaks.iter().map(|peak| peak.printed.1));
     Panel::new(220.0, &x, &y.titled(Label::words("peaks in rad/s")))
-        .curve(printed(), Stroke::new(DRIVER).wide(1.2).dashed("3 3").class("swing"))
+        .curve(printed(), LineStyle::new(DRIVER).wide(1.2).dashed("3 3").class("swing"))
         .marks(printed(), PRINTED)
         .marks(numbers().zip(peaks.iter().map(|peak| peak.actual.speed)), TRUE)
 }

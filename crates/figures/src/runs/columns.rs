@@ -1,13 +1,16 @@
 //! How many cells of each column of a table several hypotheses give.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
+use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, Series, Words};
 
 /// The columns of the table: their names, colours and marks.
-const COLUMNS: [(&str, Colour, Mark); 3] =
-    [("peaks", DRIVER, Mark::Disc), ("minima", FOLLOWER, Mark::Square), ("periods", RELATIVE, Mark::Diamond)];
+const COLUMNS: [(&str, Colour, MarkShape); 3] = [
+    ("peaks", DRIVER, MarkShape::Disc),
+    ("minima", FOLLOWER, MarkShape::Square),
+    ("periods", RELATIVE, MarkShape::Diamond),
+];
 /// Height of the strip of a hypothesis, in pixels, and from one column's line to the next as a part of it.
 const HEIGHT: f64 = 46.0;
 const PITCH: f64 = 0.25;
@@ -26,26 +29,29 @@ pub struct Count {
 /// A line goes from the cells that agree to the printed digit to those within one unit, where its mark is. `of` is how many a
 /// column has. Series: the number of the hypothesis, then exact and within one for each column.
 pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
-    let count = hypotheses.len().max(1);
+    let count = hypotheses.len();
     let numbers = || (1..=hypotheses.len()).map(|number| number as f64);
-    let x = Axis::from_zero(0.0, of as f64, 5.0);
+    let x = ChartAxis::from_zero(0.0, of as f64, 5.0);
     let ticks = x.ticks.iter().copied().filter(|mark| *mark < of as f64 - 2.0).chain([of as f64]).collect();
-    let x = Axis { range: -0.02 * of as f64..1.03 * of as f64, ticks, ..x }
+    let x = ChartAxis { range: -0.02 * of as f64..1.03 * of as f64, ticks, ..x }
         .titled(Label::words("cells right, of the column"));
-    let y = Axis::whole(count as f64 + 0.5..0.5, numbers()).without_grid().titled(Label::words("hypothesis"));
+    let y = ChartAxis::whole(count as f64 + 0.5..0.5, numbers()).without_grid().titled(Label::words("hypothesis"));
     let panel = Panel::new(HEIGHT * count as f64, &x, &y);
-    let mut panel = numbers().skip(1).fold(panel, |panel, number| panel.horizontal(number - 0.5, Stroke::edge()));
+    let mut panel = numbers().skip(1).fold(panel, |panel, number| panel.horizontal(number - 0.5, LineStyle::edge()));
     for (column, (_, colour, mark)) in COLUMNS.iter().enumerate() {
         let height = |row: usize| row as f64 + 1.0 + PITCH * (column as f64 - 1.0);
         for (row, counts) in hypotheses.iter().enumerate() {
             let ends = [counts[column].exact, counts[column].within_one].map(|cells| (cells as f64, height(row)));
-            panel = panel.curve(ends, Stroke::new(*colour).wide(2.0).class("cells"));
+            panel = panel.curve(ends, LineStyle::new(*colour).wide(2.0).class("cells"));
         }
         let marks = hypotheses.iter().enumerate().map(|(row, counts)| (counts[column].within_one as f64, height(row)));
         panel = panel.marks(marks, Marker::new(*colour, *mark));
     }
     let key = COLUMNS.map(|(name, colour, mark)| {
-        Entry::both((Stroke::new(colour).wide(2.0), Marker::new(colour, mark)), Label::words(name).in_colour(colour))
+        LegendEntry::curve_with_marks(
+            (LineStyle::new(colour).wide(2.0), Marker::new(colour, mark)),
+            Label::words(name).in_colour(colour),
+        )
     });
     let said = hypotheses.iter().enumerate().map(|(row, counts)| {
         let [peaks, minima, periods] = counts.map(|count| count.within_one);
@@ -85,14 +91,14 @@ pub fn columns(hypotheses: &[[Count; 3]], of: usize) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn, sound};
+    use crate::checks::{ParsedDrawing, assert_sound};
 
     #[test]
     fn marks_stand_farther_right_the_more_cells_are_right() {
         let of = |within_one: usize| [Count { exact: within_one / 2, within_one }; 3];
         let figure = columns(&[of(10), of(49), of(30)], 49);
-        sound(&figure);
-        let drawing = Drawing::of(&figure);
+        assert_sound(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         assert_eq!(["cells", "marks"].map(|class| drawing.count(class)), [9, 3]);
         let ends = [0, 1, 2].map(|row| drawing.path("cells", row)[1].x);
         assert!(ends[1] > ends[2] && ends[2] > ends[0], "{ends:?}");
@@ -100,6 +106,5 @@ mod tests {
             let line = drawing.path("cells", row);
             assert!(line[0].x < line[1].x && (line[0].y - line[1].y).abs() < 0.1);
         }
-        drawn(&columns(&[], 49));
     }
 }

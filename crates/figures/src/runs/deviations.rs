@@ -1,7 +1,7 @@
 //! How far the numbers of a table are from those that several hypotheses give.
 
-use super::agreement::Compared;
-use crate::chart::{Axis, Chart, Entry, Panel, Scale, Spot, Stroke, of_mechanism};
+use super::agreement::ComparedCells;
+use crate::chart::{AxisScale, Chart, ChartAxis, LegendEntry, LineStyle, Panel, Spot, of_mechanism};
 use crate::number::short;
 use crate::svg::Label;
 use crate::theme::FILL;
@@ -24,19 +24,23 @@ const SIZE: f64 = 5.0;
 /// A row for each hypothesis, in it a strip of marks for each mechanism, on one logarithmic axis, with the numbers that
 /// are off by one unit at most on a shaded ground and their count at the right. Series, a row for each cell: the
 /// number of the hypothesis, slots, printed and computed number.
-pub fn deviations(hypotheses: &[Compared]) -> Figure {
-    let count = hypotheses.len().max(1);
+///
+/// # Panics
+///
+/// Without a hypothesis.
+pub fn deviations(hypotheses: &[ComparedCells]) -> Figure {
+    let count = hypotheses.len();
     let numbers = || (1..=hypotheses.len()).map(|number| number as f64);
-    let x = Axis::new(Scale::Logarithmic, LEAST..GREATEST, vec![0.01, 0.1, 1.0, 10.0, 100.0, 1000.0], 2);
+    let x = ChartAxis::new(AxisScale::Logarithmic, LEAST..GREATEST, vec![0.01, 0.1, 1.0, 10.0, 100.0, 1000.0], 2);
     let x = x.titled(Label::words("off by, in units of the last printed place"));
     // The first at the top.
-    let y = Axis::whole(count as f64 + 0.5..0.5, numbers()).without_grid();
-    let total = hypotheses.first().map_or(0, |one| one.cells.len());
+    let y = ChartAxis::whole(count as f64 + 0.5..0.5, numbers()).without_grid();
+    let total = hypotheses[0].cells.len();
     let right = y.blank().titled(Label::words(&format!("of {total} within one unit")));
-    let panel = Panel::new(HEIGHT * count as f64, &x, &y.titled(Label::words("hypothesis"))).right(right);
-    let panel = panel.band(LEAST..1.0, FILL, "one-unit").vertical(1.0, Stroke::thin("unit"));
+    let panel = Panel::new(HEIGHT * count as f64, &x, &y.titled(Label::words("hypothesis"))).right_axis(right);
+    let panel = panel.band(LEAST..1.0, FILL, "one-unit").vertical(1.0, LineStyle::thin("unit"));
     let edges = numbers().skip(1).map(|number| number - 0.5);
-    let mut panel = edges.fold(panel, |panel, edge| panel.horizontal(edge, Stroke::edge()));
+    let mut panel = edges.fold(panel, |panel, edge| panel.horizontal(edge, LineStyle::edge()));
     for (strip, mechanism) in Mechanism::ALL.into_iter().enumerate() {
         let marker = of_mechanism(mechanism.slots()).1.sized(SIZE);
         panel = panel.marks(strips(hypotheses, strip, mechanism), marker);
@@ -47,7 +51,7 @@ pub fn deviations(hypotheses: &[Compared]) -> Figure {
     }
     let key = Mechanism::ALL.map(|mechanism| {
         let marker = of_mechanism(mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
+        LegendEntry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).in_colour(marker.colour))
     });
     let columns = [("hypothesis", "1"), ("slots", "1"), ("printed", "unit"), ("computed", "unit")];
     let rows = numbers().zip(hypotheses).flat_map(|(number, one)| {
@@ -61,7 +65,7 @@ fn off(cell: &ComparedCell) -> f64 {
 }
 
 /// The marks of a mechanism under all hypotheses: the number of the strip is that of the mechanism.
-fn strips(hypotheses: &[Compared], strip: usize, mechanism: Mechanism) -> Vec<(f64, f64)> {
+fn strips(hypotheses: &[ComparedCells], strip: usize, mechanism: Mechanism) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for (row, hypothesis) in hypotheses.iter().enumerate() {
         let own: Vec<_> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
@@ -75,7 +79,7 @@ fn strips(hypotheses: &[Compared], strip: usize, mechanism: Mechanism) -> Vec<(f
     points
 }
 
-fn words(hypotheses: &[Compared]) -> Words {
+fn words(hypotheses: &[ComparedCells]) -> Words {
     let said = hypotheses.iter().enumerate().map(|(number, one)| {
         let within = one.cells.iter().filter(|cell| cell.is_within_one()).count();
         let worst = one.cells.iter().map(off).fold(0.0, f64::max);
@@ -98,20 +102,20 @@ fn words(hypotheses: &[Compared]) -> Words {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn, sound};
+    use crate::checks::{ParsedDrawing, assert_drawn, assert_sound};
 
-    fn hypothesis(off: f64) -> Compared {
+    fn hypothesis(off: f64) -> ComparedCells {
         let cell = |mechanism| ComparedCell { mechanism, printed: 20.0, computed: 20.0 + off };
-        Compared { name: "one, two, three".to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
+        ComparedCells { name: "one, two, three".to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
     }
 
     #[test]
     fn marks_stand_as_far_from_one_unit_as_they_deviate() {
         let figure = deviations(&[10.0, -0.1, 0.0].map(hypothesis));
-        sound(&figure);
-        let drawing = Drawing::of(&figure);
+        assert_sound(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let unit = drawing.path("unit", 0)[0].x;
-        let marks = drawing.all("marks");
+        let marks = drawing.elements("marks");
         assert_eq!(marks.len(), 3);
         for mark in marks {
             let places = mark.attribute("d").expect("a path").split('M').skip(1);
@@ -130,9 +134,9 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_far_too_much_are_drawn() {
-        for some in [vec![], vec![hypothesis(0.0)], vec![hypothesis(1e9)]] {
-            drawn(&deviations(&some));
+    fn exact_and_far_off_numbers_are_drawn() {
+        for off in [0.0, 1e9] {
+            assert_drawn(&deviations(&[hypothesis(off)]));
         }
     }
 }

@@ -14,16 +14,17 @@ mod speeds;
 #[cfg(test)]
 mod tests;
 
-pub use agreement::{Compared, agreement, one_agreement};
+pub use agreement::{ComparedCells, agreement, one_agreement};
 pub use aliasing::aliasing;
 pub use columns::{Count, columns};
 pub use deviations::deviations;
-pub use lags::{Lag, lags};
+pub use lags::{LagLikelihood, lags};
 pub use over_torque::over_torque;
 pub use reset_angle::{Scan, reset_angle};
 pub use speeds::{first_minimum, speeds};
 
 use crate::error::FigureError;
+use crate::number::extent;
 use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
@@ -34,7 +35,7 @@ const TOLERANCE: f64 = 1e-10;
 
 /// What a table gives for one run. In one system of units; speeds in radians per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Run {
+pub struct PrintedRun {
     /// Coefficient of friction.
     pub friction: f64,
     /// Torque on the driver.
@@ -51,7 +52,7 @@ pub struct Run {
 
 /// The runs of one mechanism, and what they were computed with.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct MechanismRuns {
     /// Pins, slots and centre distance.
     pub mechanism: Mechanism,
     /// Moments of inertia.
@@ -59,14 +60,14 @@ pub struct Group {
     /// Angle in radians after which the driver's angle is reset to the start of an engagement.
     pub reset: f64,
     /// The runs.
-    pub runs: Vec<Run>,
+    pub runs: Vec<PrintedRun>,
 }
 
-impl Group {
+impl MechanismRuns {
     /// The printed runs of a mechanism, with the inertias and the reset angle that a hypothesis gives them. None without rows.
-    pub fn of(hypothesis: &Hypothesis, rows: &[Row]) -> Option<Self> {
+    pub fn from_rows(hypothesis: &Hypothesis, rows: &[Row]) -> Option<Self> {
         let first = rows.first()?;
-        let run = |row: &Row| Run {
+        let run = |row: &Row| PrintedRun {
             friction: row.friction(),
             torque: row.torque(),
             peak: row.number(Column::Peak),
@@ -103,8 +104,7 @@ impl Group {
     }
 
     /// The least and the greatest of a value.
-    fn range(&self, value: fn(&Run) -> f64) -> [f64; 2] {
-        let values = || self.runs.iter().map(value);
-        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    fn range(&self, value: fn(&PrintedRun) -> f64) -> [f64; 2] {
+        extent(self.runs.iter().map(value))
     }
 }

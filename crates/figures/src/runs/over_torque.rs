@@ -1,8 +1,8 @@
 //! Terminal speed over the torque, for several frictions.
 
-use super::{Group, Run};
-use crate::chart::{Axis, Chart, Entry, Panel, of_mechanism};
-use crate::number::{count_word, degrees, fixed, significant};
+use super::{MechanismRuns, PrintedRun};
+use crate::chart::{Chart, ChartAxis, LegendEntry, Panel, of_mechanism};
+use crate::number::{count_word, degrees, extent, format_fixed, significant};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::steady::Engagement;
@@ -31,7 +31,7 @@ fn mean_of_extremes(engagement: &Engagement) -> Result<f64, FigureError> {
 /// # Errors
 ///
 /// [`FigureError`] if a friction is too great for the mechanism, or zero, or if there is no run.
-pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
+pub fn over_torque(group: &MechanismRuns) -> Result<Figure, FigureError> {
     let [least, greatest] = group.range(|run| run.torque);
     let mut families = Vec::new();
     for friction in group.frictions() {
@@ -42,20 +42,20 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
         return Err(FigureError::Nothing);
     }
     let room = room(least, greatest);
-    let x = Axis::spanning(least - room, greatest + room, 3.0);
+    let x = ChartAxis::spanning(least - room, greatest + room, 3.0);
     let unit = ((greatest + room) / group.inertias.follower()).sqrt();
     let ends = families.iter().flat_map(|one| [Some(one.as_run), one.as_is]).flatten().map(|scaled| scaled * unit);
-    let y = Axis::from_zero(0.0, group.runs.iter().map(mean).chain(ends).fold(0.0, f64::max), 3.0);
+    let y = ChartAxis::from_zero(0.0, group.runs.iter().map(mean).chain(ends).fold(0.0, f64::max), 3.0);
     let panels: Vec<Panel> = (1..).zip(&families).map(|(number, one)| panel(group, one, number, &x, &y)).collect();
     let (stroke, marker) = of_mechanism(group.mechanism.slots());
     let as_run = stroke.wide(2.4).undashed();
-    let mut key = vec![Entry::marks([marker], Label::words("printed"))];
+    let mut key = vec![LegendEntry::marks([marker], Label::words("printed"))];
     match group.own_reset() {
         Some(own) => key.extend([
-            Entry::curve(as_run, Label::words(&format!("as run, reset after {}", degrees(group.reset)))),
-            Entry::curve(as_run.dashed(DASHES), Label::words(&format!("mechanism, after {}", degrees(own)))),
+            LegendEntry::curve(as_run, Label::words(&format!("as run, reset after {}", degrees(group.reset)))),
+            LegendEntry::curve(as_run.dashed(DASHES), Label::words(&format!("mechanism, after {}", degrees(own)))),
         ]),
-        None => key.push(Entry::curve(as_run, Label::words("computed"))),
+        None => key.push(LegendEntry::curve(as_run, Label::words("computed"))),
     }
     let means = all_means(group, &families);
     let words = words(group, families.len(), &means);
@@ -74,12 +74,12 @@ fn room(least: f64, greatest: f64) -> f64 {
 }
 
 /// The curves of a friction, and its runs.
-fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> Panel {
+fn panel(group: &MechanismRuns, family: &Family, number: usize, x: &ChartAxis, y: &ChartAxis) -> Panel {
     let speed = |scaled: f64, torque: f64| scaled * (torque / group.inertias.follower()).sqrt();
     let frictions = group.frictions().len();
     let last = number + COLUMNS > frictions;
     let x = if last { x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in·lb")) } else { x.clone() };
-    let title = Label::symbol("μ").and(&format!(" = {}: speed in rad/s", fixed(family.friction, 2)));
+    let title = Label::symbol("μ").and(&format!(" = {}: speed in rad/s", format_fixed(family.friction, 2)));
     let [least, greatest] = group.range(|run| run.torque);
     let room = room(least, greatest);
     let (from, to) = (least - room, greatest + room);
@@ -100,20 +100,20 @@ fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> P
 }
 
 /// Meyer 1973, chapter II: the average terminal velocity.
-fn mean(run: &Run) -> f64 {
+fn mean(run: &PrintedRun) -> f64 {
     f64::midpoint(run.peak, run.minimum)
 }
 
 /// Means of a run: as printed, with the runs' reset angle, and with the mechanism's.
 struct Means<'a> {
-    run: &'a Run,
+    run: &'a PrintedRun,
     printed: f64,
     as_run: f64,
     as_is: f64,
 }
 
-fn all_means<'a>(group: &'a Group, families: &[Family]) -> Vec<Means<'a>> {
-    let means = |run: &'a Run| {
+fn all_means<'a>(group: &'a MechanismRuns, families: &[Family]) -> Vec<Means<'a>> {
+    let means = |run: &'a PrintedRun| {
         let family = families.iter().find(|family| family.friction == run.friction)?;
         let unit = (run.torque / group.inertias.follower()).sqrt();
         let as_is = family.as_is.unwrap_or(family.as_run);
@@ -135,12 +135,12 @@ fn series(means: &[Means<'_>]) -> Series {
     )
 }
 
-fn words(group: &Group, frictions: usize, means: &[Means<'_>]) -> Words {
+fn words(group: &MechanismRuns, frictions: usize, means: &[Means<'_>]) -> Words {
     let pins = group.mechanism.pins();
     let name = count_word(pins);
     let spread = |under: fn(&Means<'_>) -> f64| {
         let quotients = || means.iter().map(|run| run.printed / under(run));
-        [quotients().fold(f64::INFINITY, f64::min), quotients().fold(0.0, f64::max)].map(|of| significant(of, 3))
+        extent(quotients()).map(|of| significant(of, 3))
     };
     let [low, high] = spread(|means| means.as_run);
     let as_is = if group.own_reset().is_some() {
@@ -151,8 +151,8 @@ fn words(group: &Group, frictions: usize, means: &[Means<'_>]) -> Words {
     };
     let inertias = format!(
         "{pins} pins; the driver's inertia is {} · 10⁻⁶ in lb s², and the follower's is {} · 10⁻⁶ in lb s².",
-        fixed(1e6 * group.inertias.driver(), 0),
-        fixed(1e6 * group.inertias.follower(), 0)
+        format_fixed(1e6 * group.inertias.driver(), 0),
+        format_fixed(1e6 * group.inertias.follower(), 0)
     );
     let says = match group.own_reset() {
         Some(_) => format!(
@@ -187,25 +187,26 @@ fn words(group: &Group, frictions: usize, means: &[Means<'_>]) -> Words {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, columns, sound};
+    use crate::checks::{ParsedDrawing, assert_sound, columns};
     use geneva_dynamics::Inertias;
     use geneva_kinematics::Mechanism;
     use std::f64::consts::FRAC_PI_2;
 
-    fn group(mechanism: Mechanism, runs: Vec<Run>) -> Group {
-        Group { mechanism, inertias: Inertias::new(1.0, 2.0).expect("sound"), reset: FRAC_PI_2, runs }
+    fn group(mechanism: Mechanism, runs: Vec<PrintedRun>) -> MechanismRuns {
+        MechanismRuns { mechanism, inertias: Inertias::new(1.0, 2.0).expect("sound"), reset: FRAC_PI_2, runs }
     }
 
-    fn run(friction: f64, torque: f64) -> Run {
-        Run { friction, torque, peak: 1.5, minimum: 0.5, rise: 5.0, period: 1.0 }
+    fn run(friction: f64, torque: f64) -> PrintedRun {
+        PrintedRun { friction, torque, peak: 1.5, minimum: 0.5, rise: 5.0, period: 1.0 }
     }
 
     #[test]
     fn speeds_go_with_the_root_of_the_torque() {
-        let runs: Vec<Run> = [0.25, 0.5].into_iter().flat_map(|mu| [1.0, 4.0].map(|torque| run(mu, torque))).collect();
+        let runs: Vec<PrintedRun> =
+            [0.25, 0.5].into_iter().flat_map(|mu| [1.0, 4.0].map(|torque| run(mu, torque))).collect();
         for mechanism in Mechanism::ALL {
             let figure = over_torque(&group(mechanism, runs.clone())).expect("drawn");
-            sound(&figure);
+            assert_sound(&figure);
             for pair in columns(&figure.series, ["mu", "K", "as run", "as is"]).chunks(2) {
                 let ([_, _, slow_as_run, slow_as_is], [friction, torque, as_run, as_is]) = (pair[0], pair[1]);
                 approx::assert_relative_eq!(as_run, 2.0 * slow_as_run, max_relative = 1e-12);
@@ -215,7 +216,7 @@ mod tests {
                 let steady = own.steady_state().expect("steady");
                 approx::assert_relative_eq!(as_run, steady.mean_of_extremes(), max_relative = 1e-9);
             }
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let curves = ["as-run", "as-is"].map(|class| drawing.count(class));
             assert_eq!(curves, if mechanism == Mechanism::FOUR_PIN { [2, 0] } else { [2, 2] });
         }

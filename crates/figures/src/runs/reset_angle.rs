@@ -1,6 +1,6 @@
 //! How many printed numbers come out, over the angle after which the program resets the driver.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Scale, Stroke, of_mechanism};
+use crate::chart::{AxisScale, Chart, ChartAxis, LegendEntry, LineStyle, Panel, of_mechanism};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Mechanism;
@@ -19,20 +19,24 @@ pub struct Scan {
 /// The counts over the reset angle, a curve for each mechanism, which all have the same angles.
 ///
 /// Series: the reset angle in degrees, and the count of each mechanism in the order given.
+///
+/// # Panics
+///
+/// Without a mechanism or without an angle.
 pub fn reset_angle(scans: &[Scan]) -> Figure {
-    let angles: Vec<f64> = scans.first().map_or_else(Vec::new, |scan| scan.counts.iter().map(|(at, _)| *at).collect());
-    let range = angles.first().copied().unwrap_or(0.0)..angles.last().copied().unwrap_or(1.0);
-    let most = scans.iter().map(|scan| scan.cells).max().unwrap_or(1) as f64;
-    let x = Axis::new(Scale::Linear, range.clone(), tens(range.start, range.end), 0);
+    let angles: Vec<f64> = scans[0].counts.iter().map(|(at, _)| *at).collect();
+    let range = angles[0]..angles[angles.len() - 1];
+    let most = scans.iter().map(|scan| scan.cells as f64).fold(0.0, f64::max);
+    let x = ChartAxis::new(AxisScale::Linear, range.clone(), tens(range.start, range.end), 0);
     let x = x.titled(Label::words("reset angle of the program, in degrees"));
-    let y = Axis::new(Scale::Linear, 0.0..1.05 * most, tens(0.0, most), 0);
+    let y = ChartAxis::new(AxisScale::Linear, 0.0..1.05 * most, tens(0.0, most), 0);
     let y = y.titled(Label::words("printed numbers within one unit"));
     let panel = scans.iter().fold(Panel::new(300.0, &x, &y), |panel, scan| {
         panel.curve(scan.counts.iter().map(|(at, count)| (*at, *count as f64)), stroke(scan.mechanism))
     });
     let key = scans.iter().map(|scan| {
         let name = Label::words(&format!("{} pins, of {}", scan.mechanism.pins(), scan.cells));
-        Entry::curve(stroke(scan.mechanism), name)
+        LegendEntry::curve(stroke(scan.mechanism), name)
     });
     let best: Vec<String> = scans.iter().map(best_angles).collect();
     let words = Words::new(
@@ -54,14 +58,14 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
     let columns = std::iter::once(("reset".to_owned(), "deg"))
         .chain(scans.iter().map(|scan| (format!("{} pins", scan.mechanism.pins()), "1")));
     let row = |(at, angle): (usize, &f64)| {
-        let counts = scans.iter().map(|scan| scan.counts.get(at).map_or(f64::NAN, |(_, count)| *count as f64));
+        let counts = scans.iter().map(|scan| scan.counts[at].1 as f64);
         std::iter::once(*angle).chain(counts).collect()
     };
     let rows = angles.iter().enumerate().map(row).collect();
     Chart::new([panel]).key(key).figure(words, Series::of_columns(columns, rows))
 }
 
-fn stroke(mechanism: Mechanism) -> Stroke {
+fn stroke(mechanism: Mechanism) -> LineStyle {
     of_mechanism(mechanism.slots()).0
 }
 
@@ -81,7 +85,7 @@ fn tens(from: f64, to: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::sound;
+    use crate::checks::assert_sound;
 
     #[test]
     fn the_angle_with_most_numbers_is_told() {
@@ -91,7 +95,7 @@ mod tests {
             counts: (60..=120).map(|at| (f64::from(at), 40 - best.abs_diff(at).min(40) as usize)).collect(),
         };
         let figure = reset_angle(&[scan(Mechanism::SIX_PIN, 70), scan(Mechanism::THREE_PIN, 90)]);
-        sound(&figure);
+        assert_sound(&figure);
         assert!(figure.caption.contains("40 of 48 with 6 pins, at 70°"), "{}", figure.caption);
         // Two angles that do equally well are both told.
         let tie = Scan { mechanism: Mechanism::SIX_PIN, cells: 48, counts: vec![(89.5, 47), (90.0, 47), (90.5, 44)] };

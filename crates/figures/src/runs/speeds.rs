@@ -1,7 +1,7 @@
 //! Speeds of driver and follower over time, from rest.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
-use crate::number::{fixed, significant};
+use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{format_fixed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -53,26 +53,26 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
     let ms = |time: f64| 1000.0 * time;
     let least = rows.iter().map(|row| row[2]).fold(0.0, f64::min);
     let most = rows.iter().flat_map(|row| [row[1], row[2]]).fold(steady.peak.speed, f64::max);
-    let y = Axis::from_zero(if least < -1e-3 * most { least } else { 0.0 }, most, 5.0);
-    let steps = Axis::from_zero(0.0, ms(duration) / 1.04, 5.0);
+    let y = ChartAxis::from_zero(if least < -1e-3 * most { least } else { 0.0 }, most, 5.0);
+    let steps = ChartAxis::from_zero(0.0, ms(duration) / 1.04, 5.0);
     let ticks = steps.ticks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
-    let x = Axis { range: 0.0..ms(duration), ticks, ..steps };
+    let x = ChartAxis { range: 0.0..ms(duration), ticks, ..steps };
     let column = |k: usize| rows.iter().map(move |row| (ms(row[0]), row[k]));
-    let follower = Stroke::new(FOLLOWER).wide(2.2).dashed("7 4").class("follower");
-    let driver = Stroke::new(DRIVER).class("driver");
-    let minimum = Marker::new(INK, Mark::Ring).sized(12.0).class("first-minimum");
+    let follower = LineStyle::new(FOLLOWER).wide(2.2).dashed("7 4").class("follower");
+    let driver = LineStyle::new(DRIVER).class("driver");
+    let minimum = Marker::new(INK, MarkShape::Ring).sized(12.0).class("first-minimum");
     let panel =
         Panel::new(366.0, &x.titled(Label::words("time from rest in ms")), &y.titled(Label::words("speeds in rad/s")))
-            .horizontal(0.0, Stroke::thin("zero"))
+            .horizontal(0.0, LineStyle::thin("zero"))
             .curve(column(2), follower)
             .curve(column(1), driver)
             .marks([(ms(first), first_speed)], minimum);
     let symbol =
-        |name: &str, letter: &str, stroke: &Stroke| Label::words(name).and_rate(letter, 1).in_colour(stroke.colour);
+        |name: &str, letter: &str, stroke: &LineStyle| Label::words(name).and_rate(letter, 1).in_colour(stroke.colour);
     let key = [
-        Entry::curve(driver, symbol("driver ", "θ", &driver)),
-        Entry::curve(follower, symbol("follower ", "φ", &follower).and(", in its own sense")),
-        Entry::marks([minimum], Label::words(&format!("first minimum, after {} ms", fixed(ms(first), 1)))),
+        LegendEntry::curve(driver, symbol("driver ", "θ", &driver)),
+        LegendEntry::curve(follower, symbol("follower ", "φ", &follower).and(", in its own sense")),
+        LegendEntry::marks([minimum], Label::words(&format!("first minimum, after {} ms", format_fixed(ms(first), 1)))),
     ];
     let greatest = rows.iter().map(|row| row[2]).fold(0.0, f64::max);
     let words = Words::new(
@@ -86,7 +86,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             significant(steady.minimum.speed, 3),
             significant(steady.peak.speed, 3),
             significant(greatest, 3),
-            fixed(ms(first), 1)
+            format_fixed(ms(first), 1)
         ),
         format!(
             "A run from rest. The driver slows down while it speeds the follower up, and speeds up again as the \

@@ -2,7 +2,7 @@
 
 use super::{aliasing, first_minimum, speeds};
 use crate::FigureError;
-use crate::checks::{Drawing, columns, sound};
+use crate::checks::{ParsedDrawing, assert_sound, columns};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -19,7 +19,7 @@ fn printed_peaks_are_below_the_true_ones_and_swing() {
         let steady = one.steady_state().expect("steady");
         let (interval, duration) = (steady.period / 61.7, 9.3 * steady.period);
         let figure = aliasing(&one, interval, duration).expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         let rows = columns(&figure.series, ["peak true", "t printed", "peak printed"]);
         assert!(rows.len() >= 7, "{} engagements", rows.len());
         for [peak, time, printed] in &rows {
@@ -49,7 +49,7 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
         let one = engagement(mechanism, 0.25);
         let figure = speeds(&one, "Made up.");
         let figure = figure.expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         assert!(figure.caption.ends_with("Made up."));
         let rise = one.rise(1e-9).expect("steady");
         // φ' is never negative: the pins keep the sense.
@@ -64,7 +64,7 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
         };
         let period = rise.steady.period;
         assert!(around(first - 0.1 * period, first + 0.1 * period) >= speed * (1.0 - 1e-6));
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let duration = rise.cycles[0].end + 4.0 * period;
         let frame = drawing.path("zero", 0);
         let share = (drawing.centre("first-minimum").x - frame[0].x) / (frame[1].x - frame[0].x);

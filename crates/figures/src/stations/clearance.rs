@@ -1,7 +1,7 @@
 //! Do wheel and driver, as they are drawn, keep clear of each other all the way round?
 
 use super::driver::Driver;
-use super::pose::Bodies;
+use super::pose::WheelPose;
 use crate::checks::{corners, depth};
 use crate::star::Star;
 use crate::svg::View;
@@ -35,7 +35,7 @@ fn check(stations: u32, pins: u32) {
     let driver = Driver::of_wheel(&wheel, &star);
     let view = View { origin: Vector2::zeros(), scale: SCALE };
     let body = outline(star.outline(0.0, &view).data());
-    let crank = Bodies::crank_direction(0.0);
+    let crank = WheelPose::crank_direction(0.0);
     let locking_disc = driver.locking_disc_outline(crank, &view).map(|path| outline(path.data())).unwrap_or_default();
     let centres = Vector2::new(star.centre, 0.0);
     for k in -POSITIONS..=POSITIONS {

@@ -1,6 +1,7 @@
 //! Why a crescent about the wheel's axis bites: how far a horn's tip stays from it, and from the one that is cut instead.
 
-use crate::chart::{Axis, Chart, Panel, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel};
+use crate::number::extent;
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -38,18 +39,18 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
         }
     }
     let gaps = || rows.iter().flat_map(|row| [row[1], row[2]]);
-    let (least, most) = (gaps().fold(0.0, f64::min), gaps().fold(0.0, f64::max));
-    let x =
-        Axis::of_angles(0.0, end.to_degrees(), STEPS).titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
-    let y = Axis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));
+    let [least, most] = extent(gaps().chain([0.0]));
+    let x = ChartAxis::of_angles(0.0, end.to_degrees(), STEPS)
+        .titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
+    let y = ChartAxis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
-    let (bites, passes) = (Stroke::new(DRIVER).wide(2.0).dashed("8 6"), Stroke::new(RELATIVE).wide(2.0));
+    let (bites, passes) = (LineStyle::new(DRIVER).wide(2.0).dashed("8 6"), LineStyle::new(RELATIVE).wide(2.0));
     let panel = Panel::new(HEIGHT, &x, &y)
         .curve(points(1), bites)
         .curve(points(2), passes)
-        .horizontal(0.0, Stroke::new(INK))
-        .near(points(1), -FRAC_PI_4, Label::words("arc about the wheel’s axis").in_colour(bites.colour))
-        .near(points(2), 3.0 * FRAC_PI_4, Label::words("the crescent of the drawing").in_colour(passes.colour));
+        .horizontal(0.0, LineStyle::new(INK))
+        .name_near(points(1), -FRAC_PI_4, Label::words("arc about the wheel’s axis").in_colour(bites.colour))
+        .name_near(points(2), 3.0 * FRAC_PI_4, Label::words("the crescent of the drawing").in_colour(passes.colour));
     let words = Words::new(
         "wheel-crescent",
         format!("Gap between a horn's tip and the crescent, {} stations", sizes.wheel.stations()),
@@ -70,7 +71,7 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::drawn;
+    use crate::checks::assert_drawn;
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};
 
     #[test]
@@ -79,7 +80,7 @@ mod tests {
             let wheel = Wheel::new(stations).expect("possible");
             let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
             let figure = crescent(&sizes).expect("drawn");
-            drawn(&figure);
+            assert_drawn(&figure);
             let least = |column: usize| figure.series.rows.iter().map(|row| row[column]).fold(f64::INFINITY, f64::min);
             assert!(least(1) < 0.0, "{stations}: {}", least(1));
             // The clearance is of the whole outlines, by another way.

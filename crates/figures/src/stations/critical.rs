@@ -1,9 +1,9 @@
 //! The geometry of entry: the right angle at the pin, from which all sizes follow.
 
-use super::pose::{Bodies, Margins};
+use super::pose::{WheelMargins, WheelPose};
 use crate::number::{degrees, significant};
 use crate::parts::{self, WIDTH, arc, dimension, part, pin_circle, right_angle};
-use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, heading};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -11,7 +11,7 @@ use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const MARGINS: Margins = Margins { left: 30.0, right: 30.0, above: 80.0, below: 44.0 };
+const MARGINS: WheelMargins = WheelMargins { left: 30.0, right: 30.0, above: 80.0, below: 44.0 };
 /// From the top of the page to the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 50.0;
 
@@ -23,7 +23,7 @@ const SMALL: f64 = 80.0;
 /// Lengths are labelled in crank radii: centre distance 1 / sin α, the wheel's radius 1 / tan α, crank 1; angles: α at
 /// the wheel's axis, π/2 − α at the driver's, 2α between two slots. Series: N, α, π/2 − α, the three lengths.
 pub fn critical_geometry(wheel: &Wheel) -> Figure {
-    let bodies = Bodies::new(wheel, WIDTH, MARGINS);
+    let bodies = WheelPose::new(wheel, WIDTH, MARGINS);
     let (alpha, theta) = (wheel.half_pitch_angle(), wheel.engagement_half_angle());
     let pin = bodies.pin(-theta);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
@@ -60,10 +60,10 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
         "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at the pin. In crank \
          radii, the centre distance is 1 / sin α and the wheel's radius 1 / tan α.",
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
-fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
+fn triangle(canvas: &mut Canvas, at: &WheelPose, alpha: f64, pin: &Pixels) {
     let next = at.on_wheel(at.star.rim + 14.0 / at.view.scale, alpha);
     canvas.draw(Shape::line(&at.pivot, &next).stroke(FOLLOWER, 1.5).dashed(DASHED).class("next-slot"));
     let sides = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
@@ -74,7 +74,7 @@ fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
     parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
 
-fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels) {
+fn angles(canvas: &mut Canvas, at: &WheelPose, alpha: f64, theta: f64, pin: &Pixels) {
     let scale = at.view.scale;
     let side = 0.1 * scale + at.driver.pin * scale;
     right_angle(canvas, pin, &(at.pivot - pin), &(at.axis - pin), side);
@@ -101,7 +101,7 @@ fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels
     }
 }
 
-fn lengths(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels) {
+fn lengths(canvas: &mut Canvas, at: &WheelPose, alpha: f64, theta: f64, pin: &Pixels) {
     let up = Vector2::new(0.0, DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &up);
     canvas.label(&middle, &Vector2::new(0.0, -1.0), 18.0, &Label::words("1 / sin ").and_symbol("α"));

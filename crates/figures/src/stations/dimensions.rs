@@ -1,10 +1,10 @@
 //! Wheel and driver in their true size, with dimensions in millimetres.
 
-use super::pose::counted;
+use super::pose::count_noun;
 use crate::figure::Figure;
-use crate::number::{trimmed, with_minus_sign};
+use crate::number::{format_trimmed, with_minus_sign};
 use crate::parts::{self, axis};
-use crate::svg::{Canvas, DASHED, Kind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, GRID, INK, PAPER};
 use crate::{Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -39,7 +39,7 @@ const TOUCHING: f64 = 1e-6;
 /// Dimensions along the line of centres stand above and below; what has no room there is listed. Series: the same
 /// numbers, in millimetres.
 pub fn dimensions(sizes: &Sizes) -> Figure {
-    drawn(sizes, PIXELS_PER_MILLIMETRE, Kind::TrueSize)
+    draw_at_scale(sizes, PIXELS_PER_MILLIMETRE, DrawingKind::TrueSize)
 }
 
 /// Wheel and driver as large as a page has room for.
@@ -47,11 +47,11 @@ pub fn dimensions(sizes: &Sizes) -> Figure {
 /// Only the dimensions along the line of centres are in the drawing. Series: as of [`dimensions`].
 pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
     let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
-    drawn(sizes, ON_A_PAGE / length, Kind::Mechanism)
+    draw_at_scale(sizes, ON_A_PAGE / length, DrawingKind::Mechanism)
 }
 
-fn drawn(sizes: &Sizes, scale: f64, kind: Kind) -> Figure {
-    let is_true = matches!(kind, Kind::TrueSize);
+fn draw_at_scale(sizes: &Sizes, scale: f64, kind: DrawingKind) -> Figure {
+    let is_true = matches!(kind, DrawingKind::TrueSize);
     let (c, reach) = (sizes.centre_distance, sizes.plate_radius);
     let (above, below) = along(sizes);
     let (above, below) = (Rows::of(above, scale), Rows::of(below, scale));
@@ -76,21 +76,26 @@ fn drawn(sizes: &Sizes, scale: f64, kind: Kind) -> Figure {
     for (k, (name, value)) in in_drawing.iter().enumerate() {
         let (column, line) = (k / lines, k % lines);
         let at = Pixels::new(MARGIN + COLUMN * column as f64, words + LINE * (line as f64 + 0.5));
-        canvas.label(&at, &Pixels::new(1.0, 0.0), 0.0, &Label::words(&format!("{name} {}", trimmed(*value, DIGITS))));
+        canvas.label(
+            &at,
+            &Pixels::new(1.0, 0.0),
+            0.0,
+            &Label::words(&format!("{name} {}", format_trimmed(*value, DIGITS))),
+        );
     }
 
-    let (stations, pins) = (sizes.wheel.stations(), counted(sizes.wheel.pins(), "pin"));
+    let (stations, pins) = (sizes.wheel.stations(), count_noun(sizes.wheel.pins(), "pin"));
     let words = Words::new(
         "wheel-dimensions",
         format!("Geneva wheel with {stations} stations and {pins}{}", if is_true { ", in true size" } else { "" }),
         with_minus_sign(&format!(
             "At the left the wheel, at the right the driver with a pin deepest in its slot{}. Centre distance {} mm, crank radius {} mm, wheel radius {} mm; slots {} mm wide, pins {} mm in diameter.",
             if is_true { ", to be printed in true size" } else { "" },
-            trimmed(c, DIGITS),
-            trimmed(sizes.crank_radius, DIGITS),
-            trimmed(sizes.wheel_radius, DIGITS),
-            trimmed(sizes.slot_width, DIGITS),
-            trimmed(sizes.pin_diameter, DIGITS)
+            format_trimmed(c, DIGITS),
+            format_trimmed(sizes.crank_radius, DIGITS),
+            format_trimmed(sizes.wheel_radius, DIGITS),
+            format_trimmed(sizes.slot_width, DIGITS),
+            format_trimmed(sizes.pin_diameter, DIGITS)
         )),
         if is_true {
             "Wheel and driver in true size; lengths in millimetres. The plate turns behind the wheel."
@@ -120,7 +125,7 @@ impl Dimension {
             "centre distance" => "l",
             _ => "",
         };
-        Label::words(&format!("{} {}", self.name, trimmed(self.to - self.from, DIGITS))).of_part(letter)
+        Label::words(&format!("{} {}", self.name, format_trimmed(self.to - self.from, DIGITS))).of_part(letter)
     }
 }
 
@@ -250,8 +255,9 @@ fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
     let axis_at = Vector2::new(sizes.centre_distance, 0.0);
     let driver = |face: &Face| face.transform(PI, axis_at);
     let face = |canvas: &mut Canvas, face: &Face, fill: Colour, line: Colour, opacity: &str, class: &'static str| {
-        let shape = Shape::path(path(face.loops(), view)).fill(fill).with("fill-opacity", opacity).stroke(line, 1.5);
-        canvas.draw(shape.with("fill-rule", "evenodd").with("stroke-linejoin", "round").class(class));
+        let shape =
+            Shape::path(path(face.loops(), view)).fill(fill).attribute("fill-opacity", opacity).stroke(line, 1.5);
+        canvas.draw(shape.attribute("fill-rule", "evenodd").attribute("stroke-linejoin", "round").class(class));
     };
     face(canvas, &driver(&outline.plate), DRIVER, DRIVER, "0.1", "plate");
     face(canvas, &outline.wheel, FILL, FOLLOWER, "1", "wheel");
@@ -282,7 +288,12 @@ fn path<'a>(loops: impl Iterator<Item = &'a Loop>, view: &View) -> Path {
                 (1..=halves).fold(path, |path, half| {
                     let part = sweep / f64::from(halves);
                     let arc = Edge::Arc { centre, radius, start, sweep: part * f64::from(half) };
-                    path.arc(radius * view.scale, part.abs() > PI, Sense::of(sweep), &view.place(&arc.end_point()))
+                    path.arc(
+                        radius * view.scale,
+                        part.abs() > PI,
+                        Sense::from_rate(sweep),
+                        &view.place(&arc.end_point()),
+                    )
                 })
             }
         });
@@ -293,7 +304,7 @@ fn path<'a>(loops: impl Iterator<Item = &'a Loop>, view: &View) -> Path {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn};
+    use crate::checks::{ParsedDrawing, assert_drawn};
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};
 
     fn sizes(stations: u32, pins: u32, a: f64) -> Sizes {
@@ -307,7 +318,7 @@ mod tests {
         {
             let sizes = sizes(stations, pins, a);
             let figure = dimensions(&sizes);
-            drawn(&figure);
+            assert_drawn(&figure);
             let document = roxmltree::Document::parse(&figure.svg).expect("well-formed");
             let root = document.root_element();
             let millimetres = |name: &str| -> f64 {
@@ -317,14 +328,14 @@ mod tests {
                 root.attribute("viewBox").expect("there").split(' ').map(|x| x.parse().expect("a number")).collect();
             let scale = millimetres("width") / view[2];
             approx::assert_relative_eq!(scale, millimetres("height") / view[3], max_relative = 1e-4);
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let near = |read: f64, size: f64| assert!((read * scale - size).abs() < 0.01, "{} {size}", read * scale);
             near(drawing.number("pin-circle", "r"), sizes.crank_radius);
             near(drawing.length("line-of-centres"), sizes.centre_distance);
             let [pivot, centre] = drawing.line("line-of-centres");
             // Outlines read back: of the outermost loop the farthest and the nearest point.
             let farthest = |class: &str, from: &Vector2<f64>| {
-                let node = &drawing.all(class)[0];
+                let node = &drawing.elements(class)[0];
                 let data = node.attribute("d").expect("a path").split('Z').next().expect("a loop").trim().to_owned();
                 crate::checks::corners(&data, 0.02).iter().map(|p| (p - from).norm()).fold(0.0, f64::max)
             };
@@ -335,7 +346,7 @@ mod tests {
             }
             assert_eq!(drawing.count("pin") as u32, pins);
             let texts = drawing.texts();
-            let said = format!("centre distance {}", trimmed(sizes.centre_distance, DIGITS));
+            let said = format!("centre distance {}", format_trimmed(sizes.centre_distance, DIGITS));
             assert!(texts.contains(&said), "{texts:?}");
             assert_eq!(texts.len(), figure.series.columns.len() + 1);
         }

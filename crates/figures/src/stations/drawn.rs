@@ -2,7 +2,7 @@
 
 use super::{critical_geometry, extremes, indexing, mechanism, model, motion};
 use crate::FigureError;
-use crate::checks::{Drawing, PIXELS, columns, drawn};
+use crate::checks::{PIXELS, ParsedDrawing, assert_drawn, columns};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 
@@ -14,12 +14,12 @@ fn wheels() -> Vec<Wheel> {
 #[test]
 fn every_wheel_is_drawn_light_and_in_true_numbers() {
     for wheel in wheels() {
-        [mechanism(&wheel), critical_geometry(&wheel), indexing(&wheel), motion(&wheel)].iter().for_each(drawn);
+        [mechanism(&wheel), critical_geometry(&wheel), indexing(&wheel), motion(&wheel)].iter().for_each(assert_drawn);
         for share in [-1.0, -0.4, 0.0, 0.7, 1.0] {
-            drawn(&model(&wheel, share * wheel.engagement_half_angle()).expect("engaged"));
+            assert_drawn(&model(&wheel, share * wheel.engagement_half_angle()).expect("engaged"));
         }
     }
-    [3..=18, 3..=60, 5..=5, 0..=2].into_iter().for_each(|range| drawn(&extremes(range)));
+    [3..=18, 3..=60, 5..=5, 0..=2].into_iter().for_each(|range| assert_drawn(&extremes(range)));
 }
 
 #[test]
@@ -33,7 +33,7 @@ fn the_triangles_are_to_scale() {
     for wheel in wheels() {
         let (l, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
         let figure = model(&wheel, 0.6 * wheel.engagement_half_angle()).expect("engaged");
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let crank = drawing.number("pin-circle", "r");
         assert!((drawing.length("side-R") - crank).abs() < PIXELS);
         assert!((drawing.length("side-l") - l * crank).abs() < PIXELS + 0.01 * l);
@@ -42,7 +42,7 @@ fn the_triangles_are_to_scale() {
         );
 
         let figure = critical_geometry(&wheel);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let [a, b, c] = ["side-R", "side-r", "side-l"].map(|side| drawing.length(side));
         assert!((a.hypot(b) - c).abs() < 2.0 * PIXELS, "a right angle at the pin");
         assert!((b / a - rim).abs() < PIXELS / a * (1.0 + rim) && (c / a - l).abs() < PIXELS / a * (1.0 + l));
@@ -54,7 +54,7 @@ fn the_triangles_are_to_scale() {
 fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
     for wheel in wheels() {
         let figure = mechanism(&wheel);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let (driver, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
         let outline = drawing.path("wheel", 0);
         let axis = driver.x - wheel.centre_distance_ratio() * crank;
@@ -92,7 +92,7 @@ fn the_series_of_an_advance_is_symmetric_with_both_ends() {
 fn the_jumps_are_drawn_where_there_is_a_dwell() {
     for wheel in wheels() {
         let figure = indexing(&wheel);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let dwells = 2 * usize::from(wheel.dwell_fraction() > 1e-9);
         assert_eq!(["indexing-end", "dwell-end", "jump"].map(|class| drawing.count(class)), [2, dwells, dwells]);
     }

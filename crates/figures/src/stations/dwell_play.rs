@@ -1,7 +1,7 @@
 //! How far the wheel turns loosely, over a dwell.
 
-use crate::chart::{Axis, Chart, Panel, Stroke};
-use crate::number::fixed;
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel};
+use crate::number::format_fixed;
 use crate::svg::Label;
 use crate::theme::{DRIVER, RELATIVE};
 use crate::{Figure, Series, Words};
@@ -31,25 +31,25 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
     };
     let rows: Vec<_> = since.into_iter().filter_map(row).collect();
     let most = rows.iter().flat_map(|row| [row[1], row[2]]).fold(0.0, f64::max);
-    let x = Axis::of_angles(0.0, whole.to_degrees().max(1.0), STEPS)
+    let x = ChartAxis::of_angles(0.0, whole.to_degrees().max(1.0), STEPS)
         .titled(Label::words("crank angle since the pin left, °"));
-    let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("backlash, °"));
+    let y = ChartAxis::from_zero(0.0, most, 4.0).titled(Label::words("backlash, °"));
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
-    let (forwards, backwards) = (Stroke::new(DRIVER).wide(2.0), Stroke::new(RELATIVE).wide(2.0).dashed("8 6"));
+    let (forwards, backwards) = (LineStyle::new(DRIVER).wide(2.0), LineStyle::new(RELATIVE).wide(2.0).dashed("8 6"));
     let first_third = || points(2).take(rows.len() / 3);
     let last_third = || points(1).skip(rows.len() * 2 / 3);
     let panel = Panel::new(HEIGHT, &x, &y)
         .curve(points(2), backwards)
         .curve(points(1), forwards)
-        .near(first_third(), 0.0, Label::words("backwards").in_colour(backwards.colour))
-        .near(last_third(), PI, Label::words("forwards, as it indexes").in_colour(forwards.colour));
+        .name_near(first_third(), 0.0, Label::words("backwards").in_colour(backwards.colour))
+        .name_near(last_third(), PI, Label::words("forwards, as it indexes").in_colour(forwards.colour));
     let words = Words::new(
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),
         format!(
             "Two curves over the dwell, each flat in the middle. The backlash backwards has a peak of {}° shortly after the \
              pin has left, and the backlash forwards has as high a peak shortly before the next pin enters.",
-            fixed(most, 2)
+            format_fixed(most, 2)
         ),
         "How far the wheel can turn to each side in the dwell. In the middle of the dwell, the ends of the locking arc \
          stop the wheel in both directions. Near the ends of the dwell, one direction is blocked only by the edge \
@@ -63,7 +63,7 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::drawn;
+    use crate::checks::assert_drawn;
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};
 
     #[test]
@@ -73,7 +73,7 @@ mod tests {
             let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
             let figure = dwell_play(&sizes);
             let Some(play) = sizes.dwell_play() else { continue };
-            drawn(&figure);
+            assert_drawn(&figure);
             let rows = &figure.series.rows;
             for (row, mirrored) in rows.iter().zip(rows.iter().rev()) {
                 assert!((row[1] - mirrored[2]).abs() < 1e-6, "{stations}: {row:?} {mirrored:?}");

@@ -1,9 +1,9 @@
 //! How the extremes fall with the number of stations.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
 use crate::svg::Label;
 use crate::theme::{Colour, DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, Quantity, Series, Words};
+use crate::{Figure, ItemValue, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
@@ -14,12 +14,12 @@ const NAMES: f64 = 0.35;
 /// How many marks the x axis has room for.
 const MARKS: f64 = 6.0;
 /// A curve: the quantity, its order, and the curve's colour, mark and name.
-type Curve = (Quantity<Wheel>, usize, Colour, Mark, &'static str);
+type Curve = (ItemValue<Wheel>, usize, Colour, MarkShape, &'static str);
 
 const CURVES: [Curve; 3] = [
-    (peak_acceleration, 2, DRIVER, Mark::Disc, "peak "),
-    (Wheel::peak_velocity, 1, FOLLOWER, Mark::Ring, "peak "),
-    (Wheel::entry_acceleration, 2, RELATIVE, Mark::Diamond, "entry "),
+    (peak_acceleration, 2, DRIVER, MarkShape::Disc, "peak "),
+    (Wheel::peak_velocity, 1, FOLLOWER, MarkShape::Ring, "peak "),
+    (Wheel::entry_acceleration, 2, RELATIVE, MarkShape::Diamond, "entry "),
 ];
 
 /// Peak velocity, entry acceleration and peak acceleration of the wheel, over the driver's speed and its square, for
@@ -33,15 +33,15 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     let room = (last - first).max(1.0) * NAMES / (1.0 - NAMES);
     let each = libm::ceil((last - first) / MARKS).max(1.0) as u32;
     let marks = wheels.iter().map(stations_of).filter(|n| *n == first || (*n as u32).is_multiple_of(each));
-    let x = Axis::whole(first - room..last + 0.06 * room, marks)
+    let x = ChartAxis::whole(first - room..last + 0.06 * room, marks)
         .titled(Label::words("number of stations ").and_symbol("N"));
     let values = || wheels.iter().flat_map(|wheel| CURVES.map(|(value, ..)| value(wheel)));
-    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max))
+    let y = ChartAxis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max))
         .titled(Label::words("over the driver's speed, or over its square"));
     let mut panel = Panel::new(426.0, &x, &y);
-    let points = |value: Quantity<Wheel>| wheels.iter().map(move |wheel| (stations_of(wheel), value(wheel)));
+    let points = |value: ItemValue<Wheel>| wheels.iter().map(move |wheel| (stations_of(wheel), value(wheel)));
     for (value, _, colour, mark, _) in CURVES {
-        panel = panel.curve(points(value), Stroke::new(colour).wide(2.0).dashed("8 6"));
+        panel = panel.curve(points(value), LineStyle::new(colour).wide(2.0).dashed("8 6"));
         panel = panel.marks(points(value), Marker::new(colour, mark).class("point"));
     }
     for (value, order, colour, _, name) in CURVES {
@@ -53,7 +53,7 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
             .and(power)
             .and("\u{a0}")
             .in_colour(colour);
-        panel = panel.near(points(value).take(1), PI, label);
+        panel = panel.name_near(points(value).take(1), PI, label);
     }
     let series = Series::of_items(
         &wheels,

@@ -1,10 +1,10 @@
 //! Position, velocity and acceleration of the wheel over one advance.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
-use crate::{Figure, Quantity, Series, Words};
+use crate::{Figure, ItemValue, Series, Words};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -16,7 +16,7 @@ const MARKS: f64 = 15.0;
 /// Degrees of dwell shown before and after the advance, if there are so many.
 const DWELL: f64 = 8.0;
 /// The dots of the acceleration at entry and exit.
-const END: Marker = Marker::new(DRIVER, Mark::Disc).sized(11.0).class("indexing-end");
+const END: Marker = Marker::new(DRIVER, MarkShape::Disc).sized(11.0).class("indexing-end");
 
 /// φ in radians, φ'/θ' and φ''/θ'² against θ in degrees, from entry to exit, for a driver of constant speed.
 ///
@@ -92,16 +92,16 @@ fn instants(wheel: &Wheel) -> Vec<Instant> {
 }
 
 /// The crank angle from one end of what is shown to the other.
-fn crank_angles(end: f64) -> Axis {
+fn crank_angles(end: f64) -> ChartAxis {
     let count = ((end + 1e-9) / MARKS) as i32;
-    Axis::whole(-end..end, (-count..=count).map(|k| MARKS * f64::from(k)))
+    ChartAxis::whole(-end..end, (-count..=count).map(|k| MARKS * f64::from(k)))
 }
 
 /// Entry and exit at ±`most` degrees, with their names at this height, if there is a dwell beyond them.
 fn ends(mut panel: Panel, most: f64, rest: f64, height: f64) -> Panel {
     for (sense, name) in [(-1.0, "entry"), (1.0, "exit")].into_iter().filter(|_| rest > 0.0) {
-        panel = panel.vertical(sense * most, Stroke::thin("end").wide(1.0).dashed("1 4"));
-        panel = panel.near([(sense * most, height)], if sense < 0.0 { 0.0 } else { PI }, Label::words(name));
+        panel = panel.vertical(sense * most, LineStyle::thin("end").wide(1.0).dashed("1 4"));
+        panel = panel.name_near([(sense * most, height)], if sense < 0.0 { 0.0 } else { PI }, Label::words(name));
     }
     panel
 }
@@ -115,43 +115,43 @@ fn part(instants: &[Instant], most: f64, from: f64, to: f64) -> impl Iterator<It
 fn motion(wheel: &Wheel, instants: &[Instant], most: f64, rest: f64) -> Panel {
     let (alpha, end) = (wheel.half_pitch_angle(), most + rest);
     let [position, velocity, _] = symbols();
-    let y = Axis::from_zero(-alpha, wheel.peak_velocity().max(alpha), 4.0);
+    let y = ChartAxis::from_zero(-alpha, wheel.peak_velocity().max(alpha), 4.0);
     let head = y.range.end - 0.1 * (y.range.end - y.range.start);
-    let extended = |curve: Quantity<Instant>, value: f64| {
+    let extended = |curve: ItemValue<Instant>, value: f64| {
         let dwell = |sense: f64| (rest > 0.0).then_some((sense * end, sense * value));
         let inside = instants.iter().map(move |at| (at.theta, curve(at)));
         dwell(-1.0).into_iter().chain(inside).chain(dwell(1.0))
     };
     let title = Label::words("angle ").and_label(&position).and(" and speed ").and_label(&velocity);
     let panel = Panel::new(240.0, &crank_angles(end), &y.titled(title))
-        .horizontal(0.0, Stroke::thin("zero"))
-        .curve(extended(|at| at.phi, alpha), Stroke::new(RELATIVE).dashed("3 5"))
-        .curve(extended(|at| at.velocity, 0.0), Stroke::new(FOLLOWER));
+        .horizontal(0.0, LineStyle::thin("zero"))
+        .curve(extended(|at| at.phi, alpha), LineStyle::new(RELATIVE).dashed("3 5"))
+        .curve(extended(|at| at.velocity, 0.0), LineStyle::new(FOLLOWER));
     ends(panel, most, rest, head)
-        .near(part(instants, most, 0.1, 0.5).map(|at| (at.theta, at.velocity)), 0.5, velocity)
-        .near(part(instants, most, -1.0, -0.4).map(|at| (at.theta, at.phi)), FRAC_PI_2, position)
+        .name_near(part(instants, most, 0.1, 0.5).map(|at| (at.theta, at.velocity)), 0.5, velocity)
+        .name_near(part(instants, most, -1.0, -0.4).map(|at| (at.theta, at.phi)), FRAC_PI_2, position)
 }
 
 /// The lower panel: the acceleration and its jumps.
 fn acceleration(wheel: &Wheel, instants: &[Instant], most: f64, rest: f64) -> Panel {
     let end = most + rest;
     let [.., acceleration] = symbols();
-    let y = Axis::symmetric(wheel.acceleration_peak().ratio);
+    let y = ChartAxis::symmetric(wheel.acceleration_peak().ratio);
     let foot = 0.88 * y.range.start;
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let title = Label::words("acceleration ").and_label(&acceleration);
-    let curve = Stroke::new(DRIVER);
+    let curve = LineStyle::new(DRIVER);
     let mut panel = Panel::new(240.0, &crank_angles(end).titled(angle), &y.titled(title))
-        .horizontal(0.0, Stroke::thin("zero"))
+        .horizontal(0.0, LineStyle::thin("zero"))
         .curve(instants.iter().map(|at| (at.theta, at.acceleration)), curve);
     for (sense, jump) in [(-1.0, wheel.entry_acceleration()), (1.0, -wheel.entry_acceleration())] {
         let theta = sense * most;
         if rest > 0.0 {
-            let jumps = Stroke::new(DRIVER).wide(1.3).dashed("2 3").class("jump");
+            let jumps = LineStyle::new(DRIVER).wide(1.3).dashed("2 3").class("jump");
             panel = panel
                 .curve([(sense * end, 0.0), (theta, 0.0)], curve.class("dwell"))
                 .curve([(theta, 0.0), (theta, jump)], jumps)
-                .marks([(theta, 0.0)], Marker { mark: Mark::Ring, ..END }.sized(10.0).class("dwell-end"));
+                .marks([(theta, 0.0)], Marker { mark: MarkShape::Ring, ..END }.sized(10.0).class("dwell-end"));
         }
         panel = panel.marks([(theta, jump)], END);
     }

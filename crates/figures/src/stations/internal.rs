@@ -1,9 +1,9 @@
 //! The internal wheel and its driver to scale, locked.
 
-use super::pose::counted;
+use super::pose::count_noun;
 use crate::number::significant;
 use crate::parts::{self, WIDTH, link, pin_circle, sense};
-use crate::svg::{Canvas, Kind, Label, Path, Pixels, Sense, Shape, View, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Path, Pixels, Sense, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
@@ -122,7 +122,7 @@ pub fn internal_mechanism(wheel: &InternalWheel) -> Figure {
     let plate = link(&axis, &pin, 1.5 * HALF_WIDTH * scale);
     canvas.draw(Shape::path(plate).tint(DRIVER, 0.12).stroke(DRIVER, 1.3).class("arms"));
     let segment = Shape::path(ring.locking_segment(&axis, 0.0, scale)).tint(DRIVER, 0.22);
-    canvas.draw(segment.stroke(DRIVER, 2.0).with("stroke-linejoin", "round").class("locking-segment"));
+    canvas.draw(segment.stroke(DRIVER, 2.0).attribute("stroke-linejoin", "round").class("locking-segment"));
     parts::pin(&mut canvas, &pin, PIN * scale);
     parts::axis(&mut canvas, &pivot, FOLLOWER);
     parts::axis(&mut canvas, &axis, DRIVER);
@@ -145,13 +145,13 @@ pub fn internal_mechanism(wheel: &InternalWheel) -> Figure {
             "A ring with {} that open inwards, and a hollow locking arc between each two. The driver's axis lies {} crank \
              radii from the wheel's, within the ring. Its pin is on the side of the wheel's axis, clear of the slots, and a \
              locking segment on the other side fills a locking arc. Both turn counter-clockwise.",
-            counted(wheel.stations(), "slot"),
+            count_noun(wheel.stations(), "slot"),
             significant(ring.centre, 4)
         ),
         "The internal wheel to scale, while it is locked. The driver turns inside the wheel, in the same direction, and the \
          pin moves the wheel for more than half of each turn of the driver.",
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 fn draw_wheel(canvas: &mut Canvas, ring: &Ring, view: &View) {
@@ -197,15 +197,15 @@ fn names(canvas: &mut Canvas, ring: &Ring, view: &View, axis: &Pixels) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, PIXELS, corners, depth, drawn, sound};
+    use crate::checks::{PIXELS, ParsedDrawing, assert_drawn, assert_sound, corners, depth};
 
     #[test]
     fn it_is_drawn_in_true_numbers_and_legibly() {
         for stations in 3..=18 {
             let figure = internal_mechanism(&InternalWheel::new(stations).expect("possible"));
-            drawn(&figure);
+            assert_drawn(&figure);
             if (4..=8).contains(&stations) {
-                sound(&figure);
+                assert_sound(&figure);
             }
         }
     }
@@ -215,7 +215,7 @@ mod tests {
         for stations in 3..=18 {
             let wheel = InternalWheel::new(stations).expect("possible");
             let figure = internal_mechanism(&wheel);
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             let (axis, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
             let centres = axis.x - WIDTH / 2.0;
             assert!((centres - wheel.centre_distance_ratio() * crank).abs() < PIXELS * (1.0 + centres / crank));

@@ -1,6 +1,7 @@
 //! External, internal and spherical wheels of the same number of stations compared.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel};
+use crate::chart::{Chart, ChartAxis, LegendEntry, MarkShape, Marker, Panel};
+use crate::number::extent;
 use crate::svg::Label;
 use crate::theme::{CORIOLIS, Colour, DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
@@ -12,8 +13,11 @@ use geneva_kinematics::wheel::Wheel;
 use std::ops::RangeInclusive;
 
 /// The kinds with their colours and marks.
-const KINDS: [(&str, Colour, Mark); 3] =
-    [("external", DRIVER, Mark::Disc), ("internal", FOLLOWER, Mark::Ring), ("spherical", CORIOLIS, Mark::Diamond)];
+const KINDS: [(&str, Colour, MarkShape); 3] = [
+    ("external", DRIVER, MarkShape::Disc),
+    ("internal", FOLLOWER, MarkShape::Ring),
+    ("spherical", CORIOLIS, MarkShape::Diamond),
+];
 /// Height of a frame in pixels.
 const HEIGHT: f64 = 250.0;
 /// Marks of the x axis stand so many stations apart.
@@ -45,17 +49,21 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     ];
     let panels = panels.into_iter().enumerate().map(|(quantity, title)| {
         let marks = (first..=last).filter(|n| n.is_multiple_of(EACH)).map(f64::from);
-        let x = Axis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks)
+        let x = ChartAxis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks)
             .titled(Label::words("number of stations ").and_symbol("N"));
         let values = || rows.iter().flat_map(move |(_, kinds)| kinds.iter().map(move |of| of[quantity]));
-        let [least, most] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)];
-        let y = if quantity == 0 { Axis::from_zero(0.0, most, 4.0) } else { Axis::logarithmic_about(least..most) };
+        let [least, most] = extent(values());
+        let y = if quantity == 0 {
+            ChartAxis::from_zero(0.0, most, 4.0)
+        } else {
+            ChartAxis::logarithmic_about(least..most)
+        };
         KINDS.iter().enumerate().fold(Panel::new(HEIGHT, &x, &y.titled(title)), |panel, (kind, (_, colour, mark))| {
             let points = rows.iter().map(move |(n, kinds)| (*n, kinds[kind][quantity]));
             panel.marks(points, Marker::new(*colour, *mark).class("point"))
         })
     });
-    let key = KINDS.map(|(name, colour, mark)| Entry::marks([Marker::new(colour, mark)], Label::words(name)));
+    let key = KINDS.map(|(name, colour, mark)| LegendEntry::marks([Marker::new(colour, mark)], Label::words(name)));
     let columns = KINDS.iter().flat_map(|(name, ..)| {
         ["dwell", "peak phi''/theta'^2", "peak phi'''/theta'^3", "F R/(J theta'^2)"]
             .map(|quantity| (format!("{name} {quantity}"), "1"))
@@ -97,12 +105,12 @@ fn compared(wheel: &dyn Indexing, radius_ratio: f64) -> Result<Compared, FigureE
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{columns, drawn};
+    use crate::checks::{assert_drawn, columns};
 
     #[test]
     fn the_chart_is_drawn_and_its_forces_are_torques_over_arms() {
         let figure = kinds(3..=18).expect("possible");
-        drawn(&figure);
+        assert_drawn(&figure);
         assert!(kinds(2..=5).is_err());
         let names = ["N", "external F R/(J theta'^2)", "internal F R/(J theta'^2)", "spherical F R/(J theta'^2)"];
         for [stations, forces @ ..] in columns(&figure.series, names) {

@@ -1,7 +1,7 @@
 //! How near the wheel's horns come to the locking disc, with two cuts in it.
 
-use crate::chart::{Axis, Chart, Panel, Stroke, kind};
-use crate::number::fixed;
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel, kind};
+use crate::number::{extent, format_fixed};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -70,24 +70,24 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
     let rows = with_disc.map(|(sizes, disc)| row(&sizes, disc)).collect::<Result<Vec<_>, _>>()?;
     let numbers = || rows.iter().map(|row| row[0]);
     let (first, last) = (numbers().fold(f64::INFINITY, f64::min).min(60.0), numbers().fold(3.0, f64::max));
-    let x = Axis::whole(first.min(last) - 0.5..last + 0.5, numbers())
+    let x = ChartAxis::whole(first.min(last) - 0.5..last + 0.5, numbers())
         .titled(Label::words("number of slots ").and_symbol("N"));
     let values = || rows.iter().flat_map(|row| [row[1], row[2]]);
-    let (least, most) = (values().fold(-1.0, f64::min), values().fold(1.0, f64::max));
-    let y = Axis::spanning(least, most, 5.0).titled(Label::words("gap in % of the centre distance"));
-    let mut panel = Panel::new(340.0, &x, &y).horizontal(0.0, Stroke::thin("touching"));
+    let [least, most] = extent(values().chain([-1.0, 1.0]));
+    let y = ChartAxis::spanning(least, most, 5.0).titled(Label::words("gap in % of the centre distance"));
+    let mut panel = Panel::new(340.0, &x, &y).horizontal(0.0, LineStyle::thin("touching"));
     let names = ["arc of the wheel's radius", "arc through the disc's edges"];
     for (number, name) in names.into_iter().enumerate() {
         let (stroke, marker) = kind(1 - number);
         let points = || rows.iter().map(move |row| (row[0], row[number + 1]));
         panel = panel.curve(points(), stroke.wide(1.6)).marks(points(), marker.class("point"));
-        panel = panel.near(points(), FRAC_PI_4, Label::words(name).in_colour(marker.colour));
+        panel = panel.name_near(points(), FRAC_PI_4, Label::words(name).in_colour(marker.colour));
     }
     let bites = rows.iter().filter(|row| row[1] < 0.0).count();
     let clears = rows.iter().filter(|row| row[2] >= 0.0).count();
     let words = Words::new(
         "locking-cuts",
-        format!("Gap between horns and locking disc, {} to {} slots", fixed(first, 0), fixed(last, 0)),
+        format!("Gap between horns and locking disc, {} to {} slots", format_fixed(first, 0), format_fixed(last, 0)),
         format!(
             "Two rows of points against the number of slots. With a cut of the wheel's radius the horns are in the disc for \
              {bites} of {} numbers of slots. With a cut through the edges they stay clear of it for {clears}.",
@@ -96,7 +96,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
         format!(
             "The least gap between the tips of the horns and the locking disc while the wheel turns, for a disc with a radius \
              of {} crank radii and no play. Below the thin line the horns overlap the disc.",
-            fixed(disc, 1)
+            format_fixed(disc, 1)
         ),
     );
     let columns = [("N", "1"), ("gap wheel's radius", "% of c"), ("gap through edges", "% of c")];
@@ -106,7 +106,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{drawn, sound};
+    use crate::checks::{assert_drawn, assert_sound};
     use nalgebra::Vector2;
 
     #[test]
@@ -142,9 +142,9 @@ mod tests {
 
     #[test]
     fn any_range_and_any_disc_are_drawn() {
-        sound(&locking_cuts(3..=12, 0.7).expect("drawn"));
+        assert_sound(&locking_cuts(3..=12, 0.7).expect("drawn"));
         for (range, disc) in [(0..=2, 0.7), (5..=5, 0.7), (3..=60, 0.9), (3..=18, 0.2), (3..=6, 0.0)] {
-            drawn(&locking_cuts(range, disc).expect("drawn"));
+            assert_drawn(&locking_cuts(range, disc).expect("drawn"));
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The whole mechanism to scale, locked.
 
-use super::pose::{Bodies, Margins, counted};
+use super::pose::{WheelMargins, WheelPose, count_noun};
 use crate::number::significant;
 use crate::parts::{WIDTH, pin_circle, sense};
-use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -11,7 +11,7 @@ use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const MARGINS: Margins = Margins { left: 50.0, right: 50.0, above: 44.0, below: 44.0 };
+const MARGINS: WheelMargins = WheelMargins { left: 50.0, right: 50.0, above: 44.0, below: 44.0 };
 /// From the outermost of a body to the arrow of its sense, in pixels.
 const TO_ARROW: f64 = 16.0;
 /// A crank of so few pixels has no room about it for names.
@@ -26,7 +26,7 @@ const WIDEST_NAME: f64 = 85.0;
 /// that the wall between a slot and a locking arc is as thick as the slot is wide. Series: N, pins, and the sizes in
 /// crank radii: centre distance, wheel, least slot length, locking arcs; then α, θ and φ as drawn.
 pub fn mechanism(wheel: &Wheel) -> Figure {
-    let bodies = Bodies::new(wheel, WIDTH, MARGINS);
+    let bodies = WheelPose::new(wheel, WIDTH, MARGINS);
     let (theta, phi) = (-locked_crank(&bodies), -wheel.half_pitch_angle());
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
@@ -47,7 +47,7 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
         ("phi", "deg", phi.to_degrees()),
     ]);
     let locks = if locks_fully(&bodies) { "The locking disc fills the locking arc that faces it. " } else { "" };
-    let (stations, pins) = (wheel.stations(), counted(wheel.pins(), "pin"));
+    let (stations, pins) = (wheel.stations(), count_noun(wheel.pins(), "pin"));
     let words = Words::new(
         "wheel-mechanism",
         format!("Geneva mechanism with {stations} stations and {pins}, locked"),
@@ -63,12 +63,12 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
         "The mechanism to scale, while the wheel is locked. The locking disc fills a hollow of the wheel, a locking arc, until \
          the pin reaches the next slot.",
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 /// How far before the line of centres the next pin is: half-way through the part of the dwell in which the locking disc
 /// fills the locking arc; in the middle of the dwell if it never does.
-fn locked_crank(bodies: &Bodies) -> f64 {
+fn locked_crank(bodies: &WheelPose) -> f64 {
     let middle = bodies.driver.pitch() / 2.0;
     if locks_fully(bodies) {
         (bodies.driver.half_angle + bodies.star.locking_half_angle() + middle) / 2.0
@@ -78,12 +78,12 @@ fn locked_crank(bodies: &Bodies) -> f64 {
 }
 
 /// Whether the locking disc ever fills a whole locking arc.
-fn locks_fully(bodies: &Bodies) -> bool {
+fn locks_fully(bodies: &WheelPose) -> bool {
     bodies.driver.half_angle + bodies.star.locking_half_angle() < bodies.driver.pitch() / 2.0
 }
 
 /// Which way the two turn: arrows outside both, and their angles.
-fn senses(canvas: &mut Canvas, at: &Bodies) {
+fn senses(canvas: &mut Canvas, at: &WheelPose) {
     let scale = at.view.scale;
     let [phi, theta] = [("φ", FOLLOWER), ("θ", DRIVER)].map(|(letter, colour)| Label::symbol(letter).in_colour(colour));
     sense(canvas, &at.pivot, at.star.rim * scale + TO_ARROW, PI, 1.0, &phi);
@@ -93,7 +93,7 @@ fn senses(canvas: &mut Canvas, at: &Bodies) {
 }
 
 /// Names of the parts, where there is room for them.
-fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
+fn names(canvas: &mut Canvas, at: &WheelPose, wheel: &Wheel, theta: f64) {
     let (star, driver, scale) = (&at.star, &at.driver, at.view.scale);
     let (step, up) = (2.0 * wheel.half_pitch_angle(), Vector2::new(0.0, -1.0));
     // The slot and the locking arc nearest to where their names have room.
@@ -111,7 +111,7 @@ fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
     let edge = at.axis + outwards * (1.0 + driver.arm) * scale;
     canvas.label(&edge, &outwards, 9.0, &Label::words("crank circle").in_colour(DRIVER));
     // The pin nearest to the lower right, where nothing else is.
-    let crank = Bodies::crank_direction(theta);
+    let crank = WheelPose::crank_direction(theta);
     let pin = nearest(crank, driver.pitch(), -1.05);
     let below = at.axis + heading(pin) * scale - up * driver.arm * scale;
     canvas.label(&below, &-up, 9.0, &Label::words("pin"));

@@ -44,4 +44,4 @@ pub use model::model;
 pub use motion::{motion, turning};
 pub use running::running;
 pub use spherical::spherical_mechanism;
-pub use wrong_formulas::{Compared, wrong_formulas};
+pub use wrong_formulas::{WrongFormula, wrong_formulas};

@@ -1,9 +1,9 @@
 //! The triangle of the two axes and the pin, with the angles and their positive senses.
 
-use super::pose::{Bodies, Margins};
+use super::pose::{WheelMargins, WheelPose};
 use crate::number::{degrees, significant, without_noise};
 use crate::parts::{self, WIDTH, arc_arrow, construction, dimension, fixed_pivot, part, pin_circle};
-use crate::svg::{Canvas, Kind, Label, Pixels, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Pixels, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Turn;
@@ -13,7 +13,7 @@ use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const MARGINS: Margins = Margins { left: 26.0, right: 30.0, above: 26.0, below: 80.0 };
+const MARGINS: WheelMargins = WheelMargins { left: 26.0, right: 30.0, above: 26.0, below: 80.0 };
 /// From the lowest of the bodies to the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 46.0;
 /// Radii of the marks of the angles, over the crank radius and over the pin's distance from the wheel's axis.
@@ -32,7 +32,7 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, FigureError> {
     let (ratio, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(crank));
     let pin = pin_from_pivot(&ratio, &turn);
     let x = slot_radius_squared(&ratio, &turn).sqrt();
-    let bodies = Bodies::new(wheel, WIDTH, MARGINS);
+    let bodies = WheelPose::new(wheel, WIDTH, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     canvas.faint(0.6, "", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, phi, 1.3));
     pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
@@ -60,10 +60,10 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, FigureError> {
             degrees(crank)
         ),
     );
-    Ok(words.figure(canvas, Kind::Mechanism, series))
+    Ok(words.figure(canvas, DrawingKind::Mechanism, series))
 }
 
-fn triangle(canvas: &mut Canvas, at: &Bodies, pin: &Pixels) {
+fn triangle(canvas: &mut Canvas, at: &WheelPose, pin: &Pixels) {
     let triangle = [(&at.pivot, &at.axis, INK, "l"), (&at.axis, pin, DRIVER, "R"), (&at.pivot, pin, FOLLOWER, "r")];
     parts::sides(canvas, triangle);
     construction(canvas, &at.axis, &(at.axis + Vector2::new(at.view.scale + 14.0, 0.0)), "line-of-centres");
@@ -72,7 +72,7 @@ fn triangle(canvas: &mut Canvas, at: &Bodies, pin: &Pixels) {
     parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
 
-fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {
+fn angles(canvas: &mut Canvas, at: &WheelPose, theta: f64, phi: f64, x: f64) {
     for (centre, radius, from, turn, letter) in
         [(&at.pivot, MARK * x * at.view.scale, 0.0, phi, "φ"), (&at.axis, MARK * at.view.scale, PI, -theta, "θ")]
     {
@@ -92,7 +92,7 @@ fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {
     }
 }
 
-fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
+fn sides(canvas: &mut Canvas, at: &WheelPose, theta: f64, phi: f64, pin: &Pixels) {
     let down = Vector2::new(0.0, at.height - DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &down);
     let side = if theta < 0.0 { -1.0 } else { 1.0 };

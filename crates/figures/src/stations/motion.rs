@@ -1,10 +1,10 @@
 //! The mechanism in motion: one large drawing that moves, and the steps of a cycle side by side.
 
 use super::cycle::{Key, keys};
-use super::pose::{Bodies, Margins, counted};
-use crate::number::{degrees, trimmed};
+use super::pose::{WheelMargins, WheelPose, count_noun};
+use crate::number::{degrees, format_trimmed};
 use crate::parts::WIDTH;
-use crate::svg::{Canvas, Kind, Label, Path, Pixels, Shape, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Path, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, GRID};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::indexing::Indexing;
@@ -12,10 +12,10 @@ use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const LARGE: Margins = Margins { left: 70.0, right: 70.0, above: 10.0, below: 24.0 };
+const LARGE: WheelMargins = WheelMargins { left: 70.0, right: 70.0, above: 10.0, below: 24.0 };
 /// Frames in a row, and the space about each.
 const COLUMNS: usize = 3;
-const SMALL: Margins = Margins { left: 10.0, right: 10.0, above: 58.0, below: 10.0 };
+const SMALL: WheelMargins = WheelMargins { left: 10.0, right: 10.0, above: 58.0, below: 10.0 };
 /// Seconds that the driver takes for a turn.
 const TURN: f64 = 6.0;
 /// Where the large drawing stands when it does not move: this part of the way from the line of centres to entry.
@@ -36,8 +36,8 @@ struct Frame {
 /// dwell to the middle of the next, with θ and φ in degrees.
 pub fn motion(wheel: &Wheel) -> Figure {
     let (name, keys) = ("wheel-motion", keys(wheel));
-    let large = Bodies::new(wheel, WIDTH, LARGE);
-    let small = Bodies::new(wheel, WIDTH / COLUMNS as f64, SMALL);
+    let large = WheelPose::new(wheel, WIDTH, LARGE);
+    let small = WheelPose::new(wheel, WIDTH / COLUMNS as f64, SMALL);
     let frames = frames(wheel);
     let rows = frames.len().div_ceil(COLUMNS);
     let mut canvas = Canvas::new(WIDTH, large.height + small.height * rows as f64);
@@ -52,7 +52,7 @@ pub fn motion(wheel: &Wheel) -> Figure {
         frames.iter().enumerate().map(|(k, at)| format!("{} {}, at {}", k + 1, at.name, degrees(at.theta))).collect();
     let words = Words::new(
         name,
-        format!("One cycle of a wheel with {} stations and {}", wheel.stations(), counted(wheel.pins(), "pin")),
+        format!("One cycle of a wheel with {} stations and {}", wheel.stations(), count_noun(wheel.pins(), "pin")),
         format!(
             "The mechanism as it turns, the driver clockwise and the wheel counter-clockwise, and its steps: {}. A dot \
              marks the same arm of the wheel in each.",
@@ -62,11 +62,11 @@ pub fn motion(wheel: &Wheel) -> Figure {
             "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper drawing to \
              stop it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
              each with its crank angle θ.",
-            counted(wheel.stations(), "station"),
+            count_noun(wheel.stations(), "station"),
             frames.len()
         ),
     );
-    words.figure(canvas, Kind::Mechanism, series(&keys))
+    words.figure(canvas, DrawingKind::Mechanism, series(&keys))
 }
 
 /// The mechanism as it turns, alone: a drawing that moves, as the upper one of [`motion`] does.
@@ -74,7 +74,7 @@ pub fn motion(wheel: &Wheel) -> Figure {
 /// Series: as of [`motion`].
 pub fn turning(wheel: &Wheel) -> Figure {
     let (name, keys) = ("wheel-turning", keys(wheel));
-    let large = Bodies::new(wheel, WIDTH, LARGE);
+    let large = WheelPose::new(wheel, WIDTH, LARGE);
     let mut canvas = Canvas::new(WIDTH, large.height);
     canvas.draw_markup(style(name, wheel, &keys));
     moving(&mut canvas, &large, wheel, name);
@@ -85,7 +85,7 @@ pub fn turning(wheel: &Wheel) -> Figure {
          leaves; then the wheel stands still, held by the driver's locking disc, until the pin comes round again.",
         "The driver turns at constant speed. The wheel turns in steps and stands still in between.",
     );
-    words.figure(canvas, Kind::Mechanism, series(&keys))
+    words.figure(canvas, DrawingKind::Mechanism, series(&keys))
 }
 
 /// The key frames: share of the cycle, both angles in degrees.
@@ -117,15 +117,15 @@ fn frames(wheel: &Wheel) -> Vec<Frame> {
 fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
     let cycle = TURN / f64::from(wheel.pins());
     let key = |key: &Key| {
-        let (share, angle) = (trimmed(100.0 * key.share, 3), trimmed(-key.phi.to_degrees(), 2));
+        let (share, angle) = (format_trimmed(100.0 * key.share, 3), format_trimmed(-key.phi.to_degrees(), 2));
         format!("{share}%{{transform:rotate({angle}deg)}}")
     };
     let indexing: String = keys.iter().map(key).collect();
-    let start = trimmed(-180.0 / f64::from(wheel.pins()), 4);
-    let end = trimmed(360.0 - 180.0 / f64::from(wheel.pins()), 4);
-    let (cycle, turn) = (trimmed(cycle, 6), trimmed(TURN, 6));
+    let start = format_trimmed(-180.0 / f64::from(wheel.pins()), 4);
+    let end = format_trimmed(360.0 - 180.0 / f64::from(wheel.pins()), 4);
+    let (cycle, turn) = (format_trimmed(cycle, 6), format_trimmed(TURN, 6));
     let (stations, round) =
-        (wheel.stations(), trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
+        (wheel.stations(), format_trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
     format!(
         "<style>@keyframes {name}-wheel{{{indexing}}}@keyframes \
          {name}-round{{to{{transform:rotate(-360deg)}}}}@keyframes \
@@ -138,12 +138,14 @@ fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
 }
 
 /// The large drawing: each body about its own axis, turned by an attribute where the style does not move it.
-fn moving(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, name: &str) {
+fn moving(canvas: &mut Canvas, at: &WheelPose, wheel: &Wheel, name: &str) {
     let theta = -AT_REST * wheel.engagement_half_angle();
     let phi = wheel.engaged(theta).map_or(0.0, |motion| motion.angle);
-    let about = |point: &Pixels| format!("transform=\"translate({} {})\"", trimmed(point.x, 2), trimmed(point.y, 2));
+    let about = |point: &Pixels| {
+        format!("transform=\"translate({} {})\"", format_trimmed(point.x, 2), format_trimmed(point.y, 2))
+    };
     let turned = |body: &str, angle: f64| {
-        format!("class=\"{name}-{body}\" transform=\"rotate({})\"", trimmed(angle.to_degrees(), 2))
+        format!("class=\"{name}-{body}\" transform=\"rotate({})\"", format_trimmed(angle.to_degrees(), 2))
     };
     let origin = Pixels::zeros();
     canvas.group(&format!("class=\"{name}\" pointer-events=\"all\""), |canvas| {
@@ -169,8 +171,8 @@ fn moving(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, name: &str) {
 }
 
 /// One step, with its number, its name and its crank angle.
-fn still(canvas: &mut Canvas, at: &Bodies, corner: &Pixels, number: usize, frame: &Frame) {
-    let at = at.moved(corner);
+fn still(canvas: &mut Canvas, at: &WheelPose, corner: &Pixels, number: usize, frame: &Frame) {
+    let at = at.translate(corner);
     canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(GRID, 1.0));
     at.draw(canvas, frame.theta, frame.phi, 1.3);
     dot(canvas, &at, &at.pivot, frame.phi);
@@ -182,7 +184,7 @@ fn still(canvas: &mut Canvas, at: &Bodies, corner: &Pixels, number: usize, frame
 }
 
 /// A dot on the arm of the wheel before the slot at `phi`, by which its turning can be followed.
-fn dot(canvas: &mut Canvas, at: &Bodies, pivot: &Pixels, phi: f64) {
+fn dot(canvas: &mut Canvas, at: &WheelPose, pivot: &Pixels, phi: f64) {
     let (star, arm) = (&at.star, phi + PI / f64::from(at.star.slots));
     let radius = 0.72 * (star.centre - at.driver.locking_disc);
     let place = pivot + heading(arm) * (radius * at.view.scale);

@@ -14,16 +14,16 @@ const AXIS_IN_DRIVER: f64 = 0.8;
 
 /// Free space around the mechanism, in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Margins {
+pub struct WheelMargins {
     pub left: f64,
     pub right: f64,
     pub above: f64,
     pub below: f64,
 }
 
-/// The two bodies, and where they lie: the wheel's axis at the left, the driver's at the right.
+/// Wheel and driver in one position, and where they lie on the page: the wheel's axis at the left, the driver's at the right.
 #[derive(Clone, Copy, Debug)]
-pub struct Bodies {
+pub struct WheelPose {
     pub star: Star,
     pub driver: Driver,
     /// The plane about the wheel's axis, in crank radii.
@@ -36,9 +36,9 @@ pub struct Bodies {
     pub height: f64,
 }
 
-impl Bodies {
+impl WheelPose {
     /// The mechanism as large as it can be in a column of this width.
-    pub fn new(wheel: &Wheel, width: f64, margins: Margins) -> Self {
+    pub fn new(wheel: &Wheel, width: f64, margins: WheelMargins) -> Self {
         let star = Star::of_wheel(wheel);
         let driver = Driver::of_wheel(wheel, &star);
         let reach = 1.0 + driver.arm;
@@ -51,18 +51,18 @@ impl Bodies {
     }
 
     /// The mechanism as large as it can be in the middle of this room.
-    pub fn within(wheel: &Wheel, room: Pixels, margins: Margins) -> Self {
+    pub fn fitting(wheel: &Wheel, room: Pixels, margins: WheelMargins) -> Self {
         let wide = Self::new(wheel, room.x, margins);
         let above = margins.above + margins.below;
         let share = ((room.y - above) / (wide.height - above)).min(1.0);
         let beside = margins.left + margins.right;
         let breadth = beside + share * (room.x - beside);
         let bodies = Self::new(wheel, breadth, margins);
-        bodies.moved(&(Vector2::new(room.x - breadth, room.y - bodies.height) / 2.0))
+        bodies.translate(&(Vector2::new(room.x - breadth, room.y - bodies.height) / 2.0))
     }
 
     /// Moves the bodies to another place of the page.
-    pub fn moved(&self, by: &Pixels) -> Self {
+    pub fn translate(&self, by: &Pixels) -> Self {
         let view = View { origin: self.view.origin + by, ..self.view };
         Self { view, pivot: self.pivot + by, axis: self.axis + by, ..*self }
     }
@@ -87,7 +87,7 @@ impl Bodies {
         let view = View { origin: *about, ..self.view };
         let arms = self.driver.arms_outline(Self::crank_direction(theta), &view);
         let arms = Shape::path(arms).tint(DRIVER, 0.12).stroke(DRIVER, 1.3);
-        canvas.draw(arms.with("stroke-opacity", "0.75").class("arms"));
+        canvas.draw(arms.attribute("stroke-opacity", "0.75").class("arms"));
     }
 
     /// The wheel about this point of the page, one slot at φ.
@@ -102,7 +102,7 @@ impl Bodies {
         let (view, crank) = (View { origin: *about, ..self.view }, Self::crank_direction(theta));
         if let Some(outline) = self.driver.locking_disc_outline(crank, &view) {
             let locking_disc = Shape::path(outline).tint(DRIVER, 0.22).stroke(DRIVER, width);
-            canvas.draw(locking_disc.with("stroke-linejoin", "round").class("locking-disc"));
+            canvas.draw(locking_disc.attribute("stroke-linejoin", "round").class("locking-disc"));
         }
         for pin in self.driver.pin_directions(crank) {
             let at = about + heading(pin) * view.scale;
@@ -125,6 +125,6 @@ impl Bodies {
 }
 
 /// A count with its noun: "1 pin", "3 pins".
-pub fn counted(count: u32, noun: &str) -> String {
+pub fn count_noun(count: u32, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }

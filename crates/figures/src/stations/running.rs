@@ -1,8 +1,8 @@
 //! The wheel at a crank angle above the curves of its motion, at the right distance of the axes or another.
 
-use super::pose::{Bodies, Margins, counted};
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{degrees, significant, with_minus_sign, without_noise};
+use super::pose::{WheelMargins, WheelPose, count_noun};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{degrees, extent, significant, with_minus_sign, without_noise};
 use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{Colour, DRIVER, FOLLOWER, INK, RELATIVE};
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 
 /// Room of the mechanism, and the space about it, in pixels.
 const ROOM: Pixels = Vector2::new(WIDTH, 300.0);
-const MARGINS: Margins = Margins { left: 8.0, right: 8.0, above: 8.0, below: 8.0 };
+const MARGINS: WheelMargins = WheelMargins { left: 8.0, right: 8.0, above: 8.0, below: 8.0 };
 /// Height of a frame, in pixels, and the least height of all three with their titles.
 const FRAME: f64 = 96.0;
 /// Steps of the curves, and the degrees of dwell shown to either side, if there are so many.
@@ -23,7 +23,7 @@ const DWELL: f64 = 14.0;
 /// Degrees between marks of the crank angle.
 const MARKS: f64 = 30.0;
 /// Where a curve stands at the crank angle.
-const HERE: Marker = Marker::new(INK, Mark::Disc).sized(11.0).class("here");
+const HERE: Marker = Marker::new(INK, MarkShape::Disc).sized(11.0).class("here");
 
 /// The marks at the ends of a jump, in pixels.
 const JUMP: f64 = 9.0;
@@ -59,9 +59,9 @@ pub fn running(misplaced: &MisplacedWheel, crank: f64) -> Result<Figure, FigureE
     let end = (half + DWELL.to_radians()).min(pitch / 2.0).max(half.min(pitch / 2.0));
     let rows = rows(misplaced, half.min(end), end)?;
 
-    let bodies = Bodies::within(wheel, ROOM, MARGINS);
+    let bodies = WheelPose::fitting(wheel, ROOM, MARGINS);
     let axis = bodies.view.place(&Vector2::new(misplaced.centre_distance_ratio(), 0.0));
-    let placed = Bodies { axis, ..bodies };
+    let placed = WheelPose { axis, ..bodies };
     let panels = panels(&rows, near.to_degrees(), &motion, end.to_degrees());
     let blow = misplaced.entry_velocity_ratio();
     let words = words(misplaced, crank, &motion, blow);
@@ -114,19 +114,19 @@ fn panels(rows: &[Row], near: f64, motion: &WheelMotion, end: f64) -> Vec<Panel>
     let parts: Vec<&[Row]> = rows.chunk_by(|(a, _), (b, _)| a < b).collect();
     let panel = |(k, (name, colour, value)): (usize, &Curve)| {
         let values = || rows.iter().map(|(_, motion)| value(motion));
-        let [least, most] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+        let [least, most] = extent(values().chain([0.0]));
         let title = Label::words(name).in_colour(*colour);
-        let y = Axis::spanning(least, most, 3.0).titled(title);
-        let x = Axis::whole(-end..end, marks());
+        let y = ChartAxis::spanning(least, most, 3.0).titled(title);
+        let x = ChartAxis::whole(-end..end, marks());
         let last = k + 1 == CURVES.len();
         let x = if last {
             x.titled(Label::words("crank angle ").and_symbol("θ").and(" in degrees"))
         } else {
             x.unnumbered()
         };
-        let mut panel = Panel::new(FRAME, &x, &y).horizontal(0.0, Stroke::thin("zero"));
+        let mut panel = Panel::new(FRAME, &x, &y).horizontal(0.0, LineStyle::thin("zero"));
         for part in &parts {
-            panel = panel.curve(part.iter().map(|(theta, motion)| (*theta, value(motion))), Stroke::new(*colour));
+            panel = panel.curve(part.iter().map(|(theta, motion)| (*theta, value(motion))), LineStyle::new(*colour));
         }
         let jump = |pair: &[&[Row]], value: fn(&WheelMotion) -> f64| match pair {
             [[.., (theta, before)], [(_, after), ..]] => (*theta, [value(before), value(after)]),
@@ -137,7 +137,7 @@ fn panels(rows: &[Row], near: f64, motion: &WheelMotion, end: f64) -> Vec<Panel>
             // A jump is a ring at rest and a disc on the advance; the rate of what jumps is an impulse.
             if before != after {
                 let (still, moving) = if sense > 0.0 { (before, after) } else { (after, before) };
-                let ends = [(Mark::Ring, still, "still"), (Mark::Disc, moving, "moving")];
+                let ends = [(MarkShape::Ring, still, "still"), (MarkShape::Disc, moving, "moving")];
                 panel = ends.into_iter().fold(panel, |panel, (mark, value, class)| {
                     panel.marks([(theta, value)], Marker::new(*colour, mark).sized(JUMP).class(class))
                 });
@@ -145,21 +145,21 @@ fn panels(rows: &[Row], near: f64, motion: &WheelMotion, end: f64) -> Vec<Panel>
             let Some((.., integral)) = k.checked_sub(1).map(|k| &CURVES[k]) else { continue };
             let (_, [before, after]) = jump(pair, *integral);
             if before != after {
-                panel = panel.impulse(theta, after > before, Stroke::new(*colour).class("impulse"));
+                panel = panel.impulse(theta, after > before, LineStyle::new(*colour).class("impulse"));
                 if sense > 0.0 {
                     let edge = panel.ends()[usize::from(after > before)];
-                    panel = panel.near([(theta, 0.7 * edge)], PI, Label::words("impulse").in_colour(*colour));
+                    panel = panel.name_near([(theta, 0.7 * edge)], PI, Label::words("impulse").in_colour(*colour));
                 }
             }
         }
-        panel.vertical(near, Stroke::thin("now").wide(1.0).dashed("2 4")).marks([(near, value(motion))], HERE)
+        panel.vertical(near, LineStyle::thin("now").wide(1.0).dashed("2 4")).marks([(near, value(motion))], HERE)
     };
     CURVES.iter().enumerate().map(panel).collect()
 }
 
 fn words(of: &MisplacedWheel, crank: f64, motion: &WheelMotion, blow: f64) -> Words {
     let wheel = of.wheel();
-    let (stations, pins) = (counted(wheel.stations(), "station"), counted(wheel.pins(), "pin"));
+    let (stations, pins) = (count_noun(wheel.stations(), "station"), count_noun(wheel.pins(), "pin"));
     let distance = match of.error() {
         0.0 => "with the axes at the right distance".to_owned(),
         error => format!(
@@ -192,7 +192,7 @@ fn words(of: &MisplacedWheel, crank: f64, motion: &WheelMotion, blow: f64) -> Wo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, drawn};
+    use crate::checks::{ParsedDrawing, assert_drawn};
     use crate::svg::TEXT_SIZE;
     use geneva_kinematics::wheel::Wheel;
 
@@ -204,8 +204,8 @@ mod tests {
     #[test]
     fn what_jumps_is_not_joined_and_its_rate_is_an_impulse() {
         let figure = figure(0.0);
-        drawn(&figure);
-        let drawing = Drawing::of(&figure);
+        assert_drawn(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         // Rest, advance and rest again for each of three; the velocity is continuous, acceleration and jerk jump.
         assert_eq!((drawing.count("curve"), drawing.count("still"), drawing.count("moving")), (9, 4, 4));
         assert_eq!(drawing.count("impulse"), 4, "shaft and head, at entry and at exit");
@@ -218,13 +218,13 @@ mod tests {
 
     #[test]
     fn a_blow_is_an_impulse_of_the_acceleration() {
-        assert_eq!(Drawing::of(&figure(0.01)).count("impulse"), 8);
+        assert_eq!(ParsedDrawing::parse(&figure(0.01)).count("impulse"), 8);
     }
 
     #[test]
     fn no_title_touches_the_numbers_of_the_panel_above() {
         let figure = figure(0.0);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let frames: Vec<f64> =
             [0, 1, 2].map(|panel| drawing.path("now", panel).iter().map(|end| end.y).fold(0.0, f64::max)).to_vec();
         for (title, foot) in [("acceleration", frames[0]), ("jerk", frames[1])] {

@@ -1,9 +1,9 @@
 //! The spherical wheel and its driver in space, in the middle of an index.
 
-use super::pose::counted;
+use super::pose::count_noun;
 use crate::number::{degrees, significant};
 use crate::parts::{self, WIDTH};
-use crate::svg::{Canvas, Kind, Label, Path, Pixels, Place, Shape, View, leader};
+use crate::svg::{Canvas, DrawingKind, Label, LabelPosition, Path, Pixels, Shape, View, leader};
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
@@ -123,20 +123,24 @@ pub fn spherical_mechanism(wheel: &SphericalWheel) -> Figure {
     ]);
     let words = Words::new(
         "spherical-mechanism",
-        format!("Spherical Geneva mechanism with {} stations and {}", wheel.stations(), counted(wheel.pins(), "pin")),
+        format!(
+            "Spherical Geneva mechanism with {} stations and {}",
+            wheel.stations(),
+            count_noun(wheel.pins(), "pin")
+        ),
         format!(
             "Half a sphere that turns about a vertical axis, with {} along meridians, which open at its level rim, and a \
              hollow locking arc between each two. A driver turns about a level axis through the sphere's centre. Its pin \
              points to that centre at {} to the driver's axis, and is deepest in a slot. The sphere's radius is {} crank \
              radii.",
-            counted(wheel.stations(), "slot"),
+            count_noun(wheel.stations(), "slot"),
             degrees(alpha),
             significant(wheel.sphere_radius_ratio(), 4)
         ),
         "The spherical wheel, to scale in parallel projection. The axes cross at right angles in the sphere's centre, and \
          the pin is in a slot for half of each turn of the driver, whatever the number of slots.",
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, DrawingKind::Mechanism, series)
 }
 
 fn draw_wheel(canvas: &mut Canvas, sight: &Sight, stations: u32, alpha: f64) {
@@ -149,7 +153,8 @@ fn draw_wheel(canvas: &mut Canvas, sight: &Sight, stations: u32, alpha: f64) {
     let ends = libm::atan2(sight.right.y, sight.right.x);
     let rim = angles(ends - PI, ends).map(|angle| on_sphere(angle, 0.0));
     let dome = sight.outline(above.chain(rim));
-    canvas.draw(Shape::path(dome).fill(FILL).stroke(FOLLOWER, 2.0).with("stroke-linejoin", "round").class("wheel"));
+    canvas
+        .draw(Shape::path(dome).fill(FILL).stroke(FOLLOWER, 2.0).attribute("stroke-linejoin", "round").class("wheel"));
     for k in 0..stations {
         let slot = 2.0 * alpha * f64::from(k);
         cut(canvas, sight, &slot_outline(slot, alpha), "slot");
@@ -196,7 +201,7 @@ fn cut(canvas: &mut Canvas, sight: &Sight, edge: &[Vector3<f64>], class: &str) {
         let along_rim = (0..=6).map(|k| f64::from(k) / 6.0).map(|share| on_sphere(from + share * turn, 0.0));
         let open = sight.outline(edge.iter().copied().chain(along_rim));
         canvas.draw(Shape::path(open).fill(PAPER).stroke(PAPER, 4.0).class("open"));
-        let edge = Shape::path(sight.curve(edge)).stroke(FOLLOWER, 1.5).with("stroke-linejoin", "round");
+        let edge = Shape::path(sight.curve(edge)).stroke(FOLLOWER, 1.5).attribute("stroke-linejoin", "round");
         canvas.draw(edge.class(class));
     }
 }
@@ -217,7 +222,9 @@ fn draw_driver(canvas: &mut Canvas, sight: &Sight, pins: u32, alpha: f64) {
         let pin = Vector3::new(size.cos, 0.0, size.sin * turn.cos);
         let (inner, outer) = (sight.place(&(pin * 0.94)), sight.place(&(pin * PLATE)));
         for (colour, width) in [(INK, 9.0), (PAPER, 6.0)] {
-            canvas.draw(Shape::line(&inner, &outer).stroke(colour, width).with("stroke-linecap", "round").class("pin"));
+            canvas.draw(
+                Shape::line(&inner, &outer).stroke(colour, width).attribute("stroke-linecap", "round").class("pin"),
+            );
         }
     }
     let plate = sight.outline(circle(PLATE_RADIUS * alpha, PLATE, 0.0, 2.0 * PI));
@@ -235,7 +242,7 @@ fn names(canvas: &mut Canvas, sight: &Sight, alpha: f64) {
     canvas.label(&sight.place(&end), &Vector2::new(0.4, 0.9), 14.0, &Label::words("driver’s axis").in_colour(DRIVER));
     let pin = on_sphere(0.0, alpha) * PLATE;
     // Beyond the wheel's outline.
-    let place = Place { point: sight.place(&pin), towards: Vector2::new(0.8, -0.6), distance: 62.0 };
+    let place = LabelPosition { point: sight.place(&pin), towards: Vector2::new(0.8, -0.6), distance: 62.0 };
     canvas.label(&place.point, &place.towards, place.distance, &Label::words("pin"));
     leader(canvas, &place);
 }
@@ -247,16 +254,16 @@ fn dashed(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{drawn, sound};
+    use crate::checks::{assert_drawn, assert_sound};
 
     #[test]
     fn it_is_drawn_in_true_numbers_and_legibly() {
         for stations in 3..=18 {
             for pins in [1, 2] {
                 let figure = spherical_mechanism(&SphericalWheel::with_pins(stations, pins).expect("possible"));
-                drawn(&figure);
+                assert_drawn(&figure);
                 if (4..=8).contains(&stations) {
-                    sound(&figure);
+                    assert_sound(&figure);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Speeds, accelerations and the force on the pin over one engagement of the steady motion.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{degrees, short, significant, without_noise};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{degrees, extent, short, significant, without_noise};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -41,7 +41,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
     let instants = lines.iter().map(|line| instant(parameters, line.angle, line.speed));
     let instants = instants.collect::<Result<Vec<_>, _>>()?;
     let half = mechanism.engagement_half_angle();
-    let x = Axis::of_engagement(half.to_degrees(), MARKS);
+    let x = ChartAxis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let panels = [
         both(&x, &instants, |at| at.speeds, "speeds ", 1, " in rad/s"),
@@ -49,7 +49,7 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
         force(&x.clone().titled(angle), &instants),
     ];
     let change = engagement.passage(engagement.steady_state()?.entry_speed)?.reversal_angle();
-    let flank = Stroke::thin("switch").dashed("5 4");
+    let flank = LineStyle::thin("switch").dashed("5 4");
     let panels = panels.map(|panel| match change {
         Some(change) => panel.vertical(change.to_degrees(), flank),
         None => panel,
@@ -112,14 +112,22 @@ fn instant(parameters: &Parameters, angle: f64, speed: f64) -> Result<Instant, F
 }
 
 /// A panel with the driver's and the follower's curve, each named.
-fn both(x: &Axis, instants: &[Instant], pair: fn(&Instant) -> [f64; 2], what: &str, order: usize, unit: &str) -> Panel {
+fn both(
+    x: &ChartAxis,
+    instants: &[Instant],
+    pair: fn(&Instant) -> [f64; 2],
+    what: &str,
+    order: usize,
+    unit: &str,
+) -> Panel {
     let values = || instants.iter().flat_map(pair);
-    let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let [theta, phi] =
         [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::rate(letter, order).in_colour(colour));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
-    let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
-    let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));
+    let strokes = [LineStyle::new(DRIVER).dashed("10 5"), LineStyle::new(FOLLOWER)];
+    let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, LineStyle::thin("zero"));
     let names = [theta.and(" driver"), phi.and(" follower")];
     for (k, stroke) in strokes.into_iter().enumerate() {
         panel = panel.curve(instants.iter().map(|at| (at.angle, pair(at)[k])), stroke);
@@ -128,7 +136,7 @@ fn both(x: &Axis, instants: &[Instant], pair: fn(&Instant) -> [f64; 2], what: &s
         // Where the curve is far from zero, it is far from the other one as well.
         let far = instants.iter().map(|at| pair(at)[k].abs()).fold(0.0, f64::max);
         let points = instants.iter().filter(|at| pair(at)[k].abs() > 0.4 * far).step_by(4);
-        panel = panel.near(points.map(|at| (at.angle, pair(at)[k])), first, name);
+        panel = panel.name_near(points.map(|at| (at.angle, pair(at)[k])), first, name);
     }
     panel
 }
@@ -136,16 +144,17 @@ fn both(x: &Axis, instants: &[Instant], pair: fn(&Instant) -> [f64; 2], what: &s
 /// Adds rings at the ends of the follower's acceleration to a panel.
 fn jumping(panel: Panel, instants: &[Instant]) -> Panel {
     let ends = [instants.first(), instants.last()].into_iter().flatten().map(|at| (at.angle, at.accelerations[1]));
-    panel.marks(ends, Marker::new(FOLLOWER, Mark::Ring).sized(10.0).class("hand-over"))
+    panel.marks(ends, Marker::new(FOLLOWER, MarkShape::Ring).sized(10.0).class("hand-over"))
 }
 
 /// The force between pin and slot.
-fn force(x: &Axis, instants: &[Instant]) -> Panel {
+fn force(x: &ChartAxis, instants: &[Instant]) -> Panel {
     let values = || instants.iter().map(|at| at.force);
-    let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
+    let [least, most] = extent(values().chain([0.0]));
+    let y = ChartAxis::from_zero(least, most, 4.0);
     let symbol = Label::symbol("F").and_symbol("\u{2009}R").and(" / ").and_symbol("K");
     let title = Label::words("force on the pin ").and_label(&symbol);
     Panel::new(190.0, x, &y.titled(title))
-        .horizontal(0.0, Stroke::thin("zero"))
-        .curve(instants.iter().map(|at| (at.angle, at.force)), Stroke::new(RELATIVE).class("force"))
+        .horizontal(0.0, LineStyle::thin("zero"))
+        .curve(instants.iter().map(|at| (at.angle, at.force)), LineStyle::new(RELATIVE).class("force"))
 }

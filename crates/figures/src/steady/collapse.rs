@@ -1,8 +1,8 @@
 //! All runs of a mechanism on one curve: peak, minimum and period without the torque and the size of the inertias.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Spot, Stroke, of_mechanism};
-use crate::number::significant;
-use crate::runs::{Group, Run};
+use crate::chart::{Chart, ChartAxis, LegendEntry, LineStyle, Panel, Spot, of_mechanism};
+use crate::number::{extent, significant};
+use crate::runs::{MechanismRuns, PrintedRun};
 use crate::svg::Label;
 use crate::theme::INK;
 use crate::{Figure, FigureError, Series, Words};
@@ -21,7 +21,7 @@ fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
     [steady.peak.speed / unit, steady.minimum.speed / unit, steady.period * unit]
 }
 
-fn given(run: &Run, unit: f64) -> [f64; 3] {
+fn given(run: &PrintedRun, unit: f64) -> [f64; 3] {
     [run.peak / unit, run.minimum / unit, run.period * unit]
 }
 
@@ -47,7 +47,7 @@ type Results = Vec<(f64, [f64; 3])>;
 /// # Errors
 ///
 /// [`FigureError`] if there is no run, or one without a steady motion.
-pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
+pub fn collapse(groups: &[MechanismRuns]) -> Result<Figure, FigureError> {
     let mut runs = Vec::new();
     for group in groups {
         for run in &group.runs {
@@ -70,10 +70,10 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     let curves = groups.iter().map(|group| both(group, &x)).collect::<Result<Vec<_>, FigureError>>()?;
     let panels = [0, 1, 2].map(|k| panel(groups, &runs, &curves, &x, k));
     let markers = groups.iter().map(|group| of_mechanism(group.mechanism.slots()).1);
-    let printed = std::iter::once(Entry::marks(markers, Label::words("printed")));
-    let [own, as_run] = [Stroke::new(INK).wide(2.2), Stroke::new(INK).wide(1.6).dashed(DASHES)];
+    let printed = std::iter::once(LegendEntry::marks(markers, Label::words("printed")));
+    let [own, as_run] = [LineStyle::new(INK).wide(2.2), LineStyle::new(INK).wide(1.6).dashed(DASHES)];
     let lines = [(own, "the mechanism"), (as_run, "the program as run")];
-    let key = printed.chain(lines.map(|(stroke, name)| Entry::curve(stroke, Label::words(name))));
+    let key = printed.chain(lines.map(|(stroke, name)| LegendEntry::curve(stroke, Label::words(name))));
     let series = Series::of_items(
         &runs,
         [
@@ -92,8 +92,9 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     );
     let worst = |k: usize| runs.iter().map(|run| (run.printed[k] / run.as_run[k] - 1.0).abs()).fold(0.0, f64::max);
     let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
-    let of_group =
-        |group: &Group| format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins());
+    let of_group = |group: &MechanismRuns| {
+        format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins())
+    };
     let inertias = groups.iter().map(of_group).collect::<Vec<_>>().join(", ");
     let words = Words::new(
         "steady-collapse",
@@ -119,27 +120,27 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
 }
 
 /// The axis of the frictions of all runs.
-fn frictions(runs: &[Scaled]) -> Result<Axis, FigureError> {
+fn frictions(runs: &[Scaled]) -> Result<ChartAxis, FigureError> {
     let frictions = || runs.iter().map(|run| run.friction);
-    let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
+    let [least, most] = extent(frictions());
     if runs.is_empty() {
         return Err(FigureError::Nothing);
     }
     let room = 0.06 * (most - least).max(0.1 * most);
     let range = (least - room).max(0.5 * least)..most + room;
-    let steps = Axis::spanning(range.start, range.end, 4.0);
-    Ok(Axis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+    let steps = ChartAxis::spanning(range.start, range.end, 4.0);
+    Ok(ChartAxis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
 }
 
 /// The curve of the mechanism as it was run, if that is another than its own, and its own.
-fn both(group: &Group, x: &Axis) -> Result<[Option<Results>; 2], FigureError> {
+fn both(group: &MechanismRuns, x: &ChartAxis) -> Result<[Option<Results>; 2], FigureError> {
     let of = |reset: f64| curve(group, reset, [x.range.start, x.range.end]);
     let as_run = group.own_reset().map(|_| of(group.reset)).transpose()?;
     Ok([as_run, Some(of(group.own_reset().unwrap_or(group.reset))?)])
 }
 
 /// The panel of one of the three results.
-fn panel(groups: &[Group], runs: &[Scaled], curves: &[[Option<Results>; 2]], x: &Axis, k: usize) -> Panel {
+fn panel(groups: &[MechanismRuns], runs: &[Scaled], curves: &[[Option<Results>; 2]], x: &ChartAxis, k: usize) -> Panel {
     let values = runs.iter().flat_map(|run| [run.printed[k], run.as_run[k]]);
     let values = values.chain(curves.iter().flatten().flatten().flatten().map(|(_, values)| values[k]));
     let (name, height) = PANELS[k];
@@ -147,10 +148,10 @@ fn panel(groups: &[Group], runs: &[Scaled], curves: &[[Option<Results>; 2]], x: 
     let last = k + 1 == PANELS.len();
     let title_of_x = Label::words("coefficient of friction ").and_symbol("μ");
     let x = if last { x.clone().titled(title_of_x) } else { x.clone().unnumbered() };
-    let mut panel = Panel::new(height, &x, &Axis::from_zero(0.0, values.fold(0.0, f64::max), 4.0).titled(title));
+    let mut panel = Panel::new(height, &x, &ChartAxis::from_zero(0.0, values.fold(0.0, f64::max), 4.0).titled(title));
     for (group, both) in groups.iter().zip(curves) {
         let (stroke, marker) = of_mechanism(group.mechanism.slots());
-        let stroke = Stroke { dashes: None, ..stroke };
+        let stroke = LineStyle { dashes: None, ..stroke };
         for (points, stroke) in both.iter().zip([stroke.wide(1.6).dashed(DASHES), stroke.wide(2.2)]) {
             panel = panel.curve(points.iter().flatten().map(|(friction, values)| (*friction, values[k])), stroke);
         }
@@ -165,7 +166,7 @@ fn panel(groups: &[Group], runs: &[Scaled], curves: &[[Option<Results>; 2]], x: 
 }
 
 /// A mechanism's results without scale, over the friction, if the driver's angle is reset after this angle.
-fn curve(group: &Group, reset: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
+fn curve(group: &MechanismRuns, reset: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
     let point = |step: u32| {
         let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);
         let torque = group.inertias.follower();
@@ -177,7 +178,7 @@ fn curve(group: &Group, reset: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{ParsedDrawing, assert_sound};
     use geneva_dynamics::Inertias;
     use geneva_kinematics::Mechanism;
     use std::f64::consts::FRAC_PI_2;
@@ -186,23 +187,23 @@ mod tests {
     fn runs_of_all_torques_fall_together() {
         let groups = Mechanism::ALL.map(|mechanism| {
             let inertias = Inertias::new(2.0, 5.0).expect("sound");
-            let mut group = Group { mechanism, inertias, reset: FRAC_PI_2, runs: Vec::new() };
+            let mut group = MechanismRuns { mechanism, inertias, reset: FRAC_PI_2, runs: Vec::new() };
             for (friction, torque) in [(0.1, 3.0), (0.1, 12.0), (0.25, 3.0), (0.25, 0.7)] {
                 let steady = group.engagement(friction, torque, FRAC_PI_2).expect("sound").steady_state();
                 let steady = steady.expect("steady");
                 let (peak, minimum) = (steady.peak.speed, steady.minimum.speed);
-                group.runs.push(Run { friction, torque, peak, minimum, rise: 1.0, period: steady.period });
+                group.runs.push(PrintedRun { friction, torque, peak, minimum, rise: 1.0, period: steady.period });
             }
             group
         });
         let figure = collapse(&groups).expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         for pair in figure.series.rows.chunks(2) {
             for (one, other) in pair[0].iter().zip(&pair[1]).skip(2) {
                 approx::assert_relative_eq!(*one, *other, max_relative = 1e-9);
             }
         }
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         // One for four slots, two for six and three, in three panels.
         assert_eq!(drawing.count("curve"), 15);
         assert_eq!(drawing.count("marks"), 9);

@@ -1,8 +1,8 @@
 //! A pin of finite radius in its slot: where it touches, what it rubs with, and how fast its surface slides.
 
-use crate::number::{degrees, fixed, with_minus_sign};
-use crate::parts::{WIDTH, arc_arrow, arrow, numbered, part};
-use crate::svg::{Canvas, DASHED, Kind, Label, Path, Pixels, Shape};
+use crate::number::{degrees, format_fixed, with_minus_sign};
+use crate::parts::{WIDTH, arc_arrow, arrow, draw_number, part};
+use crate::svg::{Canvas, DASHED, DrawingKind, Label, Path, Pixels, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::joints::{Escapement, Joints, Reach};
@@ -110,7 +110,7 @@ pub(super) fn at_instants(escapement: &Escapement, instants: [(f64, f64); 2]) ->
             parameters.friction()
         ),
     );
-    Ok(words.figure(canvas, Kind::Diagram, series))
+    Ok(words.figure(canvas, DrawingKind::Diagram, series))
 }
 
 impl Instant {
@@ -127,13 +127,13 @@ impl Instant {
 }
 
 fn number(value: f64) -> String {
-    with_minus_sign(&fixed(value, 2))
+    with_minus_sign(&format_fixed(value, 2))
 }
 
 fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, -1.0));
     let corner = Vector2::new(20.0, top + 24.0);
-    numbered(canvas, &corner, count);
+    draw_number(canvas, &corner, count);
     let title = if at.side > 0.0 { "Pin drives: leading flank, " } else { "Pin holds back: trailing flank, " };
     let title = Label::words(title).and_symbol("F").and(if at.side > 0.0 { " > 0, " } else { " < 0, " });
     let title = title.and_symbol("θ").and(&format!(" = {}", degrees(at.theta)));
@@ -166,7 +166,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     canvas.draw(Shape::circle(&centre, PIN).fill(PAPER).stroke(INK, 2.2).class("enlarged-pin"));
 
     let touch = place(0.0, at.side * PIN);
-    canvas.draw(Shape::line(&centre, &touch).stroke(DRIVER, 2.2).class("radius").with("data-letter", "ρ"));
+    canvas.draw(Shape::line(&centre, &touch).stroke(DRIVER, 2.2).class("radius").attribute("data-letter", "ρ"));
     canvas.label(&place(0.0, at.side * 0.5 * PIN), &(right * -outward), 9.0, &Label::part("ρ").in_colour(DRIVER));
     turning(canvas, at, &centre);
     canvas.draw(Shape::circle(&centre, 3.5).fill(INK));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// Values on a grid: columns at rising x, each with as many nodes at rising y. A value may be missing: not a number.
 #[derive(Clone, Debug)]
-pub struct Grid {
+pub struct ContourGrid {
     /// x of each column.
     pub columns: Vec<f64>,
     /// y of each node, column by column.
@@ -16,7 +16,7 @@ pub struct Grid {
 /// An edge of the grid: column and row of its lower left end, and whether it goes upwards.
 type Edge = (usize, usize, bool);
 
-impl Grid {
+impl ContourGrid {
     fn node(&self, column: usize, row: usize) -> Option<[f64; 3]> {
         let value = *self.values.get(column)?.get(row)?;
         let node = [*self.columns.get(column)?, *self.heights.get(column)?.get(row)?, value];
@@ -86,13 +86,13 @@ impl Grid {
 mod tests {
     use super::*;
 
-    fn grid(value: fn(f64, f64) -> f64) -> Grid {
+    fn grid(value: fn(f64, f64) -> f64) -> ContourGrid {
         let columns: Vec<f64> = (-20..=20).map(|k| f64::from(k) / 10.0).collect();
         // Columns of different heights.
         let height = |x: f64, k: u32| -2.0 - 0.1 * x + (4.0 + 0.3 * x) * f64::from(k) / 40.0;
         let heights: Vec<Vec<f64>> = columns.iter().map(|x| (0..=40).map(|k| height(*x, k)).collect()).collect();
         let values = columns.iter().zip(&heights).map(|(x, ys)| ys.iter().map(|y| value(*x, *y)).collect());
-        Grid { columns: columns.clone(), heights: heights.clone(), values: values.collect() }
+        ContourGrid { columns: columns.clone(), heights: heights.clone(), values: values.collect() }
     }
 
     #[test]

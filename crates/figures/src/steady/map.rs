@@ -1,9 +1,9 @@
 //! Terminal speed and rise over friction and ratio of the inertias.
 
-use super::contours::Grid;
-use crate::chart::{Axis, Chart, Panel, Spot, Stroke, of_mechanism};
-use crate::escapement::Design;
-use crate::number::{count_word, significant, trimmed};
+use super::contours::ContourGrid;
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel, Spot, of_mechanism};
+use crate::escapement::MarkedEscapement;
+use crate::number::{count_word, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -35,8 +35,8 @@ const LEAST: [f64; 2] = [0.0, 0.5];
 const NARROW: f64 = 0.02;
 const KEPT: usize = 6;
 /// The lines of both panels, and beside the name of the y axis what they are.
-const LINES: [Stroke; 2] =
-    [Stroke::new(DRIVER).wide(1.8).class("equal"), Stroke::new(FOLLOWER).wide(1.8).dashed("8 4").class("equal")];
+const LINES: [LineStyle; 2] =
+    [LineStyle::new(DRIVER).wide(1.8).class("equal"), LineStyle::new(FOLLOWER).wide(1.8).dashed("8 4").class("equal")];
 const NAMES: [&str; 2] = ["with lines of equal mean speed", "with lines of equal rise, in engagements"];
 
 /// A value of the steady motion at a torque and an inertia of the follower of one.
@@ -58,13 +58,13 @@ type Line = (f64, Vec<(f64, f64)>);
 /// # Errors
 ///
 /// [`FigureError`] if a design cannot be shown.
-pub fn map(mechanism: Mechanism, designs: &[Design]) -> Result<Figure, FigureError> {
+pub fn map(mechanism: Mechanism, designs: &[MarkedEscapement]) -> Result<Figure, FigureError> {
     map_within(TOLERANCE, mechanism, designs)
 }
 
 /// The map, from steady motions to this relative tolerance.
-fn map_within(tolerance: f64, mechanism: Mechanism, designs: &[Design]) -> Result<Figure, FigureError> {
-    let own: Vec<&Design> = designs.iter().filter(|design| design.mechanism == mechanism).collect();
+fn map_within(tolerance: f64, mechanism: Mechanism, designs: &[MarkedEscapement]) -> Result<Figure, FigureError> {
+    let own: Vec<&MarkedEscapement> = designs.iter().filter(|design| design.mechanism == mechanism).collect();
     for design in &own {
         shown("I_D / I_f", design.inertia_ratio, INERTIAS)?;
         shown("the friction", design.friction, FRICTIONS)?;
@@ -93,7 +93,7 @@ fn shown(name: &'static str, value: f64, range: Range<f64>) -> Result<(), Figure
 }
 
 /// The lines of a panel that are not too close to one another.
-fn lines(grid: &Grid, panel: usize) -> Vec<Line> {
+fn lines(grid: &ContourGrid, panel: usize) -> Vec<Line> {
     let mut last: Option<f64> = None;
     let mut shown = Vec::new();
     for value in LEVELS {
@@ -112,26 +112,26 @@ fn raised(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().map(|(friction, log)| (*friction, libm::exp(*log))).collect()
 }
 
-fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: usize) -> Panel {
+fn panel(mechanism: Mechanism, own: &[&MarkedEscapement], grid: &ContourGrid, lines: &[Line], k: usize) -> Panel {
     let marks = (0..=6).map(|k| FRICTIONS.end * f64::from(k) / 6.0);
-    let x = Axis { decimals: 1, ..Axis::whole(FRICTIONS, marks) };
+    let x = ChartAxis { decimals: 1, ..ChartAxis::whole(FRICTIONS, marks) };
     let x = if k == 1 { x.titled(Label::words("coefficient of friction ").and_symbol("μ")) } else { x };
     let title = Label::symbol("I").sub("D").and(" / ").and_symbol("I").sub("f").and(&format!(", {}", NAMES[k]));
     let boundary = critical(mechanism);
     let ground = boundary.iter().copied().chain([(FRICTIONS.end, INERTIAS.start)]);
     // As far as it is above the foot of the panel.
     let above = boundary.iter().copied().filter(|(_, inertia)| *inertia > INERTIAS.start);
-    let mut panel = Panel::new(330.0, &x, &Axis::logarithmic(INERTIAS).titled(title))
+    let mut panel = Panel::new(330.0, &x, &ChartAxis::logarithmic(INERTIAS).titled(title))
         .area(ground, FILL, "unsound")
-        .curve(above, Stroke::new(INK).wide(2.4).class("boundary"));
+        .curve(above, LineStyle::new(INK).wide(2.4).class("boundary"));
     for (_, points) in lines {
         panel = panel.curve(points.iter().copied(), LINES[k]);
     }
     if k == 0 {
         let ridge = raised(&grid.ridge());
         let late = ridge.iter().rev().take(ridge.len() / 2).copied();
-        panel = panel.near(late, FRAC_PI_2, Label::words("fastest"));
-        panel = panel.curve(ridge, Stroke::new(INK).wide(2.2).dashed("2 5").class("ridge"));
+        panel = panel.name_near(late, FRAC_PI_2, Label::words("fastest"));
+        panel = panel.curve(ridge, LineStyle::new(INK).wide(2.2).dashed("2 5").class("ridge"));
     }
     for design in own {
         panel = panel.marks([(design.friction, design.inertia_ratio)], of_mechanism(mechanism.slots()).1.sized(10.0));
@@ -139,7 +139,8 @@ fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: 
     let corner = [0.05, 0.09, 0.13].map(|y| [0.79, y]).to_vec();
     panel = panel.name(Label::words("no single solution").bare(), Spot::Free(corner));
     for (value, points) in lines {
-        panel = panel.name(Label::words(&trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
+        panel =
+            panel.name(Label::words(&format_trimmed(*value, 2)).in_colour(LINES[k].colour), Spot::On(points.clone()));
     }
     panel
 }
@@ -151,7 +152,7 @@ fn steady(tolerance: f64, mechanism: Mechanism, inertia: f64, friction: f64) -> 
 }
 
 /// Logarithms of both values over μ and the logarithm of I_D / I_f: each column begins where there is one solution.
-fn grids(tolerance: f64, mechanism: Mechanism) -> Result<[Grid; 2], FigureError> {
+fn grids(tolerance: f64, mechanism: Mechanism) -> Result<[ContourGrid; 2], FigureError> {
     let (mut columns, mut heights) = (Vec::new(), Vec::new());
     let mut values = [Vec::new(), Vec::new()];
     // Without friction there is no steady motion: the first column has little, and the next ones are close.
@@ -170,7 +171,7 @@ fn grids(tolerance: f64, mechanism: Mechanism) -> Result<[Grid; 2], FigureError>
         columns.push(friction);
         heights.push(nodes);
     }
-    Ok(values.map(|values| Grid { columns: columns.clone(), heights: heights.clone(), values }))
+    Ok(values.map(|values| ContourGrid { columns: columns.clone(), heights: heights.clone(), values }))
 }
 
 /// The critical ratio of the inertias over μ, within the panel.
@@ -182,7 +183,7 @@ fn critical(mechanism: Mechanism) -> Vec<(f64, f64)> {
     (0..=90).map(at).collect()
 }
 
-fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64, f64)]) -> Words {
+fn words(mechanism: Mechanism, own: &[&MarkedEscapement], shown: [usize; 2], ridge: &[(f64, f64)]) -> Words {
     let [least, greatest] = [f64::min, f64::max].map(|pick| {
         let ratios = ridge.iter().map(|(_, log)| libm::exp(*log));
         significant(ratios.reduce(pick).unwrap_or_default(), 2)
@@ -192,7 +193,7 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
     let said = own.iter().filter_map(|design| {
         let steady = steady(TOLERANCE, mechanism, design.inertia_ratio, design.friction)?;
         let [speed, rise] = VALUES.map(|value| significant(value(&steady), 3));
-        let (friction, inertia) = (trimmed(design.friction, 4), trimmed(design.inertia_ratio, 4));
+        let (friction, inertia) = (format_trimmed(design.friction, 4), format_trimmed(design.inertia_ratio, 4));
         Some(format!("at μ = {friction}, I_D / I_f = {inertia}: mean speed {speed}, rise {rise}"))
     });
     let said: Vec<String> = said.collect();
@@ -222,10 +223,10 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, columns, sound};
+    use crate::checks::{ParsedDrawing, assert_sound, columns};
 
-    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
-        Design { mechanism, inertia_ratio, friction }
+    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> MarkedEscapement {
+        MarkedEscapement { mechanism, inertia_ratio, friction }
     }
 
     #[test]
@@ -242,7 +243,7 @@ mod tests {
         for mechanism in Mechanism::ALL {
             let designs = [design(mechanism, 0.5, 0.125), design(mechanism, 0.25, 0.25)];
             let figure = map(mechanism, &designs).expect("drawn");
-            sound(&figure);
+            assert_sound(&figure);
             let rows = columns(&figure.series, ["panel", "value", "mu", "I_D/I_f"]);
             for row @ [panel, level, friction, inertia_ratio] in &rows {
                 let state = steady(TOLERANCE, mechanism, *inertia_ratio, *friction).expect("sound");
@@ -252,7 +253,7 @@ mod tests {
                 assert!(*inertia_ratio >= critical_inertia_ratio(mechanism, *friction).expect("a ratio"), "{row:?}");
             }
             assert!([1.0, 2.0].iter().all(|panel| rows.iter().filter(|[own, ..]| own == panel).count() > 40));
-            let drawing = Drawing::of(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             // Two designs in two panels; a square or a diamond has a rim of its own class.
             assert_eq!(drawing.count("marks"), 4);
         }
@@ -267,7 +268,7 @@ mod tests {
                 assert!(values.windows(2).all(|pair| falls([pair[1], pair[0]])), "{mechanism:?} {column}");
             }
             // At one ratio of the inertias: the top row is the same in all columns.
-            let top = |grid: &Grid| grid.values.iter().map(|values| values[ROWS as usize]).collect::<Vec<_>>();
+            let top = |grid: &ContourGrid| grid.values.iter().map(|values| values[ROWS as usize]).collect::<Vec<_>>();
             let ridge = speed.ridge();
             assert!(ridge.len() > 50, "{mechanism:?}: {}", ridge.len());
             for (friction, log) in ridge.iter().step_by(8) {

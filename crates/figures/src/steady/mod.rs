@@ -19,4 +19,4 @@ pub use losses::losses;
 pub use map::map;
 pub use phase::phase;
 pub use return_map::return_map;
-pub use work_precision::{Measurement, work_precision};
+pub use work_precision::{SolverMeasurement, work_precision};

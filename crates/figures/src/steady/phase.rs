@@ -1,8 +1,8 @@
 //! The driver's speed over its angle, engagement by engagement, from rest and from above.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Spot, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel, Spot};
 use crate::escapement::speeds;
-use crate::number::{degrees, shown, significant, trimmed};
+use crate::number::{degrees, describe_parameters, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER};
 use crate::{Figure, FigureError, Series, Words};
@@ -19,10 +19,10 @@ const MARKS: i32 = 3;
 /// Every how many instants of the drawing are a row of the series.
 const KEPT: usize = 6;
 /// How the engagements from rest look, those from above, and the steady cycle.
-const STROKES: [Stroke; 3] = [
-    Stroke::new(DRIVER).wide(2.0).class("from-rest"),
-    Stroke::new(FOLLOWER).wide(2.0).dashed("8 4").class("from-above"),
-    Stroke::new(CORIOLIS).wide(3.4).dashed("2 4").class("cycle"),
+const STROKES: [LineStyle; 3] = [
+    LineStyle::new(DRIVER).wide(2.0).class("from-rest"),
+    LineStyle::new(FOLLOWER).wide(2.0).dashed("8 4").class("from-above"),
+    LineStyle::new(CORIOLIS).wide(3.4).dashed("2 4").class("cycle"),
 ];
 
 /// What they are called.
@@ -83,28 +83,28 @@ fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     let all = groups.iter().flat_map(|rounds| rounds.iter()).flat_map(|round| &round.points);
     let symbol = Label::words("driver's speed ").and_rate("θ", 1).and(" over √(");
     let symbol = symbol.and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
-    let y = Axis::from_zero(0.0, all.map(|point| point.1).fold(0.0, f64::max), 5.0).titled(symbol);
+    let y = ChartAxis::from_zero(0.0, all.map(|point| point.1).fold(0.0, f64::max), 5.0).titled(symbol);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
-    let x = Axis::of_engagement(half, MARKS).titled(angle);
-    let mut panel = Panel::new(406.0, &x, &y).vertical(0.0, Stroke::thin("centres").dashed("5 4"));
+    let x = ChartAxis::of_engagement(half, MARKS).titled(angle);
+    let mut panel = Panel::new(406.0, &x, &y).vertical(0.0, LineStyle::thin("centres").dashed("5 4"));
     for (rounds, stroke) in groups.iter().zip(STROKES) {
         panel = rounds.iter().fold(panel, |panel, round| panel.curve(round.points.iter().copied(), stroke));
     }
     for ((rounds, stroke), name) in groups.iter().zip(STROKES).zip(NAMES) {
-        let marker = Marker::new(stroke.colour, Mark::Diamond).sized(10.0);
+        let marker = Marker::new(stroke.colour, MarkShape::Diamond).sized(10.0);
         panel = panel.marks(rounds.first().and_then(|round| round.switch), marker);
         for (number, round) in rounds.iter().take(2).enumerate().filter(|_| rounds.len() > 1) {
             let words = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };
             let label = Label::words(&words).in_colour(stroke.colour);
-            panel = panel.near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
+            panel = panel.name_near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
         }
     }
     let [from_rest, _, cycle] = groups;
     let switch = from_rest.first().and_then(|round| round.switch);
-    panel = panel.near(switch, -FRAC_PI_4, Label::words("contact changes flank"));
+    panel = panel.name_near(switch, -FRAC_PI_4, Label::words("contact changes flank"));
     for round in cycle {
         let middle = round.points.iter().copied().skip(round.points.len() * 3 / 4);
-        panel = panel.near(middle, FRAC_PI_4 * 3.0, Label::words(NAMES[2]).in_colour(STROKES[2].colour));
+        panel = panel.name_near(middle, FRAC_PI_4 * 3.0, Label::words(NAMES[2]).in_colour(STROKES[2].colour));
     }
     let shares = [0.72, 0.28].into_iter().flat_map(|x| [0.94, 0.06, 0.88, 0.12].map(|y| [x, y]));
     panel.name(Label::words("line of centres"), Spot::Free(shares.collect()))
@@ -145,7 +145,7 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
              approach the cycle from below, the other curves from above; the third of each is close to the steady \
              cycle.{switch}",
             parameters.mechanism().pins(),
-            trimmed(parameters.friction(), 4),
+            format_trimmed(parameters.friction(), 4),
             significant(steady.entry_speed / unit, 3),
             significant(steady.minimum.speed / unit, 3),
             significant(steady.peak.speed / unit, 3)
@@ -155,7 +155,7 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
              the left with the speed at which the one before it ended at the right. The third of each series is close \
              to the steady cycle. At the diamonds the follower begins to run ahead of the pin, and the contact changes \
              flank. {}",
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     )
 }

@@ -1,7 +1,7 @@
 //! The speed at the end of an engagement over that at its start, and how motions climb and fall to the fixed point.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{short, shown, significant, trimmed};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{describe_parameters, format_trimmed, short, significant};
 use crate::svg::{DASHED, Label};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
@@ -39,7 +39,7 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
     let fixed = steady.entry_speed * steady.entry_speed / drive;
     let added = next(&free, 0.0)?;
     // Wide enough to see that the curve without friction keeps its distance.
-    let axis = Axis::from_zero(0.0, (BEYOND * fixed).max(1.3 * added), 5.0);
+    let axis = ChartAxis::from_zero(0.0, (BEYOND * fixed).max(1.3 * added), 5.0);
     let end = axis.range.end;
     let mut rows = Vec::new();
     for step in 0..=STEPS {
@@ -62,22 +62,22 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         let label = Label::words("square of the speed at ").and(end).and(", ").and_rate("θ", 1);
         label.and("² ").and_symbol("I").sub("f").and(" / ").and_symbol("K")
     };
-    let mu = |mu: f64| Label::symbol("μ").and(&format!(" = {}", trimmed(mu, 4)));
+    let mu = |mu: f64| Label::symbol("μ").and(&format!(" = {}", format_trimmed(mu, 4)));
     let column = |k: usize| rows.iter().map(move |row| (row[0], row[k]));
     let late = |k: usize| rows.iter().rev().step_by(3).map(move |row| (row[0], row[k]));
-    let fixed_point = Marker::new(DRIVER, Mark::Ring).sized(12.0).class("fixed-point");
+    let fixed_point = Marker::new(DRIVER, MarkShape::Ring).sized(12.0).class("fixed-point");
     let axes = ["entry", "exit"].map(|end| axis.clone().titled(symbol(end)));
     let mut panel = Panel::new(486.0, &axes[0], &axes[1])
-        .curve([(0.0, 0.0), (end, end)], Stroke::thin("diagonal").dashed(DASHED))
-        .curve(column(2), Stroke::new(FOLLOWER).dashed("3 4").class("free"))
-        .curve(column(1), Stroke::new(DRIVER).class("braked"));
+        .curve([(0.0, 0.0), (end, end)], LineStyle::thin("diagonal").dashed(DASHED))
+        .curve(column(2), LineStyle::new(FOLLOWER).dashed("3 4").class("free"))
+        .curve(column(1), LineStyle::new(DRIVER).class("braked"));
     for stairs in &stairs {
-        panel = panel.curve(stairs.corners.iter().copied(), Stroke::new(CORIOLIS).wide(1.6).class("stairs")).marks(
+        panel = panel.curve(stairs.corners.iter().copied(), LineStyle::new(CORIOLIS).wide(1.6).class("stairs")).marks(
             stairs.engagements.iter().copied(),
-            Marker::new(CORIOLIS, Mark::Disc).sized(6.0).class("engagement"),
+            Marker::new(CORIOLIS, MarkShape::Disc).sized(6.0).class("engagement"),
         );
     }
-    panel = panel.marks([(fixed, fixed)], fixed_point).near(
+    panel = panel.marks([(fixed, fixed)], fixed_point).name_near(
         [(fixed, fixed)],
         -FRAC_PI_4,
         Label::words(&format!("steady: {}", significant(fixed, 3))).in_colour(DRIVER),
@@ -85,13 +85,13 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
     for (stairs, (name, towards)) in stairs.iter().zip([("from rest", FRAC_PI_4), ("from above", -FRAC_PI_2)]) {
         for (number, point) in stairs.engagements.iter().take(NUMBERED).enumerate() {
             let name = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };
-            panel = panel.near([*point], towards, Label::words(&name).in_colour(CORIOLIS));
+            panel = panel.name_near([*point], towards, Label::words(&name).in_colour(CORIOLIS));
         }
     }
     let panel = panel
-        .near(late(1), FRAC_PI_2, mu(parameters.friction()).in_colour(DRIVER))
-        .near(late(2), PI, mu(0.0).in_colour(FOLLOWER))
-        .near(late(0), -FRAC_PI_4, Label::words("exit as entry").in_colour(INK));
+        .name_near(late(1), FRAC_PI_2, mu(parameters.friction()).in_colour(DRIVER))
+        .name_near(late(2), PI, mu(0.0).in_colour(FOLLOWER))
+        .name_near(late(0), -FRAC_PI_4, Label::words("exit as entry").in_colour(INK));
     let multiplier = short(steady.multiplier, 3);
     let words = Words::new(
         "steady-return-map",
@@ -103,9 +103,9 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
              staircase climbs to that point from rest, another falls to it from {} times the square; both are there \
              after a few steps. Without friction the curve lies {} above the diagonal throughout and never meets it.",
             parameters.mechanism().pins(),
-            trimmed(parameters.friction(), 4),
+            format_trimmed(parameters.friction(), 4),
             significant(fixed, 4),
-            trimmed(ABOVE, 1),
+            format_trimmed(ABOVE, 1),
             significant(added, 4)
         ),
         format!(
@@ -115,7 +115,7 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
              a start from rest and for one above the steady speed, the first two engagements are numbered. Near the \
              crossing a small difference shrinks to {multiplier} of its size in each engagement. Without friction \
              (dotted) each engagement adds the same amount, and there is no crossing. {}",
-            shown(parameters)
+            describe_parameters(parameters)
         ),
     );
     let columns = [("u entry", "1"), ("u exit", "1"), ("without friction", "1")];

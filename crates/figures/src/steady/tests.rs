@@ -3,7 +3,7 @@
 use super::contact::at_instants;
 use super::{accelerations, contact, phase, return_map};
 use crate::FigureError;
-use crate::checks::{Drawing, columns, sound};
+use crate::checks::{ParsedDrawing, assert_sound, columns};
 use geneva_dynamics::joints::{Escapement, Joints};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::Accelerations;
@@ -19,7 +19,7 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
     for mechanism in Mechanism::ALL {
         let one = parameters(mechanism, 0.125);
         let figure = return_map(&one).expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
         let fixed = steady.entry_speed * steady.entry_speed / one.drive();
         // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
@@ -29,7 +29,7 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
             assert!((free - entry - gain).abs() < 1e-9 * gain);
         }
         // The fixed point is on the diagonal through the corner, where the staircase begins.
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let diagonal = drawing.path("diagonal", 0);
         let (point, along) = (drawing.centre("fixed-point") - diagonal[0], diagonal[1] - diagonal[0]);
         assert!(along.perp(&point).abs() < 0.2 * along.norm() && point.norm() > 1.0, "{point}");
@@ -43,7 +43,7 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
     for mechanism in Mechanism::ALL {
         let one = parameters(mechanism, 0.125);
         let figure = phase(&one).expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
         let names = ["rest 1", "rest 2", "rest 3", "steady", "above 3", "above 2", "above 1"];
         let rows = columns(&figure.series, names);
@@ -55,7 +55,7 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
             let [_, _, _, steady, ..] = row;
             assert!(row.is_sorted_by(|slower, faster| *slower <= faster + 1e-6 * steady), "{row:?}");
         }
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         assert_eq!(["from-rest", "from-above", "cycle"].map(|class| drawing.count(class)), [3, 3, 1]);
         assert_eq!(drawing.count("marks"), 3);
     }
@@ -67,7 +67,7 @@ fn the_accelerations_are_drawn_up_to_their_strongest() {
     for mechanism in Mechanism::ALL {
         let one = parameters(mechanism, 0.125);
         let figure = accelerations(&one, "an example").expect("drawn");
-        sound(&figure);
+        assert_sound(&figure);
         let strongest = Accelerations::new(&one).expect("steady");
         for (name, value) in [
             ("theta''", strongest.driver.value / 1000.0),
@@ -82,7 +82,7 @@ fn the_accelerations_are_drawn_up_to_their_strongest() {
         let ([driver, follower, acceleration], [end_driver, _, end_acceleration]) = (rows[0], rows[rows.len() - 1]);
         approx::assert_relative_eq!(acceleration - end_acceleration, strongest.jump / 1000.0, max_relative = 1e-9);
         assert!((driver / end_driver - 1.0).abs() < 1e-9 && follower == 0.0);
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         assert_eq!((drawing.count("force"), drawing.count("curve")), (1, 4));
     }
     assert!(accelerations(&parameters(Mechanism::FOUR_PIN, 0.0), "none").is_err());
@@ -98,8 +98,8 @@ fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
             let steady = one.steady_state(contact::TOLERANCE).expect("steady").state;
             let instants = [(-0.7 * half, steady.entry_speed), (steady.peak.angle, steady.peak.speed)];
             let figure = at_instants(&one, instants).expect("drawn");
-            sound(&figure);
-            let drawing = Drawing::of(&figure);
+            assert_sound(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
             assert_eq!(["wall", "bearing-flank", "enlarged-pin"].map(|class| drawing.count(class)), [4, 2, 2]);
             let rows = &figure.series.rows;
             assert_eq!(columns(&figure.series, ["side"]), [[1.0], [-1.0]]);

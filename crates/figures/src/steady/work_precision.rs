@@ -1,6 +1,6 @@
 //! How much work a solver needs for how small an error.
 
-use crate::chart::{Axis, Chart, Panel, kind};
+use crate::chart::{Chart, ChartAxis, Panel, kind};
 use crate::number::{significant, with_hyphens};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
@@ -13,7 +13,7 @@ const DECIMALS: usize = 18;
 
 /// One run of one solver.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measurement {
+pub struct SolverMeasurement {
     /// The solver, in a few words.
     pub contestant: String,
     /// The error that it was asked for.
@@ -26,7 +26,7 @@ pub struct Measurement {
     pub true_error: f64,
 }
 
-impl Measurement {
+impl SolverMeasurement {
     /// Error, evaluations and milliseconds, if they can stand on a logarithmic axis; not a number for evaluations that
     /// are not counted.
     fn point(&self) -> Option<[f64; 3]> {
@@ -43,22 +43,23 @@ impl Measurement {
 /// Measurements without an error or time above zero are left out, and those without evaluations in the first panel.
 /// Series: number of the contestant in order of first appearance, tolerance, evaluations or zero, milliseconds, true
 /// error.
-pub fn work_precision(measurements: &[Measurement]) -> Figure {
+pub fn work_precision(measurements: &[SolverMeasurement]) -> Figure {
     let mut names: Vec<&str> = Vec::new();
     for one in measurements.iter().filter(|one| one.point().is_some()) {
         if !names.contains(&one.contestant.as_str()) {
             names.push(&one.contestant);
         }
     }
-    let of =
-        |name: &str| measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point).collect();
+    let of = |name: &str| {
+        measurements.iter().filter(|one| one.contestant == name).filter_map(SolverMeasurement::point).collect()
+    };
     let families: Vec<Vec<[f64; 3]>> = names.iter().map(|name| of(name)).collect();
     let axis = |column: usize| {
         let values = || families.iter().flatten().map(|point| point[column]).filter(|value| value.is_finite());
         let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
         let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
         let each = (libm::log10(greatest / least) as usize + 2) / MARKS + 1;
-        Axis::decades(least, greatest, each)
+        ChartAxis::decades(least, greatest, each)
     };
     let works = ["evaluations of the right-hand side, all runs together", "time of all runs together, in milliseconds"];
     let panels = [0, 1].map(|k| {
@@ -75,7 +76,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         names.iter().enumerate().filter(|(number, _)| first(*number) == Some(k)).fold(panel, |panel, (number, name)| {
             let points = || families[number].iter().map(|point| (point[k + 1], point[0]));
             let ends = points().take(1).chain(points().next_back());
-            panel.near(
+            panel.name_near(
                 ends,
                 if number % 2 == 0 { PI } else { 0.0 },
                 Label::words(&with_hyphens(name)).in_colour(kind(number).0.colour),
@@ -113,15 +114,15 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, corners, drawn, sound};
+    use crate::checks::{ParsedDrawing, assert_drawn, assert_sound, corners};
 
     /// Solvers of orders 2, 4 and 8, whose errors fall as they must.
-    fn made_up(count: usize) -> Vec<Measurement> {
+    fn made_up(count: usize) -> Vec<SolverMeasurement> {
         let solver = |number: usize| {
             let order = [2.0, 4.0, 8.0][number % 3];
             (1..=6).map(move |k| {
                 let steps = libm::exp2(f64::from(k) * 6.0 / order) * 8.0;
-                Measurement {
+                SolverMeasurement {
                     contestant: format!("solver {number}"),
                     tolerance: libm::exp2(-2.0 * f64::from(k)),
                     evaluations: Some((steps * order).round() as u64),
@@ -137,11 +138,11 @@ mod tests {
     fn a_contestant_of_order_p_has_a_line_of_slope_p() {
         for count in [1, 3, 6] {
             let figure = work_precision(&made_up(count));
-            sound(&figure);
+            assert_sound(&figure);
             assert_eq!(figure.series.rows.len(), 6 * count);
         }
         let figure = work_precision(&made_up(3));
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         assert_eq!(drawing.count("contestant"), 6);
         // Over the milliseconds, which go as the steps: slopes as the orders, in the same axes.
         let slope = |k: usize| {
@@ -158,7 +159,7 @@ mod tests {
             let low = all().fold(f64::INFINITY, f64::min).floor();
             let high = all().fold(f64::NEG_INFINITY, f64::max).ceil();
             // The left axis comes first, the right one is the farthest to the right.
-            let axes = drawing.all("axes")[panel].attribute("d").expect("a path");
+            let axes = drawing.elements("axes")[panel].attribute("d").expect("a path");
             let ends = axes.split('M').skip(1).map(|line| corners(line, 1.0)[0].x);
             let (left, right) = (ends.clone().next().expect("an axis"), ends.fold(0.0, f64::max));
             let curve = drawing.path("contestant", 3 * panel);
@@ -175,7 +176,7 @@ mod tests {
         some[7].evaluations = Some(0);
         assert_eq!(work_precision(&some).series.rows.len(), 9);
         for few in [&some[..0], &some[1..2]] {
-            drawn(&work_precision(few));
+            assert_drawn(&work_precision(few));
         }
     }
 }

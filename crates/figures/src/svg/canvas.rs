@@ -1,15 +1,14 @@
 //! The page: shapes first, labels on top, then the frame that makes it an image with words.
 
-use super::ground::{Face, astray, below};
-use super::label::{Label, TEXT_SIZE, escape};
-use super::placing::Place;
+use super::ground::{FilledShape, ground_colour, overhang};
+use super::label::{Label, LabelPosition, TEXT_SIZE, escape};
 use super::shape::Shape;
 use super::view::Pixels;
-use crate::number::trimmed;
+use crate::number::format_trimmed;
 
-/// What a drawing is: its class, for the page's style sheet.
+/// The kind of a drawing: its class, for the page's style sheet.
 #[derive(Clone, Copy, Debug)]
-pub enum Kind {
+pub enum DrawingKind {
     /// Bodies and joints, to scale.
     Mechanism,
     /// Vectors and angles, to scale.
@@ -33,9 +32,9 @@ pub struct Canvas {
     width: f64,
     height: f64,
     shapes: Vec<String>,
-    faces: Vec<Face>,
+    faces: Vec<FilledShape>,
     opacity: f64,
-    labels: Vec<(Label, Place)>,
+    labels: Vec<(Label, LabelPosition)>,
 }
 
 impl Canvas {
@@ -47,7 +46,7 @@ impl Canvas {
     /// Draws a shape over the earlier ones.
     pub fn draw(&mut self, shape: Shape) {
         self.shapes.push(shape.markup());
-        let shown = |face: Face| Face { share: self.opacity * face.share, ..face };
+        let shown = |face: FilledShape| FilledShape { share: self.opacity * face.share, ..face };
         self.faces.extend(shape.face().map(shown));
     }
 
@@ -67,48 +66,48 @@ impl Canvas {
     pub fn faint(&mut self, opacity: f64, attributes: &str, draw: impl FnOnce(&mut Self)) {
         let around = self.opacity;
         self.opacity *= opacity;
-        self.group(format!("{attributes} opacity=\"{}\"", trimmed(opacity, 2)).trim_start(), draw);
+        self.group(format!("{attributes} opacity=\"{}\"", format_trimmed(opacity, 2)).trim_start(), draw);
         self.opacity = around;
     }
 
     /// Writes a label over all shapes, so far from `point` in the direction of `towards`. Its halo has the colour of the
     /// faces below it.
     pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
-        self.labels.push((label.clone(), Place { point: *point, towards: *towards, distance }));
+        self.labels.push((label.clone(), LabelPosition { point: *point, towards: *towards, distance }));
     }
 
     /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
-    pub fn astray(&self, corners: &[Pixels; 2]) -> f64 {
-        astray(&self.faces, corners)
+    pub fn overhang(&self, corners: &[Pixels; 2]) -> f64 {
+        overhang(&self.faces, corners)
     }
 
     /// The drawing as one `svg` element, named and described for those who cannot see it.
-    pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
+    pub fn finish(self, kind: DrawingKind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
-            Kind::Mechanism | Kind::TrueSize => "mechanism",
-            Kind::Diagram => "diagram",
-            Kind::Plot => "plot",
+            DrawingKind::Mechanism | DrawingKind::TrueSize => "mechanism",
+            DrawingKind::Diagram => "diagram",
+            DrawingKind::Plot => "plot",
         };
-        let size = if matches!(kind, Kind::TrueSize) {
-            let [width, height] = [self.width, self.height].map(|size| trimmed(size / PIXELS_PER_MILLIMETRE, 3));
+        let size = if matches!(kind, DrawingKind::TrueSize) {
+            let [width, height] = [self.width, self.height].map(|size| format_trimmed(size / PIXELS_PER_MILLIMETRE, 3));
             format!(" width=\"{width}mm\" height=\"{height}mm\"")
         } else {
-            format!(" width=\"{}\"", trimmed(ON_SCREEN * self.width, 0))
+            format!(" width=\"{}\"", format_trimmed(ON_SCREEN * self.width, 0))
         };
         let opening = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\"{size} class=\"{class}\" role=\"img\" \
              aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
-            trimmed(self.width, 2),
-            trimmed(self.height, 2),
-            trimmed(TEXT_SIZE, 2),
+            format_trimmed(self.width, 2),
+            format_trimmed(self.height, 2),
+            format_trimmed(TEXT_SIZE, 2),
         );
         let title = format!("<title id=\"{id}-title\">{}</title>", escape(title));
         let description = format!("<desc id=\"{id}-desc\">{}</desc>", escape(description));
         let mut lines = vec![opening, title, description];
         lines.extend(self.shapes);
-        let written = |(label, Place { point, towards, distance }): &(Label, Place)| {
-            let ground = below(&self.faces, &label.extent(label.width(), point, towards, *distance));
-            label.beside(point, towards, *distance, &ground)
+        let written = |(label, LabelPosition { point, towards, distance }): &(Label, LabelPosition)| {
+            let ground = ground_colour(&self.faces, &label.extent(label.width(), point, towards, *distance));
+            label.markup_beside(point, towards, *distance, &ground)
         };
         lines.extend(self.labels.iter().map(written));
         lines.push("</svg>".to_owned());

@@ -1,13 +1,9 @@
 //! The ground of a label: the faces below it, whose colours its halo has.
 
-use super::path::Sense;
-use super::view::{Pixels, angle_of, heading};
-use crate::number::trimmed;
+use super::view::Pixels;
+use crate::number::format_trimmed;
 use crate::theme::{Colour, FACE, FACE_SHARE, FILL, PAPER};
-use std::f64::consts::TAU;
 
-/// Along an arc, a point at least every so many radians.
-const STEP: f64 = 0.1;
 /// Shares of a label's width and height at which it is asked what is below.
 const ACROSS: [f64; 5] = [0.5, 0.1, 0.3, 0.7, 0.9];
 const DOWN: [f64; 3] = [0.5, 0.15, 0.85];
@@ -41,7 +37,7 @@ fn is_within(at: &Pixels, outline: &[Pixels]) -> bool {
 
 /// A filled shape.
 #[derive(Clone, Debug)]
-pub struct Face {
+pub struct FilledShape {
     pub area: Area,
     pub colour: Colour,
     /// How much it covers of what is below, between 0 and 1.
@@ -51,7 +47,7 @@ pub struct Face {
 /// The colour of what is below a label between two corners: of the faces that are under most of it.
 ///
 /// The fully covering colours of arrow heads and dots are no ground: a label covers them.
-pub fn below(faces: &[Face], corners: &[Pixels; 2]) -> String {
+pub fn ground_colour(faces: &[FilledShape], corners: &[Pixels; 2]) -> String {
     let under = |place: Pixels| faces.iter().filter(move |face| face.area.contains(&place));
     let grounds = counted(corners, |place| under(place).fold(PAPER.0.to_owned(), over));
     let most = grounds.iter().map(|(_, count)| *count).max();
@@ -59,7 +55,7 @@ pub fn below(faces: &[Face], corners: &[Pixels; 2]) -> String {
 }
 
 /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
-pub fn astray(faces: &[Face], corners: &[Pixels; 2]) -> f64 {
+pub fn overhang(faces: &[FilledShape], corners: &[Pixels; 2]) -> f64 {
     let grounds = counted(corners, |place| {
         let under = faces.iter().enumerate().filter(|(_, face)| face.area.contains(&place));
         under.fold(Vec::new(), |mut under, (k, face)| {
@@ -92,9 +88,9 @@ fn counted<T: PartialEq>([least, greatest]: &[Pixels; 2], at: impl Fn(Pixels) ->
 }
 
 /// The colour of a ground with a face over it.
-fn over(ground: String, Face { colour, share, .. }: &Face) -> String {
+fn over(ground: String, FilledShape { colour, share, .. }: &FilledShape) -> String {
     let mixed = |colour: &str, share: f64| {
-        let percent = trimmed(100.0 * share, 1);
+        let percent = format_trimmed(100.0 * share, 1);
         if share < 1.0 { format!("color-mix(in srgb, {colour} {percent}%, {ground})") } else { colour.to_owned() }
     };
     match *colour {
@@ -103,20 +99,6 @@ fn over(ground: String, Face { colour, share, .. }: &Face) -> String {
         Colour(name) if *share < 1.0 => mixed(name, *share),
         _ => ground,
     }
-}
-
-/// Points along an arc between its ends, in the manner of path data: by more than half of the circle if `large`.
-pub fn along_arc(from: &Pixels, to: &Pixels, radius: f64, large: bool, sense: Sense) -> Vec<Pixels> {
-    let chord = to - from;
-    let Some(across) = Pixels::new(-chord.y, chord.x).try_normalize(1e-9) else { return Vec::new() };
-    let height = (radius * radius - chord.norm_squared() / 4.0).max(0.0).sqrt();
-    let side = if large == (sense == Sense::Clockwise) { -1.0 } else { 1.0 };
-    let centre = (from + to) / 2.0 + across * height * side;
-    let start = angle_of(&(from - centre));
-    let turn = (sense.sign() * (angle_of(&(to - centre)) - start)).rem_euclid(TAU);
-    let count = (turn / STEP) as u32 + 1;
-    let at = |k: u32| centre + heading(start + sense.sign() * turn * f64::from(k) / f64::from(count)) * radius;
-    (1..count).map(at).collect()
 }
 
 #[cfg(test)]
@@ -132,8 +114,8 @@ mod tests {
     }
 
     fn under(shapes: &[Shape], least: [f64; 2], greatest: [f64; 2]) -> String {
-        let faces: Vec<Face> = shapes.iter().filter_map(Shape::face).collect();
-        below(&faces, &[least.into(), greatest.into()])
+        let faces: Vec<FilledShape> = shapes.iter().filter_map(Shape::face).collect();
+        ground_colour(&faces, &[least.into(), greatest.into()])
     }
 
     #[test]
@@ -153,29 +135,11 @@ mod tests {
 
     #[test]
     fn a_label_across_an_edge_is_partly_astray() {
-        let faces: Vec<Face> = [square(0.0, 100.0).fill(FILL)].iter().filter_map(Shape::face).collect();
-        let astray = |least: f64| astray(&faces, &[[least, 10.0].into(), [least + 100.0, 30.0].into()]);
-        assert_eq!([0.0, 100.0].map(astray), [0.0, 0.0]);
-        approx::assert_relative_eq!(astray(40.0), 0.4, max_relative = 1e-12);
-        approx::assert_relative_eq!(astray(80.0), 0.2, max_relative = 1e-12);
-    }
-
-    #[test]
-    fn an_arc_bulges_to_the_side_that_path_data_says() {
-        let ends = [Pixels::new(0.0, 0.0), Pixels::new(20.0, 0.0)];
-        for (large, sense, highest, lowest) in
-            [(false, Sense::Clockwise, -10.0, 0.0), (false, Sense::CounterClockwise, 0.0, 10.0)]
-        {
-            let points = along_arc(&ends[0], &ends[1], 10.0, large, sense);
-            let heights: Vec<f64> = points.iter().map(|at| at.y).collect();
-            let (least, most) =
-                (heights.iter().copied().fold(0.0, f64::min), heights.iter().copied().fold(0.0, f64::max));
-            assert!((least - highest).abs() < 0.1 && (most - lowest).abs() < 0.1, "{least} to {most}");
-        }
-        // By more than half of a circle of radius 12.5, whose centre is 7.5 from the chord: as far as 20 from it.
-        let far = along_arc(&ends[0], &ends[1], 12.5, true, Sense::Clockwise);
-        assert!((far.iter().map(|at| at.y).fold(0.0, f64::min) + 20.0).abs() < 0.1, "{far:?}");
-        assert!(along_arc(&ends[0], &ends[0], 10.0, false, Sense::Clockwise).is_empty());
+        let faces: Vec<FilledShape> = [square(0.0, 100.0).fill(FILL)].iter().filter_map(Shape::face).collect();
+        let overhang = |least: f64| overhang(&faces, &[[least, 10.0].into(), [least + 100.0, 30.0].into()]);
+        assert_eq!([0.0, 100.0].map(overhang), [0.0, 0.0]);
+        approx::assert_relative_eq!(overhang(40.0), 0.4, max_relative = 1e-12);
+        approx::assert_relative_eq!(overhang(80.0), 0.2, max_relative = 1e-12);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Text with italic symbols and subscripts, on a halo of its ground's colour.
 
 use super::view::Pixels;
-use crate::number::{trimmed, with_minus_sign};
+use crate::number::{format_trimmed, with_minus_sign};
 use crate::theme::{Colour, INK};
 
 /// The look of a label's halo, but for its colour: attributes of a `text` element.
@@ -31,6 +31,17 @@ enum Style {
     Italic,
     Subscript,
     Superscript,
+}
+
+/// Where a label may stand: so far from a point, in a direction.
+#[derive(Clone, Copy, Debug)]
+pub struct LabelPosition {
+    /// What the label belongs to.
+    pub point: Pixels,
+    /// Which way from there, of any length.
+    pub towards: Pixels,
+    /// How far from there, in pixels.
+    pub distance: f64,
 }
 
 /// A line of text made of symbols, subscripts and words.
@@ -90,7 +101,7 @@ impl Label {
 
     /// Adds a symbol's rate of change with time: the letter in italics under one dot, two or three.
     pub fn and_rate(self, letter: &str, order: usize) -> Self {
-        self.and_symbol(&dotted(letter, order))
+        self.and_symbol(&with_dots(letter, order))
     }
 
     /// Adds a subscript.
@@ -154,7 +165,7 @@ impl Label {
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
     /// Sideways the label begins or ends there; above and below it is centred. Its halo has the colour of the `ground`.
-    pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
+    pub fn markup_beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
         let (x, base, anchor) = anchored(point, towards, distance);
         self.markup(x, base, anchor, ground)
     }
@@ -196,13 +207,16 @@ impl Label {
                 Style::Superscript => -RISE,
                 Style::Upright | Style::Italic => 0.0,
             };
-            let mut shift =
-                if wanted == lowered { String::new() } else { format!(" dy=\"{}\"", trimmed(wanted - lowered, 2)) };
+            let mut shift = if wanted == lowered {
+                String::new()
+            } else {
+                format!(" dy=\"{}\"", format_trimmed(wanted - lowered, 2))
+            };
             lowered = wanted;
             let before = k.checked_sub(1).and_then(|before| self.runs.get(before));
             let aside = before.map_or(0.0, |before| aside(before, run));
             if aside != 0.0 {
-                shift = format!(" dx=\"{}\"{shift}", trimmed(aside, 2));
+                shift = format!(" dx=\"{}\"{shift}", format_trimmed(aside, 2));
             }
             // The halo of a power would hide a part of the letter before it.
             let is_power = *style == Style::Superscript || (k > 0 && text.starts_with(POWERS));
@@ -211,7 +225,7 @@ impl Label {
                 Style::Upright => String::new(),
                 Style::Italic => " font-style=\"italic\"".to_owned(),
                 Style::Subscript | Style::Superscript => {
-                    format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
+                    format!(" font-size=\"{}\"", format_trimmed(SUBSCRIPT * TEXT_SIZE, 2))
                 }
             };
             spans += &format!("<tspan{shift}{look}{halo}>{}</tspan>", escape(text));
@@ -221,8 +235,8 @@ impl Label {
             if self.part.is_empty() { String::new() } else { format!(" data-letter=\"{}\"", escape(&self.part)) };
         format!(
             "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}{part}>{spans}</text>",
-            trimmed(x, 2),
-            trimmed(base, 2),
+            format_trimmed(x, 2),
+            format_trimmed(base, 2),
             self.colour.0,
         )
     }
@@ -257,7 +271,7 @@ fn aside((before, over): &(Style, String), (style, text): &(Style, String)) -> f
 const DOTS: [char; 3] = ['\u{307}', '\u{308}', '\u{20db}'];
 
 /// A letter under so many dots, at most three; without any for the letter itself.
-pub fn dotted(letter: &str, dots: usize) -> String {
+pub fn with_dots(letter: &str, dots: usize) -> String {
     letter.chars().chain(dots.checked_sub(1).and_then(|k| DOTS.get(k)).copied()).collect()
 }
 

@@ -10,9 +10,9 @@ mod placing;
 mod shape;
 mod view;
 
-pub use canvas::{Canvas, Kind, PIXELS_PER_MILLIMETRE};
-pub use label::{HALO, Label, TEXT_SIZE, escape};
+pub use canvas::{Canvas, DrawingKind, PIXELS_PER_MILLIMETRE};
+pub use label::{HALO, Label, LabelPosition, TEXT_SIZE, escape};
 pub use path::{Path, Sense};
-pub use placing::{Place, Placing, around, beside_line, leader};
+pub use placing::{Placing, leader, positions_around, positions_beside_line};
 pub use shape::{DASHED, Shape};
 pub use view::{Pixels, View, angle_of, heading, part_within};

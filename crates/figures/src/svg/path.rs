@@ -1,8 +1,11 @@
 //! Path data: lines and true arcs.
 
-use super::ground::along_arc;
-use super::view::Pixels;
-use crate::number::trimmed;
+use super::view::{Pixels, angle_of, heading};
+use crate::number::format_trimmed;
+use std::f64::consts::TAU;
+
+/// Along an arc, a point at least every so many radians.
+const STEP: f64 = 0.1;
 
 /// Which way round, as seen on the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +18,7 @@ pub enum Sense {
 
 impl Sense {
     /// Counter-clockwise for a positive rate, as angles are counted.
-    pub fn of(rate: f64) -> Self {
+    pub fn from_rate(rate: f64) -> Self {
         if rate < 0.0 { Self::Clockwise } else { Self::CounterClockwise }
     }
 
@@ -98,7 +101,7 @@ impl Path {
 
     /// Goes to a point along a circle of this radius, by more than half of it if `large`.
     pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
-        let (r, sweep) = (trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
+        let (r, sweep) = (format_trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
         self.data += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to, self.decimals));
         let from = self.end();
         if let Some(part) = self.loops.last_mut() {
@@ -136,5 +139,42 @@ impl Path {
 }
 
 fn pair(point: &Pixels, decimals: usize) -> String {
-    format!("{} {}", trimmed(point.x, decimals), trimmed(point.y, decimals))
+    format!("{} {}", format_trimmed(point.x, decimals), format_trimmed(point.y, decimals))
+}
+
+/// Points along an arc between its ends, in the manner of path data: by more than half of the circle if `large`.
+fn along_arc(from: &Pixels, to: &Pixels, radius: f64, large: bool, sense: Sense) -> Vec<Pixels> {
+    let chord = to - from;
+    let Some(across) = Pixels::new(-chord.y, chord.x).try_normalize(1e-9) else { return Vec::new() };
+    let height = (radius * radius - chord.norm_squared() / 4.0).max(0.0).sqrt();
+    let side = if large == (sense == Sense::Clockwise) { -1.0 } else { 1.0 };
+    let centre = (from + to) / 2.0 + across * height * side;
+    let start = angle_of(&(from - centre));
+    let turn = (sense.sign() * (angle_of(&(to - centre)) - start)).rem_euclid(TAU);
+    let count = (turn / STEP) as u32 + 1;
+    let at = |k: u32| centre + heading(start + sense.sign() * turn * f64::from(k) / f64::from(count)) * radius;
+    (1..count).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arc_bulges_to_the_side_that_path_data_says() {
+        let ends = [Pixels::new(0.0, 0.0), Pixels::new(20.0, 0.0)];
+        for (large, sense, highest, lowest) in
+            [(false, Sense::Clockwise, -10.0, 0.0), (false, Sense::CounterClockwise, 0.0, 10.0)]
+        {
+            let points = along_arc(&ends[0], &ends[1], 10.0, large, sense);
+            let heights: Vec<f64> = points.iter().map(|at| at.y).collect();
+            let (least, most) =
+                (heights.iter().copied().fold(0.0, f64::min), heights.iter().copied().fold(0.0, f64::max));
+            assert!((least - highest).abs() < 0.1 && (most - lowest).abs() < 0.1, "{least} to {most}");
+        }
+        // By more than half of a circle of radius 12.5, whose centre is 7.5 from the chord: as far as 20 from it.
+        let far = along_arc(&ends[0], &ends[1], 12.5, true, Sense::Clockwise);
+        assert!((far.iter().map(|at| at.y).fold(0.0, f64::min) + 20.0).abs() < 0.1, "{far:?}");
+        assert!(along_arc(&ends[0], &ends[0], 10.0, false, Sense::Clockwise).is_empty());
+    }
 }

@@ -1,9 +1,9 @@
 //! Where a label has room: of several places the one that hides least.
 
 use super::canvas::Canvas;
-use super::label::Label;
+use super::label::{Label, LabelPosition};
 use super::shape::Shape;
-use super::view::{Pixels, clipped, heading};
+use super::view::{Pixels, clip, heading};
 use crate::theme::INK;
 use std::f64::consts::PI;
 
@@ -20,21 +20,10 @@ const ROOMY: f64 = 14.0;
 /// Free space about a label, in pixels.
 const AIR: f64 = 3.0;
 
-/// A place for a label: so far from a point, in a direction.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    /// What the label belongs to.
-    pub point: Pixels,
-    /// Which way from there, of any length.
-    pub towards: Pixels,
-    /// How far from there, in pixels.
-    pub distance: f64,
-}
-
 /// An area in plain numbers: its least and its greatest x, its least and its greatest y.
-type Area = [[f64; 2]; 2];
+type Bounds = [[f64; 2]; 2];
 
-fn area([least, greatest]: &[Pixels; 2], air: f64) -> Area {
+fn area([least, greatest]: &[Pixels; 2], air: f64) -> Bounds {
     [[least.x - air, greatest.x + air], [least.y - air, greatest.y + air]]
 }
 
@@ -53,8 +42,8 @@ impl Line {
     }
 
     /// How much of it lies within an area.
-    fn length_within(&self, area: Area) -> f64 {
-        clipped(self.course, area).map_or(0.0, |[enter, leave]| (leave - enter) * self.length)
+    fn length_within(&self, area: Bounds) -> f64 {
+        clip(self.course, area).map_or(0.0, |[enter, leave]| (leave - enter) * self.length)
     }
 }
 
@@ -62,14 +51,14 @@ impl Line {
 #[derive(Clone, Debug)]
 pub struct Placing {
     bounds: [Pixels; 2],
-    taken: Vec<Area>,
+    taken: Vec<Bounds>,
     lines: Vec<Line>,
     spent: f64,
 }
 
 impl Placing {
     /// An empty part of the page, between its least and its greatest corner.
-    pub fn within(least: Pixels, greatest: Pixels) -> Self {
+    pub fn new(least: Pixels, greatest: Pixels) -> Self {
         Self { bounds: [least, greatest], taken: Vec::new(), lines: Vec::new(), spent: 0.0 }
     }
 
@@ -104,9 +93,9 @@ impl Placing {
         &mut self,
         canvas: &mut Canvas,
         label: &Label,
-        places: impl IntoIterator<Item = Place>,
-    ) -> Option<Place> {
-        let (cost, place) = self.best(label, places, |extent| ASTRAY * canvas.astray(extent))?;
+        places: impl IntoIterator<Item = LabelPosition>,
+    ) -> Option<LabelPosition> {
+        let (cost, place) = self.best(label, places, |extent| ASTRAY * canvas.overhang(extent))?;
         self.spent += cost;
         self.take(label.extent(label.width(), &place.point, &place.towards, place.distance));
         canvas.label(&place.point, &place.towards, place.distance, label);
@@ -119,7 +108,7 @@ impl Placing {
     }
 
     /// Whether the label has a place that hides hardly anything.
-    pub fn has_room(&self, label: &Label, places: impl IntoIterator<Item = Place>) -> bool {
+    pub fn has_room(&self, label: &Label, places: impl IntoIterator<Item = LabelPosition>) -> bool {
         self.best(label, places, |_| 0.0).is_some_and(|(cost, _)| cost < ROOMY)
     }
 
@@ -127,10 +116,10 @@ impl Placing {
     fn best(
         &self,
         label: &Label,
-        places: impl IntoIterator<Item = Place>,
+        places: impl IntoIterator<Item = LabelPosition>,
         more: impl Fn(&[Pixels; 2]) -> f64,
-    ) -> Option<(f64, Place)> {
-        let mut best: Option<(f64, Place)> = None;
+    ) -> Option<(f64, LabelPosition)> {
+        let mut best: Option<(f64, LabelPosition)> = None;
         let width = label.width();
         for place in places {
             let extent = label.extent(width, &place.point, &place.towards, place.distance);
@@ -161,35 +150,35 @@ impl Placing {
 }
 
 /// Places on both sides of a line, its middle first, at each of the distances.
-pub fn beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> Vec<Place> {
+pub fn positions_beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> Vec<LabelPosition> {
     let along = to - from;
     let across = Pixels::new(-along.y, along.x);
     let shares = [0.5, 0.38, 0.62, 0.25, 0.75];
     let places = |share: f64| {
         let point = from.lerp(to, share);
         [across, -across].into_iter().flat_map(move |towards| {
-            distances.iter().map(move |distance| Place { point, towards, distance: *distance })
+            distances.iter().map(move |distance| LabelPosition { point, towards, distance: *distance })
         })
     };
     shares.into_iter().flat_map(places).collect()
 }
 
 /// Places all around a point, beginning at an angle, at each of the distances.
-pub fn around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<Place> {
+pub fn positions_around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<LabelPosition> {
     let turns = (0..16).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
     let places = |turn: i32| {
         let towards = heading(first + f64::from(turn) * PI / 8.0);
-        distances.iter().map(move |distance| Place { point: *point, towards, distance: *distance })
+        distances.iter().map(move |distance| LabelPosition { point: *point, towards, distance: *distance })
     };
     turns.flat_map(places).collect()
 }
 
 /// A thin line to a label that stands far from what it names.
-pub fn leader(canvas: &mut Canvas, place: &Place) {
-    let Place { point, towards, distance } = place;
+pub fn leader(canvas: &mut Canvas, place: &LabelPosition) {
+    let LabelPosition { point, towards, distance } = place;
     if let (true, Some(direction)) = (*distance > LEADER, towards.try_normalize(1e-12)) {
         let (from, to) = (point + direction * 4.0, point + direction * (distance - 3.0));
-        canvas.draw(Shape::line(&from, &to).stroke(INK, 1.0).with("stroke-opacity", "0.5").class("leader"));
+        canvas.draw(Shape::line(&from, &to).stroke(INK, 1.0).attribute("stroke-opacity", "0.5").class("leader"));
     }
 }
 
@@ -212,20 +201,20 @@ mod tests {
         let mut canvas = Canvas::new(300.0, 200.0);
         let disc = Pixels::new(100.0, 100.0);
         canvas.draw(Shape::circle(&disc, 60.0).tint(INK, 0.2));
-        let mut placing = Placing::within(Pixels::zeros(), Pixels::new(300.0, 200.0));
+        let mut placing = Placing::new(Pixels::zeros(), Pixels::new(300.0, 200.0));
         // From a point within, the nearest place is across the edge, and the next one beyond it.
-        let place = |distance| Place { point: disc, towards: Pixels::new(1.0, 0.0), distance };
+        let place = |distance| LabelPosition { point: disc, towards: Pixels::new(1.0, 0.0), distance };
         let put = placing.put(&mut canvas, &Label::words("name"), [30.0, 66.0].map(place)).expect("a place");
         assert_eq!(put.distance, 66.0);
     }
 
     #[test]
     fn a_label_keeps_off_lines_and_other_labels() {
-        let mut placing = Placing::within(Pixels::new(0.0, 0.0), Pixels::new(200.0, 200.0));
+        let mut placing = Placing::new(Pixels::new(0.0, 0.0), Pixels::new(200.0, 200.0));
         let (from, to) = (Pixels::new(0.0, 100.0), Pixels::new(200.0, 100.0));
         placing.avoid(&from, &to, 1.0);
         let mut canvas = Canvas::new(200.0, 200.0);
-        let places = || beside_line(&from, &to, &[14.0]);
+        let places = || positions_beside_line(&from, &to, &[14.0]);
         let first = placing.put(&mut canvas, &Label::words("first"), places()).expect("a place");
         let second = placing.put(&mut canvas, &Label::words("second"), places()).expect("a place");
         assert!(first.towards.y > 0.0 && second.towards.y < 0.0);

@@ -51,14 +51,14 @@ pub fn angle_of(offset: &Pixels) -> f64 {
 /// to which.
 pub fn part_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[f64; 2]> {
     let ((x, y), along) = ((from.x, from.y), to - from);
-    clipped([[x, along.x], [y, along.y]], [[least.x, greatest.x], [least.y, greatest.y]])
+    clip([[x, along.x], [y, along.y]], [[least.x, greatest.x], [least.y, greatest.y]])
 }
 
 /// Which part of a line lies within an area, as shares of the way: line and area in x and in y, the line by its start and
 /// its step, the area by its least and its greatest.
 ///
 /// Plain numbers: every place of every label asks for every line, also where vectors are not optimised.
-pub fn clipped(line: [[f64; 2]; 2], area: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+pub fn clip(line: [[f64; 2]; 2], area: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for ([start, step], [least, greatest]) in [(line[0], area[0]), (line[1], area[1])] {
         if step.abs() < 1e-9 {

@@ -1,8 +1,8 @@
 //! Hours that the escapement gains or loses in a day as its friction changes.
 
 use super::{HOURS, Tested, key, of_friction};
-use crate::chart::{Axis, Chart, Panel, Spot, Stroke, of_mechanism};
-use crate::number::trimmed;
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel, Spot, of_mechanism};
+use crate::number::{extent, format_trimmed};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::timer::speed_change;
@@ -25,13 +25,13 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         (least, most) = (least.min(*friction), most.max(*friction));
     }
     let range = least * (1.0 - ROOM)..most * (1.0 + ROOM);
-    let steps = Axis::spanning(least, most, 5.0);
+    let steps = ChartAxis::spanning(least, most, 5.0);
     let ticks = steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect();
-    let x = Axis { ticks, range, ..steps }.titled(of_friction());
+    let x = ChartAxis { ticks, range, ..steps }.titled(of_friction());
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut curves = Vec::new();
     for one in all {
-        let own = one.with(set)?;
+        let own = one.with_friction(set)?;
         let gain = |friction: f64| Ok((friction, HOURS * speed_change(&own, friction)?));
         let curve: Vec<(f64, f64)> =
             one.steps(least, most, STEPS)?.into_iter().map(gain).collect::<Result<_, FigureError>>()?;
@@ -41,11 +41,11 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         curves.push((one, curve, marks));
     }
     let gains = || rows.iter().map(|row| row[2]);
-    let (low, high) = (gains().fold(0.0, f64::min), gains().fold(0.0, f64::max));
-    let y = Axis::from_zero(low, high, 5.0).titled(Label::words("gain, hours a day"));
-    let mut panel = Panel::new(400.0, &x, &y).horizontal(0.0, Stroke::thin("set"));
+    let [low, high] = extent(gains().chain([0.0]));
+    let y = ChartAxis::from_zero(low, high, 5.0).titled(Label::words("gain, hours a day"));
+    let mut panel = Panel::new(400.0, &x, &y).horizontal(0.0, LineStyle::thin("set"));
     for (friction, _) in pairs {
-        panel = panel.vertical(*friction, Stroke::thin("pair").dashed("5 4"));
+        panel = panel.vertical(*friction, LineStyle::thin("pair").dashed("5 4"));
     }
     for (one, curve, marks) in &curves {
         let (stroke, marker) = of_mechanism(one.parameters.mechanism().slots());
@@ -65,10 +65,10 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     }
     let said = curves.iter().filter_map(|(one, curve, _)| {
         let (first, last) = (curve.first()?, curve.last()?);
-        let hours = |gain: f64| crate::number::with_minus_sign(&trimmed(gain, 1));
+        let hours = |gain: f64| crate::number::with_minus_sign(&format_trimmed(gain, 1));
         let pins = one.parameters.mechanism().pins();
-        let [from, to] =
-            [first, last].map(|(friction, gain)| format!("{} hours at μ = {}", hours(*gain), trimmed(*friction, 2)));
+        let [from, to] = [first, last]
+            .map(|(friction, gain)| format!("{} hours at μ = {}", hours(*gain), format_trimmed(*friction, 2)));
         Some(format!("with {pins} pins from {from} to {to}"))
     });
     let words = Words::new(
@@ -77,7 +77,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         format!(
             "Three falling curves over the coefficient of friction, which cross at μ = {}, where the escapements were \
              set. The gain a day falls {}. Three vertical lines mark the frictions of a pair of materials.",
-            trimmed(set, 2),
+            format_trimmed(set, 2),
             said.collect::<Vec<_>>().join(", ")
         ),
         format!(
@@ -85,10 +85,10 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
              rate is computed from the exact steady motion at each friction. The marks are at the friction values of \
              the thesis's runs. The dashed lines are at handbook values for steel on brass ({}), which are static and \
              only a guide, because the pin slides. {}",
-            trimmed(set, 2),
+            format_trimmed(set, 2),
             pairs
                 .iter()
-                .map(|(friction, name)| format!("{name} {}", trimmed(*friction, 2)))
+                .map(|(friction, name)| format!("{name} {}", format_trimmed(*friction, 2)))
                 .collect::<Vec<_>>()
                 .join(", "),
             super::inertias(all)

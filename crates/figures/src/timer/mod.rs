@@ -18,7 +18,8 @@ pub use strongest::strongest;
 pub use torque::torque;
 
 use crate::FigureError;
-use crate::chart::{Axis, Entry, of_mechanism};
+use crate::chart::{ChartAxis, LegendEntry, of_mechanism};
+use crate::number::extent;
 use crate::svg::Label;
 use geneva_case1973::{Hypothesis, Row};
 use geneva_dynamics::Parameters;
@@ -41,7 +42,7 @@ pub struct Tested {
 
 impl Tested {
     /// The printed runs of a mechanism, as it is. None without rows.
-    pub fn of(rows: &[Row]) -> Option<Self> {
+    pub fn from_rows(rows: &[Row]) -> Option<Self> {
         let mut frictions: Vec<f64> = rows.iter().map(Row::friction).collect();
         frictions.sort_by(f64::total_cmp);
         frictions.dedup();
@@ -49,7 +50,7 @@ impl Tested {
     }
 
     /// The escapement with another friction.
-    fn with(&self, friction: f64) -> Result<Parameters, FigureError> {
+    fn with_friction(&self, friction: f64) -> Result<Parameters, FigureError> {
         Ok(self.parameters.with_friction(friction)?)
     }
 
@@ -62,7 +63,7 @@ impl Tested {
     ) -> Result<Curve, FigureError> {
         let mechanism = self.parameters.mechanism();
         let pins = f64::from(mechanism.pins());
-        let point = |friction| Ok(Point { pins, friction, values: quantities(&self.with(friction)?)? });
+        let point = |friction| Ok(Point { pins, friction, values: quantities(&self.with_friction(friction)?)? });
         let points = |frictions: &[f64]| frictions.iter().copied().map(point).collect::<Result<Vec<_>, FigureError>>();
         let curve = points(&self.steps(from, to, steps)?)?;
         Ok(Curve { slots: mechanism.slots(), points: curve, marks: points(&self.frictions)? })
@@ -100,17 +101,17 @@ impl Point {
 /// The least and the greatest friction of all runs.
 fn frictions(all: &[Tested]) -> Result<[f64; 2], FigureError> {
     let frictions = || all.iter().flat_map(|one| one.frictions.iter().copied());
-    let ends = [frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max)];
+    let ends = extent(frictions());
     if ends[0] < ends[1] { Ok(ends) } else { Err(FigureError::Nothing) }
 }
 
 /// The axis of the frictions of all runs, with some room at both ends.
-fn axis(all: &[Tested]) -> Result<Axis, FigureError> {
+fn axis(all: &[Tested]) -> Result<ChartAxis, FigureError> {
     let [least, most] = frictions(all)?;
     let room = 0.06 * (most - least);
-    let steps = Axis::spanning(least, most, 3.0);
+    let steps = ChartAxis::spanning(least, most, 3.0);
     let range = least - room..most + room;
-    Ok(Axis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+    Ok(ChartAxis { ticks: steps.ticks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
 }
 
 /// The title of an axis of frictions.
@@ -119,10 +120,13 @@ fn of_friction() -> Label {
 }
 
 /// What the colours stand for: the mechanisms.
-fn key(all: &[Tested]) -> Vec<Entry> {
+fn key(all: &[Tested]) -> Vec<LegendEntry> {
     let entry = |one: &Tested| {
         let look = of_mechanism(one.parameters.mechanism().slots());
-        Entry::both(look, Label::words(&format!("{} pins", one.parameters.mechanism().pins())).in_colour(look.1.colour))
+        LegendEntry::curve_with_marks(
+            look,
+            Label::words(&format!("{} pins", one.parameters.mechanism().pins())).in_colour(look.1.colour),
+        )
     };
     all.iter().map(entry).collect()
 }

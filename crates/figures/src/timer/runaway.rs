@@ -1,6 +1,6 @@
 //! A runaway escapement: a toothed wheel, a pallet with a weighted bar, no spring; and the speed that its blows leave.
 
-use crate::chart::{Axis, Chart, Panel, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel};
 use crate::number::significant;
 use crate::parts::{arc_arrow, fixed_pivot};
 use crate::svg::{Canvas, Label, Path, Pixels, Shape, View};
@@ -117,19 +117,19 @@ pub fn runaway() -> Result<Figure, FigureError> {
     let [once, twice] = [1.0, 2.0].map(run);
     let steady = [1.0, 2.0].map(|torque| model.steady(torque).map(|steady| steady.mean_speed));
     let [slow, fast] = [steady[0].clone()?, steady[1].clone()?];
-    let x = Axis::whole(0.0..BLOWS as f64, (0..=BLOWS).map(|blow| blow as f64));
+    let x = ChartAxis::whole(0.0..BLOWS as f64, (0..=BLOWS).map(|blow| blow as f64));
     let x = x.titled(Label::words("blows since the start from rest"));
     let most = twice.iter().map(|point| point.1).fold(0.0, f64::max);
-    let y = Axis::from_zero(0.0, 1.1 * most, 3.0).titled(Label::words("speed of the wheel, without scale"));
-    let (one, two) = (Stroke::new(DRIVER).class("speed"), Stroke::new(RELATIVE).dashed("9 4").class("speed"));
+    let y = ChartAxis::from_zero(0.0, 1.1 * most, 3.0).titled(Label::words("speed of the wheel, without scale"));
+    let (one, two) = (LineStyle::new(DRIVER).class("speed"), LineStyle::new(RELATIVE).dashed("9 4").class("speed"));
     let tops = |points: &[(f64, f64)]| points.iter().copied().filter(|(blows, _)| *blows > 2.9).collect::<Vec<_>>();
     let panel = Panel::new(230.0, &x, &y)
-        .horizontal(slow, Stroke::thin("mean").dashed("3 4"))
-        .horizontal(fast, Stroke::thin("mean").dashed("3 4"))
+        .horizontal(slow, LineStyle::thin("mean").dashed("3 4"))
+        .horizontal(fast, LineStyle::thin("mean").dashed("3 4"))
         .curve(twice.iter().copied(), two)
         .curve(once.iter().copied(), one)
-        .near(tops(&twice), FRAC_PI_2, Label::words("twice the torque").in_colour(RELATIVE))
-        .near(tops(&once), -FRAC_PI_2, Label::words("torque ").and_symbol("K").in_colour(DRIVER));
+        .name_near(tops(&twice), FRAC_PI_2, Label::words("twice the torque").in_colour(RELATIVE))
+        .name_near(tops(&once), -FRAC_PI_2, Label::words("torque ").and_symbol("K").in_colour(DRIVER));
     let words = Words::new(
         "timer-runaway",
         "A runaway escapement, and the speed of its wheel",
@@ -175,11 +175,12 @@ fn draw(canvas: &mut Canvas) {
     }
     for corners in pallets(PHASE) {
         let back = (corners[2] + corners[3]) / 2.0;
-        canvas
-            .draw(Shape::line(&hub, &place(&back)).stroke(FOLLOWER, 9.0).with("stroke-linecap", "round").class("arm"));
+        canvas.draw(
+            Shape::line(&hub, &place(&back)).stroke(FOLLOWER, 9.0).attribute("stroke-linecap", "round").class("arm"),
+        );
         let outline: Vec<Pixels> = corners.iter().map(place).collect();
         let shape = Shape::path(Path::through(&outline, 1)).fill(PAPER).stroke(FOLLOWER, 2.5);
-        canvas.draw(shape.with("stroke-linejoin", "round").class("pallet"));
+        canvas.draw(shape.attribute("stroke-linejoin", "round").class("pallet"));
     }
     fixed_pivot(canvas, &centre, 1.0);
     canvas.draw(Shape::circle(&hub, 9.0).fill(PAPER).stroke(INK, 2.0).class("pivot"));
@@ -204,7 +205,7 @@ fn draw(canvas: &mut Canvas) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{Drawing, sound};
+    use crate::checks::{ParsedDrawing, assert_sound};
 
     /// Whether a point lies inside of a polygon whose corners go round one way.
     fn inside(point: &Point, corners: &[Point]) -> bool {
@@ -253,8 +254,8 @@ mod tests {
     #[test]
     fn the_drawn_speeds_are_in_the_ratio_of_the_roots_and_drop_by_the_same_part_at_each_blow() {
         let figure = runaway().expect("drawn");
-        sound(&figure);
-        let drawing = Drawing::of(&figure);
+        assert_sound(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let counts = ["toothed-wheel", "pallet", "weight", "bar", "speed", "mean"].map(|class| drawing.count(class));
         assert_eq!(counts, [1, 2, 2, 1, 2, 2]);
         for row in &figure.series.rows {

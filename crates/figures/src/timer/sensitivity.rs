@@ -1,8 +1,8 @@
 //! What one per cent more of torque, friction or inertia does to the rate.
 
 use super::{Curve, MINUTES, Tested, axis, key, of_friction};
-use crate::chart::{Axis, Chart, Panel, Stroke, of_mechanism};
-use crate::number::{trimmed, with_minus_sign};
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel, of_mechanism};
+use crate::number::{extent, format_trimmed, with_minus_sign};
 use crate::svg::Label;
 use crate::theme::INK;
 use crate::{Figure, FigureError, Series, Words};
@@ -37,9 +37,10 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let of = |k: usize| points().map(move |point| point.values[k]);
     let all_values = || (0..CHANGED.len()).flat_map(of);
-    let y = Axis::from_zero(ROOM * all_values().fold(0.0, f64::min), all_values().fold(0.0, f64::max), 5.0);
+    let [lowest, highest] = extent(all_values().chain([0.0]));
+    let y = ChartAxis::from_zero(ROOM * lowest, highest, 5.0);
     let y = y.titled(Label::words("gain for 1 % more, minutes a day"));
-    let mut panel = Panel::new(430.0, &x, &y).horizontal(0.0, Stroke::thin("none"));
+    let mut panel = Panel::new(430.0, &x, &y).horizontal(0.0, LineStyle::thin("none"));
     for Curve { slots, points, marks } in &curves {
         let (stroke, marker) = of_mechanism(*slots);
         for k in 1..CHANGED.len() {
@@ -49,16 +50,16 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
     }
     // The torque's is the same for all.
     let torque = of(0).next().unwrap_or_default();
-    panel = panel.curve(ends.map(|friction| (friction, torque)), Stroke::new(INK).class("of-torque"));
+    panel = panel.curve(ends.map(|friction| (friction, torque)), LineStyle::new(INK).class("of-torque"));
     for (k, (name, side)) in CHANGED.iter().enumerate() {
         let middle = (ends[0] + ends[1]) / 2.0;
-        let height =
-            if *side > 0.0 { of(k).fold(f64::NEG_INFINITY, f64::max) } else { of(k).fold(f64::INFINITY, f64::min) };
-        panel = panel.near([(middle, height)], *side, Label::words(name));
+        let [least, most] = extent(of(k));
+        let height = if *side > 0.0 { most } else { least };
+        panel = panel.name_near([(middle, height)], *side, Label::words(name));
     }
     let said = CHANGED.iter().enumerate().map(|(k, (name, _))| {
-        let minutes = |value: f64| with_minus_sign(&trimmed(value, 1));
-        let [least, most] = [of(k).fold(f64::INFINITY, f64::min), of(k).fold(f64::NEG_INFINITY, f64::max)].map(minutes);
+        let minutes = |value: f64| with_minus_sign(&format_trimmed(value, 1));
+        let [least, most] = extent(of(k)).map(minutes);
         if least == most { format!("{name} {least}") } else { format!("{name} {least} to {most}") }
     });
     let words = Words::new(

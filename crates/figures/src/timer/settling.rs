@@ -1,7 +1,7 @@
 //! How long an escapement takes to settle, over the inertia of its follower.
 
-use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
-use crate::number::{significant, trimmed};
+use crate::chart::{Chart, ChartAxis, LineStyle, MarkShape, Marker, Panel};
+use crate::number::{extent, format_trimmed, significant};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -33,28 +33,31 @@ pub fn settling(own: &Parameters, parts: &[f64], run: &str) -> Result<Figure, Fi
     let rows: Vec<[f64; 4]> = parts.iter().map(row).collect::<Result<_, FigureError>>()?;
     let least = rows.iter().map(|row| row[0]).fold(1.0, f64::min);
     let marks: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let names =
-        rows.iter().map(|row| if row[0] < 1.0 { format!("1/{}", trimmed(1.0 / row[0], 0)) } else { "1".to_owned() });
-    let x =
-        Axis { names: names.collect(), ..Axis::new(crate::chart::Scale::Logarithmic, 0.85 * least..1.18, marks, 3) };
+    let names = rows
+        .iter()
+        .map(|row| if row[0] < 1.0 { format!("1/{}", format_trimmed(1.0 / row[0], 0)) } else { "1".to_owned() });
+    let x = ChartAxis {
+        names: names.collect(),
+        ..ChartAxis::new(crate::chart::AxisScale::Logarithmic, 0.85 * least..1.18, marks, 3)
+    };
     let looks = [
-        (1, "engagements to 1 %", Marker::new(FOLLOWER, Mark::Square)),
-        (2, "time of an engagement, ms", Marker::new(RELATIVE, Mark::Diamond)),
-        (3, "time to 1 %, ms", Marker::new(DRIVER, Mark::Disc)),
+        (1, "engagements to 1 %", Marker::new(FOLLOWER, MarkShape::Square)),
+        (2, "time of an engagement, ms", Marker::new(RELATIVE, MarkShape::Diamond)),
+        (3, "time to 1 %, ms", Marker::new(DRIVER, MarkShape::Disc)),
     ];
     let panels = looks.map(|(column, title, marker)| {
         let points = || rows.iter().map(move |row| (row[0], row[column]));
         let most = points().map(|point| point.1).fold(0.0, f64::max);
-        let y = Axis::from_zero(0.0, most, 3.0).titled(Label::words(title).in_colour(marker.colour));
+        let y = ChartAxis::from_zero(0.0, most, 3.0).titled(Label::words(title).in_colour(marker.colour));
         let x = if column == 3 {
             x.clone().titled(Label::words("follower's inertia over the run's inertia"))
         } else {
             x.clone().unnumbered()
         };
-        Panel::new(165.0, &x, &y).curve(points(), Stroke::new(marker.colour).wide(2.0)).marks(points(), marker)
+        Panel::new(165.0, &x, &y).curve(points(), LineStyle::new(marker.colour).wide(2.0)).marks(points(), marker)
     });
     let times = || rows.iter().map(|row| row[3]);
-    let (quickest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
+    let [quickest, slowest] = extent(times());
     let words = Words::new(
         "timer-settling",
         "How long a small difference from the steady motion lasts with a lighter follower",

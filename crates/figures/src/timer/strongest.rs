@@ -1,8 +1,8 @@
 //! The greatest accelerations and forces of the steady motion over the friction.
 
 use super::{Curve, Tested, axis, key, of_friction};
-use crate::chart::{Axis, Chart, Panel, Spot, of_mechanism};
-use crate::number::significant;
+use crate::chart::{Chart, ChartAxis, Panel, Spot, of_mechanism};
+use crate::number::{extent, significant};
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
@@ -37,7 +37,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
         Label::words("pin force ").and_symbol("F\u{2009}R").and(" / ").and_symbol("K"),
     ];
     let panels = titles.into_iter().enumerate().map(|(k, title)| {
-        let y = Axis::from_zero(0.0, of(k).fold(0.0, f64::max), 3.0).titled(title);
+        let y = ChartAxis::from_zero(0.0, of(k).fold(0.0, f64::max), 3.0).titled(title);
         let x = if k + 1 == PANELS { x.clone().titled(of_friction()) } else { x.clone().unnumbered() };
         curves.iter().fold(Panel::new(185.0, &x, &y), |panel, Curve { slots, points, marks }| {
             let (stroke, marker) = of_mechanism(*slots);
@@ -49,8 +49,7 @@ pub fn strongest(all: &[Tested]) -> Result<Figure, FigureError> {
             panel.name(name, Spot::Beside(last.values[k]))
         })
     });
-    let range =
-        |k: usize| [of(k).fold(f64::INFINITY, f64::min), of(k).fold(0.0, f64::max)].map(|value| significant(value, 3));
+    let range = |k: usize| extent(of(k)).map(|value| significant(value, 3));
     let said =
         ["driver's acceleration", "follower's acceleration", "its jump", "force on the pin"].into_iter().enumerate();
     let said = said.map(|(k, name)| {

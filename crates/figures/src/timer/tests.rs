@@ -2,7 +2,7 @@
 
 use super::{Tested, friction, sensitivity, settling, strongest, torque};
 use crate::FigureError;
-use crate::checks::{Drawing, columns, drawn, sound};
+use crate::checks::{ParsedDrawing, assert_drawn, assert_sound, columns};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities};
@@ -20,7 +20,7 @@ fn tested() -> Vec<Tested> {
 #[test]
 fn half_the_torque_loses_the_hours_of_the_root() {
     let figure = torque();
-    sound(&figure);
+    assert_sound(&figure);
     let rows = columns(&figure.series, ["torque", "gain^1/2", "gain^1/3", "gain^1"]);
     let [torque, root, ..] = rows[0];
     assert!((root - 24.0 * (0.5_f64.sqrt() - 1.0)).abs() < 1e-12 && torque == 50.0);
@@ -33,7 +33,7 @@ fn half_the_torque_loses_the_hours_of_the_root() {
         let row @ [_, root, _, first] = rows.iter().find(|row| (row[0] - torque).abs() < 0.51).expect("a row near it");
         assert!(*first < height && height < *root, "{row:?}");
     }
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     assert_eq!(["root", "verge", "own-period"].map(|class| drawing.count(class)), [2, 2, 2]);
 }
 
@@ -41,7 +41,7 @@ fn half_the_torque_loses_the_hours_of_the_root() {
 fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
     let pairs = [(0.09, "some oil"), (0.22, "dry")];
     let figure = friction(&tested(), 0.15, &pairs).expect("drawn");
-    sound(&figure);
+    assert_sound(&figure);
     let rows = columns(&figure.series, ["pins", "mu", "gain"]);
     for curve in rows.chunk_by(|[one, ..], [other, ..]| one == other) {
         assert!(curve.is_sorted_by(|[_, mu, gain], [_, more, less]| more > mu && less < gain), "{curve:?}");
@@ -49,11 +49,14 @@ fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
     for [_, mu, gain] in &rows {
         assert!((mu - 0.15) * gain <= 0.0, "{mu} {gain}");
     }
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     assert_eq!(["rate", "marks", "pair"].map(|class| drawing.count(class)), [3, 3, 2]);
     let one = tested()[0].clone();
     let speed = |mu: f64| {
-        Engagement::new(&one.with(mu).expect("sound")).and_then(|of| of.steady_state()).expect("steady").mean_speed
+        Engagement::new(&one.with_friction(mu).expect("sound"))
+            .and_then(|of| of.steady_state())
+            .expect("steady")
+            .mean_speed
     };
     let own = f64::from(one.parameters.mechanism().pins());
     let [_, mu, gain] = rows.iter().rfind(|[pins, ..]| *pins == own).expect("a row");
@@ -64,7 +67,7 @@ fn the_rate_falls_with_the_friction_through_the_one_at_which_it_was_set() {
 fn a_curve_ends_before_the_escapement_jams() {
     let all = tested();
     let figure = friction(&all, 0.15, &[(3.0, "too much")]).expect("drawn");
-    drawn(&figure);
+    assert_drawn(&figure);
     for one in &all {
         let (pins, ratio) = (one.parameters.mechanism().pins(), one.parameters.inertias().ratio());
         let limit = critical_friction(one.parameters.mechanism(), ratio).expect("a limit").friction;
@@ -76,25 +79,25 @@ fn a_curve_ends_before_the_escapement_jams() {
 #[test]
 fn the_minutes_are_those_of_the_powers() {
     let figure = sensitivity(&tested()).expect("drawn");
-    sound(&figure);
+    assert_sound(&figure);
     let one = &tested()[0];
     let own = f64::from(one.parameters.mechanism().pins());
     let rows = columns(&figure.series, ["pins", "mu", "gain K", "gain mu", "gain I_D", "gain I_f"]);
     let [_, mu, gains @ ..] = rows.iter().find(|[pins, ..]| *pins == own).expect("a row");
-    let found = Sensitivities::new(&one.with(*mu).expect("sound")).expect("steady");
+    let found = Sensitivities::new(&one.with_friction(*mu).expect("sound")).expect("steady");
     for (minutes, power) in
         gains.iter().zip([found.torque, found.friction, found.driver_inertia, found.follower_inertia])
     {
         assert!((minutes - 14.4 * power).abs() < 1e-9);
     }
-    let drawing = Drawing::of(&figure);
+    let drawing = ParsedDrawing::parse(&figure);
     assert_eq!(["gain", "of-torque", "marks"].map(|class| drawing.count(class)), [9, 1, 9]);
 }
 
 #[test]
 fn the_greatest_values_hold_for_every_torque() {
     let figure = strongest(&tested()).expect("drawn");
-    sound(&figure);
+    assert_sound(&figure);
     let mut stronger = tested();
     for one in &mut stronger {
         let of = &one.parameters;
@@ -109,9 +112,9 @@ fn the_greatest_values_hold_for_every_torque() {
     let own = f64::from(one.parameters.mechanism().pins());
     let rows = columns(&figure.series, ["pins", "mu", "F R/K"]);
     let [_, mu, force] = rows.iter().find(|[pins, ..]| *pins == own).expect("a row");
-    let found = Accelerations::new(&one.with(*mu).expect("sound")).expect("steady");
+    let found = Accelerations::new(&one.with_friction(*mu).expect("sound")).expect("steady");
     assert!((force - found.normal_moment.value.abs() / one.parameters.torque()).abs() < 1e-9);
-    assert_eq!(Drawing::of(&figure).count("greatest"), 12);
+    assert_eq!(ParsedDrawing::parse(&figure).count("greatest"), 12);
 }
 
 #[test]
@@ -121,13 +124,13 @@ fn the_key_shows_the_dashes_of_the_curves() {
         [(friction(&all, 0.15, &[]), "rate"), (sensitivity(&all), "gain"), (strongest(&all), "greatest")]
     {
         let figure = figure.expect("drawn");
-        let drawing = Drawing::of(&figure);
+        let drawing = ParsedDrawing::parse(&figure);
         let looks = |class: &str| {
             let of = |node: &roxmltree::Node<'_, '_>| {
                 ["stroke", "stroke-dasharray"].map(|name| node.attribute(name).map(str::to_owned))
             };
             let lines =
-                drawing.all(class).into_iter().filter(|node| ["line", "path"].contains(&node.tag_name().name()));
+                drawing.elements(class).into_iter().filter(|node| ["line", "path"].contains(&node.tag_name().name()));
             lines
                 .map(|node| of(&node))
                 .filter(|[stroke, _]| stroke.is_some())
@@ -146,11 +149,11 @@ fn what_has_no_runs_is_refused_and_settling_is_drawn() {
     }
     let own = tested()[0].parameters;
     let figure = settling(&own, &[1.0, 2.0, 4.0], "an example").expect("drawn");
-    sound(&figure);
+    assert_sound(&figure);
     let multiplier = Engagement::new(&own).and_then(|of| of.steady_state()).expect("steady").multiplier;
     let [part, engagements, period, time] = [0, 1, 2, 3].map(|column| figure.series.rows[0][column]);
     assert!(part == 1.0 && (libm::pow(multiplier, engagements) / 0.01 - 1.0).abs() < 1e-9);
     assert!((time / (period * engagements) - 1.0).abs() < 1e-12);
-    assert_eq!(Drawing::of(&figure).count("marks"), 3);
+    assert_eq!(ParsedDrawing::parse(&figure).count("marks"), 3);
     assert_eq!(settling(&own, &[], "nothing"), Err(FigureError::Nothing));
 }

@@ -1,7 +1,7 @@
 //! Hours and minutes that a timekeeper gains or loses in a day as its torque changes.
 
 use super::{HOURS, MINUTES};
-use crate::chart::{Axis, Chart, Panel, Spot, Stroke};
+use crate::chart::{Chart, ChartAxis, LineStyle, Panel, Spot};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
@@ -32,23 +32,23 @@ pub fn torque() -> Figure {
     let torques = |[from, to]: [f64; 2]| (0..=STEPS).map(move |k| from + (to - from) * f64::from(k) / f64::from(STEPS));
     let panel = |range: [f64; 2], step: f64, unit: f64, height: f64, title: &str, last: bool| {
         let marks = (0..).map(|k| range[0] + step * f64::from(k)).take_while(|mark| *mark <= range[1]);
-        let x = Axis::whole(range[0]..range[1], marks);
+        let x = ChartAxis::whole(range[0]..range[1], marks);
         let x = if last { x.titled(Label::words("torque, % of the torque at which it was set")) } else { x };
         let ends = range.map(|torque| unit * gained(torque, VERGE[1]));
-        let y = Axis::from_zero(ends[0], ends[1], 4.0).titled(Label::words(title));
+        let y = ChartAxis::from_zero(ends[0], ends[1], 4.0).titled(Label::words(title));
         let points = |power: f64| torques(range).map(move |torque| (torque, unit * gained(torque, power)));
         let mut back: Vec<_> = points(VERGE[1]).collect();
         back.reverse();
         Panel::new(height, &x, &y)
             .area(points(VERGE[0]).chain(back), FILL, "verge")
-            .horizontal(0.0, Stroke::new(FOLLOWER).class("own-period"))
-            .curve(points(ROOT), Stroke::new(DRIVER).class("root"))
+            .horizontal(0.0, LineStyle::new(FOLLOWER).class("own-period"))
+            .curve(points(ROOT), LineStyle::new(DRIVER).class("root"))
     };
     let wide = panel(WIDE, 10.0, HOURS, 330.0, "gain, hours a day", false);
     let [from, to] = [66.0, 100.0];
     let wide = wide
-        .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").in_colour(FOLLOWER))
-        .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").in_colour(DRIVER))
+        .name_near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").in_colour(FOLLOWER))
+        .name_near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").in_colour(DRIVER))
         .name(Label::words("verge").in_colour(INK), Spot::Within(NAMED.0, NAMED.1));
     let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day", true);
     let lost = -HOURS * gained(from, ROOT);

@@ -6,10 +6,10 @@ mod report;
 use crate::destination::apart_from;
 use crate::input::{MOST_BYTES, STANDARD_INPUT};
 use crate::output::{TextLayout, count};
-use crate::printable::{shown, shown_path};
+use crate::printable::{escape_and_shorten, shown_path};
 use crate::progress;
 use crate::threads::Threads;
-use crate::typed::{self, Format, Output, as_typed, formats};
+use crate::typed::{self, Output, OutputFormat, as_typed, formats};
 use anyhow::{Error, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_case1973::Hypothesis;
@@ -132,12 +132,12 @@ pub struct RunArguments {
     pub delay_keeps: DelayKeeps,
     /// Output format
     #[arg(long, default_value = "print", value_parser = formats(&[
-        (Format::Print, "Tables and character plots, as the line printer wrote them"),
-        (Format::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
-        (Format::Csv, "One row per printed point, with the number of its run"),
-        (Format::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
+        (OutputFormat::Print, "Tables and character plots, as the line printer wrote them"),
+        (OutputFormat::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
+        (OutputFormat::Csv, "One row per printed point, with the number of its run"),
+        (OutputFormat::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
     ]))]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -207,7 +207,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value < 1.0 {
         return Ok(value);
     }
-    Err(format!("{} must be below 1; give a fraction of each integral's size, such as 5e-6", shown(text.trim())))
+    Err(format!(
+        "{} must be below 1; give a fraction of each integral's size, such as 5e-6",
+        escape_and_shorten(text.trim())
+    ))
 }
 
 /// The answer to the action that is wanted.
@@ -220,11 +223,11 @@ pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
             if deck.has_data() {
                 deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?;
             }
-            Ok(report::checked(&name, &deck, &program, layout))
+            Ok(report::check_report(&name, &deck, &program, layout))
         }
         Action::Sort { deck, .. } => {
             let (name, deck) = read(deck)?;
-            Ok(report::sorted(&deck, &program(&name, &deck)?, layout))
+            Ok(report::statements_in_order(&deck, &program(&name, &deck)?, layout))
         }
         Action::Run(wanted) => run(wanted),
         Action::Decks { name: None, .. } => Ok(listed::decks(layout)),
@@ -232,7 +235,7 @@ pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
             let known = DECKS.map(|(name, _)| name);
             anyhow!(
                 "'{}' is not a deck of this project{}; give one of {}",
-                shown(name),
+                escape_and_shorten(name),
                 nearest(name, known),
                 known.join(", ")
             )
@@ -314,7 +317,7 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
             is_parameter || deck.set(set, *value),
             "--set {}={}: no CON or PAR card of {name} lists this name, and no single card without a control variable \
              defines it{}; give another name",
-            shown(set),
+            escape_and_shorten(set),
             as_typed(*value),
             nearest(set, deck.parameters().into_iter().chain(deck.results()))
         );
@@ -359,9 +362,9 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     };
     let _step = progress::step("writing the numbers");
     match wanted.format {
-        Format::Json => report::json(&all),
-        Format::Csv => report::csv(&all),
-        Format::Svg => report::svg(&name, &all),
+        OutputFormat::Json => report::json(&all),
+        OutputFormat::Csv => report::csv(&all),
+        OutputFormat::Svg => report::svg(&name, &all),
         _ => report::print_outs(&name, &all),
     }
 }

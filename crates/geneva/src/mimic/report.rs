@@ -10,7 +10,7 @@ use std::io::Write;
 const MOST_PRINTED: usize = 64_000_000;
 
 /// The report on a deck without mistakes: its size and its notes.
-pub fn checked(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
+pub fn check_report(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let (integrals, instructions) = program.size();
     let dead = program.execution_order().iter().filter(|of| of.is_dead).count();
     let mut page = layout.wrapped(
@@ -30,7 +30,7 @@ pub fn checked(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -
 }
 
 /// The statements in their order.
-pub fn sorted(deck: &Deck, program: &Program, layout: TextLayout) -> String {
+pub fn statements_in_order(deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let bold = heading();
     let (control, result) = (width(program, |of| of.control.as_deref().unwrap_or("")), width(program, |of| &of.result));
     let mut page = String::new();

@@ -13,7 +13,7 @@ const MOST_ROWS: u64 = 10_000_000;
 
 /// The values along each axis. Rows go through the torques fastest, then through the inertia ratios, then through the
 /// frictions, and through the slots last.
-pub struct Grid {
+pub struct SweepGrid {
     mechanisms: Vec<Mechanism>,
     frictions: Vec<f64>,
     inertia_ratios: Vec<f64>,
@@ -24,7 +24,7 @@ pub struct Grid {
 
 /// One row's escapement.
 #[derive(Clone, Copy, Debug)]
-pub struct Cell {
+pub struct SweepCell {
     pub mechanism: Mechanism,
     pub friction: f64,
     pub inertia_ratio: f64,
@@ -33,7 +33,7 @@ pub struct Cell {
     pub reset_deg: f64,
 }
 
-impl Grid {
+impl SweepGrid {
     /// The one that is wanted.
     pub fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
         let mechanisms = wanted.slots.iter().map(|count| Mechanism::new(*count)).collect::<Result<Vec<_>, _>>()?;
@@ -70,12 +70,12 @@ impl Grid {
     }
 
     /// The escapement of a row; none behind the last.
-    pub fn cell(&self, row: usize) -> Option<Cell> {
+    pub fn cell(&self, row: usize) -> Option<SweepCell> {
         let (rest, torque) = (row / self.torques.len(), self.torques[row % self.torques.len()]);
         let (rest, ratio) = (rest / self.inertia_ratios.len(), self.inertia_ratios[rest % self.inertia_ratios.len()]);
         let (rest, friction) = (rest / self.frictions.len(), self.frictions[rest % self.frictions.len()]);
         let mechanism = *self.mechanisms.get(rest)?;
-        Some(Cell {
+        Some(SweepCell {
             mechanism,
             friction,
             inertia_ratio: ratio,

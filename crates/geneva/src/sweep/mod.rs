@@ -14,7 +14,7 @@ use crate::progress;
 use crate::threads::Threads;
 use crate::typed::{self, Output};
 use clap::Args;
-use grid::Grid;
+use grid::SweepGrid;
 use range::{Range, Spacing};
 use rayon::prelude::*;
 use row::Status;
@@ -62,18 +62,18 @@ const BLOCK: usize = 16;
 const HELD: usize = 128;
 
 /// Computes and writes the rows; returns a summary if they are in a file.
-pub fn written(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
-    let grid = Grid::new(wanted)?;
+pub fn write_sweep(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
+    let grid = SweepGrid::new(wanted)?;
     let pool = Threads::new(wanted.threads)?.pool()?;
     let mut destination = Destination::new(&wanted.to.output)?;
-    let Some(tally) = pool.install(|| write(&grid, &mut destination))? else { return Ok(None) };
+    let Some(tally) = pool.install(|| write_blocks(&grid, &mut destination))? else { return Ok(None) };
     let file = destination.finish()?;
     let rows = count(grid.rows(), "row");
     Ok(file.map(|file| format!("{}: {rows}, {}\n", shown_path(&file), tally.words())))
 }
 
 /// All rows, in order; how many of which status, unless the reader has seen enough.
-fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
+fn write_blocks(grid: &SweepGrid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
     let rows = grid.rows();
     // Rows that scroll over a terminal show by themselves how far they have come.
     let bar =
@@ -106,7 +106,7 @@ fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Ta
 }
 
 /// The bytes of some rows.
-fn block(grid: &Grid, rows: std::ops::Range<usize>) -> anyhow::Result<(String, Tally)> {
+fn block(grid: &SweepGrid, rows: std::ops::Range<usize>) -> anyhow::Result<(String, Tally)> {
     let mut tally = Tally::default();
     let rows = rows.filter_map(|row| grid.cell(row)).map(|cell| {
         let (row, status) = row::row(&cell);

@@ -1,9 +1,9 @@
 //! One row: an escapement, and its motion or why it has none.
 
-use super::grid::Cell;
+use super::grid::SweepCell;
 
-use crate::fields::Row;
-use geneva_ask::escapement::{engagement, rise};
+use crate::fields::DataRow;
+use geneva_ask::escapement::{engagement, engagements_until_steady};
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 
@@ -39,13 +39,13 @@ impl Status {
 }
 
 /// The row of an escapement. What there is no number for is missing, and the status says why.
-pub fn row(cell: &Cell) -> (Row, Status) {
+pub fn row(cell: &SweepCell) -> (DataRow, Status) {
     let (steady, rise_time, status) = match motion(cell) {
         Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
         Ok((steady, None)) => (Some(steady), None, Status::LongRise),
         Err(status) => (None, None, status),
     };
-    let row = Row(vec![
+    let row = DataRow(vec![
         ("slots", cell.mechanism.slots().into()),
         ("pins", cell.mechanism.pins().into()),
         ("friction", cell.friction.into()),
@@ -66,7 +66,7 @@ pub fn row(cell: &Cell) -> (Row, Status) {
 }
 
 /// The steady state, and the time that the rise to it takes unless that is too long.
-fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
+fn motion(cell: &SweepCell) -> Result<(SteadyState, Option<f64>), Status> {
     let driver = cell.inertia_ratio * cell.follower_inertia;
     let inertias = Inertias::new(driver, cell.follower_inertia).map_err(|_| Status::TooSharp)?;
     let parameters =
@@ -84,6 +84,6 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
     if !numbers.into_iter().all(f64::is_finite) {
         return Err(Status::TooSharp);
     }
-    let rise = rise(&engagement, &steady).map_err(unsteady)?;
+    let rise = engagements_until_steady(&engagement, &steady).map_err(unsteady)?;
     Ok((steady, rise.map(|(_, time)| time)))
 }

@@ -51,7 +51,7 @@ fn repository() -> Option<TempDir> {
 }
 
 fn around(path: &Path) -> Repository {
-    Repository::around(path).expect("a repository")
+    Repository::containing(path).expect("a repository")
 }
 
 #[test]

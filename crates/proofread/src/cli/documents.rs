@@ -4,7 +4,7 @@ use super::arguments::Input;
 use super::baseline::Baseline;
 use crate::reader::{LONGEST, TextFormat};
 use geneva_host::files;
-use geneva_host::printable::{in_words, shown, shown_path};
+use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
@@ -174,11 +174,11 @@ pub(crate) fn read_documents(
     let Some(format) = source.format else {
         return lines(&name, is_stream, BufReader::new(stream), take);
     };
-    let bytes = files::read_stream(stream, &shown(&name), LONGEST as u64);
+    let bytes = files::read_stream(stream, &escape_and_shorten(&name), LONGEST as u64);
     let text = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
         // Whatever was to write a text into it has failed, or was never started.
         true => Err(EMPTY.to_owned()),
-        false => decode_text(bytes).map_err(|why| format!("{}: {why}", shown(&name))),
+        false => decode_text(bytes).map_err(|why| format!("{}: {why}", escape_and_shorten(&name))),
     });
     let argument = source.folder.clone().or_else(|| source.path.clone());
     take(text.map(|text| Document { name, text, format, path: source.path.clone(), argument }))
@@ -211,7 +211,7 @@ fn lines(
             Ok(0) if number == 0 && is_stream => return take(Err(EMPTY.to_owned())),
             Ok(0) => return Ok(()),
             Ok(_) => {}
-            Err(why) => return take(Err(format!("cannot read {}: {}", shown(name), in_words(&why)))),
+            Err(why) => return take(Err(format!("cannot read {}: {}", escape_and_shorten(name), in_words(&why)))),
         }
         number += 1;
         if bytes.trim_ascii().is_empty() {
@@ -236,7 +236,7 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         Value::String(format) => {
             TextFormat::from_name(format).or_else(|| TextFormat::from_extension(format)).ok_or_else(|| {
                 let known: Vec<&str> = TextFormat::ALL.iter().map(|(name, _)| *name).collect();
-                format!("the format `{}` is not known; it is one of {}", shown(format), known.join(", "))
+                format!("the format `{}` is not known; it is one of {}", escape_and_shorten(format), known.join(", "))
             })?
         }
         _ => return Err("`format` must be a string".to_owned()),

@@ -24,7 +24,7 @@ fn uri(document: &Document) -> String {
         return format!("./{}", encoded(parts.map(str::as_bytes)));
     };
     let whole = path.canonicalize().unwrap_or_else(|_| path.clone());
-    let top = Repository::around(&whole).map(|repository| repository.top().to_owned());
+    let top = Repository::containing(&whole).map(|repository| repository.top().to_owned());
     let top = top.or_else(|| std::env::current_dir().and_then(|folder| folder.canonicalize()).ok());
     match top.and_then(|top| whole.strip_prefix(top).ok()) {
         Some(inside) => encoded(path_names(inside)),

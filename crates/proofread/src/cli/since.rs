@@ -7,7 +7,7 @@ use super::baseline::fingerprint;
 use super::documents::{Document, STANDARD_INPUT, decode_text};
 use crate::finding::ChainFinding;
 use geneva_host::git::{Blob, Repository};
-use geneva_host::printable::{shown, shown_path};
+use geneva_host::printable::{escape_and_shorten, shown_path};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -46,7 +46,7 @@ impl Since {
             if !argument.exists() {
                 continue;
             }
-            let repository = Repository::around(argument).ok_or_else(|| {
+            let repository = Repository::containing(argument).ok_or_else(|| {
                 format!("{name} is in no repository of git; give --since files of one, or leave it out")
             })?;
             let commit = match by_top.get(repository.top()) {
@@ -67,7 +67,7 @@ impl Since {
         let (Some(path), Some(argument)) = (&document.path, &document.argument) else {
             return Err(format!(
                 "{}: a line of JSON has no earlier revision; give --since files, or leave it out",
-                shown(&document.name)
+                escape_and_shorten(&document.name)
             ));
         };
         let Some(Commit { repository, files }) = self.commits.get(argument).map(Rc::as_ref) else {
@@ -91,7 +91,7 @@ fn commit(repository: Repository, revision: &str) -> Result<Commit, String> {
         format!(
             "git does not know the revision `{}` in {top}; give a commit, a branch or a tag, and fetch it first where git has \
              only a part of the history",
-            shown(revision)
+            escape_and_shorten(revision)
         )
     })?;
     let files = repository.files(&name)?.into_iter().collect();

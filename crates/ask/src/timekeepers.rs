@@ -1,22 +1,22 @@
 //! Timekeepers with which the escapement is compared, and what changes their rate: a runaway escapement and a governed train.
 
-use crate::{Answer, Error, Field, Rounding, number, pairs};
+use crate::{Error, MechanismReport, ReportField, Rounding, number, pairs};
 use geneva_dynamics::timer::runaway::{friction_power, governed_power};
 
 /// Minutes of a day.
 const MINUTES: f64 = 1440.0;
 
 /// A runaway escapement, of which friction takes a part of the torque and blows take the rest of the work: `--friction-share 0.2`.
-pub fn runaway(arguments: &str) -> Result<Answer, Error> {
+pub fn runaway(arguments: &str) -> Result<MechanismReport, Error> {
     let share = only(arguments, "friction-share")?;
-    let lost = Field::in_unit("friction_rate_min_a_day", 0.01 * MINUTES * friction_power(share)?, "min a day");
+    let lost = ReportField::in_unit("friction_rate_min_a_day", 0.01 * MINUTES * friction_power(share)?, "min a day");
     let lost = lost.line("friction", "what the timer gains with one per cent more of it, to first order");
     Ok(answer("Runaway escapement", lost.rounded(Rounding::Decimals(1))))
 }
 
 /// A train with a centrifugal brake, at so many times the speed at which the brake begins to touch: `--beyond 1.1`.
-pub fn governor(arguments: &str) -> Result<Answer, Error> {
-    let power = Field::new("torque_power", governed_power(only(arguments, "beyond")?)?);
+pub fn governor(arguments: &str) -> Result<MechanismReport, Error> {
+    let power = ReportField::new("torque_power", governed_power(only(arguments, "beyond")?)?);
     let power = power.line("power of the torque", "the speed is proportional to this power of the torque");
     Ok(answer("Governed train", power.rounded(Rounding::Decimals(2))))
 }
@@ -33,8 +33,8 @@ fn only(arguments: &str, name: &str) -> Result<f64, Error> {
     value.ok_or_else(|| refused!("--{name} is missing; give it"))
 }
 
-fn answer(title: &str, field: Field) -> Answer {
-    Answer {
+fn answer(title: &str, field: ReportField) -> MechanismReport {
+    MechanismReport {
         title: title.to_owned(),
         introduction: "",
         sections: vec![("Rate", vec![field])],
