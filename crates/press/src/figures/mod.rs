@@ -8,7 +8,7 @@ use crate::computed::making;
 use crate::rows::{NONE, example, question};
 use crate::{live, lookup};
 use anyhow::Context;
-use geneva_ask::escapement::{Design, Drawing, Question};
+use geneva_ask::escapement::{Design, Drawing};
 use geneva_case1973::{Hypothesis, weakest};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
@@ -61,11 +61,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
         let own = Hypothesis::IDEAL.parameters(example()?).context(NONE)?;
         Ok(escapement::steady_forces(&own, TRAILING)?)
     }),
-    ("escapement-normal-force", || {
-        let question = question(example()?);
-        let (_, arguments) = question.split_once(' ').context("a question with arguments")?;
-        Ok(Design::new(Question::parse(arguments)?)?.drawing(Drawing::NormalForce)?)
-    }),
+    ("escapement-normal-force", || Ok(Design::new(question(example()?))?.drawing(Drawing::NormalForce)?)),
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
     ("runs-agreement", runs::agreement),
