@@ -23,7 +23,7 @@ pub struct RouteKind {
 /// A tally of records, such as the verdicts or the printed rows: nothing but the records says what it is.
 pub const RECORD: RouteKind = RouteKind {
     slug: "record",
-    meaning: "taken from records: of verdicts, of printed rows, of timings",
+    meaning: "taken from records: of verdicts, printed rows and measured times",
     tolerance: 0.0,
 };
 

@@ -229,18 +229,16 @@ impl SteppedPassage<'_> {
 ///
 /// With the square of a number for the part of the step, so that it may begin at rest.
 fn mean_slowness(ends: &[f64], rises: [f64; 2]) -> f64 {
-    // Gauss's rule with four points from 0 to 1.
-    const POINTS: [(f64, f64); 4] = [
-        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-        (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
-        (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
-        (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
-    ];
+    // Gauss's rule with four points from −1 to 1: their sizes and weights.
+    const POINTS: [(f64, f64); 2] =
+        [(0.861_136_311_594_052_6, 0.347_854_845_137_453_85), (0.339_981_043_584_856_3, 0.652_145_154_862_546_1)];
     let square = |part: f64| {
         let rest = 1.0 - part;
         let [first, last] =
             [ends[0] * (1.0 + 2.0 * part) + rises[0] * part, ends[1] * (1.0 + 2.0 * rest) - rises[1] * rest];
         rest * rest * first + part * part * last
     };
-    POINTS.iter().map(|(root, weight)| weight * 2.0 * root / square(root * root).sqrt()).sum()
+    let slowness = |root: f64| 2.0 * root / square(root * root).sqrt();
+    let both = |size: f64| slowness(f64::midpoint(1.0, -size)) + slowness(f64::midpoint(1.0, size));
+    POINTS.iter().map(|(size, weight)| weight / 2.0 * both(*size)).sum()
 }
