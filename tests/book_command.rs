@@ -103,7 +103,7 @@ fn workspace_with_crates() -> tempfile::TempDir {
         write(&format!("crates/{name}/src/lib.rs"), "pub const ONE: u8 = 1;\n");
         manifest += &format!("{name} = {{ path = \"crates/{name}\" }}\n");
     }
-    write("Cargo.toml", &format!("{manifest}[workspace]\nexclude = [\"crates/ledger\"]\n"));
+    write("Cargo.toml", &format!("{manifest}[workspace]\nexclude = [\"crates/documents\"]\n"));
     write("lib.rs", "");
     workspace
 }

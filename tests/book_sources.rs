@@ -1,6 +1,7 @@
 //! Are the chapters written as chapters should be? Looks at the Markdown, before anything is drawn in.
 
-use geneva_ledger::{Consequence, Decimal, Places, Verdict, numeric_tokens, slips, verdicts};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Consequence, Decimal, TracedSlip, Verdict, numeric_tokens};
 use geneva_press::pages::{self, PAGES, Page, Records};
 use geneva_press::{address, asked, bibliography, computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
@@ -76,7 +77,10 @@ fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
         for (at, line) in text.lines().enumerate() {
             for token in numeric_tokens(line) {
                 let computed = |typed: &Decimal| {
-                    verdicts().iter().find(|judged| judged.computed.is_some_and(|number| typed.is_rounding_of(number)))
+                    LEDGER
+                        .verdicts()
+                        .iter()
+                        .find(|judged| judged.computed.is_some_and(|number| typed.is_rounding_of(number)))
                 };
                 let typed = token.parse().ok().filter(|_| crate::is_telling(&token));
                 let owner = crate::owner(&token).or_else(|| typed.as_ref().and_then(computed).map(|j| j.claim.id));
@@ -192,9 +196,9 @@ fn every_slip_is_told_in_some_chapter() {
     let shown = |id: &str| tables().flat_map(str::split_whitespace).any(|shown| shown == id);
     // What is said elsewhere is told by one placeholder, whole.
     assert!(all.contains("{{elsewhere}}"));
-    let of_documents = |places: &&Places| places.is_of_a_document() && places.slip.consequence != Consequence::Copy;
-    for places in slips().iter().filter(of_documents) {
-        let is_told = |judged: &&geneva_ledger::Judged| {
+    let of_documents = |places: &&TracedSlip| places.is_mirrored() && places.slip.consequence != Consequence::Copy;
+    for places in LEDGER.slips().iter().filter(of_documents) {
+        let is_told = |judged: &&geneva_evidence::Judged| {
             told(judged.claim.id) || judged.verdict == Verdict::FromRounded && shown(judged.claim.id)
         };
         assert!(places.claims.iter().any(is_told), "{} is not told", places.slip.id);
@@ -205,16 +209,16 @@ fn every_slip_is_told_in_some_chapter() {
 fn every_conclusion_of_the_thesis_is_in_the_table_of_its_conclusions() {
     let (_, chapter) = chapters().into_iter().find(|(file, _)| file == "never-printed.md").expect("the chapter");
     let lines = || chapter.lines().filter(|line| line.starts_with("| "));
-    let of_thesis = |judged: &&geneva_ledger::Judged| judged.claim.work == geneva_ledger::Work::Meyer1973;
-    let concluded = geneva_ledger::Work::Meyer1973.conclusions();
+    let of_thesis = |judged: &&geneva_evidence::Judged| *judged.claim.document == geneva_documents::MEYER;
+    let concluded = geneva_documents::MEYER.conclusions;
     // How many there are is no conclusion.
     let is_count = |id: &str| id == "meyer.three-conclusions";
-    let is_conclusion = |judged: &&geneva_ledger::Judged| {
+    let is_conclusion = |judged: &&geneva_evidence::Judged| {
         let id = judged.claim.id;
         judged.claim.locator.starts_with("Conclusion") && !is_count(id) || concluded.iter().any(|(of, _)| *of == id)
     };
     let mut count = 0;
-    for judged in verdicts().iter().filter(of_thesis).filter(is_conclusion) {
+    for judged in LEDGER.verdicts().iter().copied().filter(of_thesis).filter(is_conclusion) {
         let mark = format!("{{{{verdict:{}}}}}", judged.claim.id);
         assert_eq!(lines().filter(|line| line.contains(&mark)).count(), 1, "{}", judged.claim.id);
         count += 1;

@@ -16,8 +16,9 @@ mod terminal_command;
 mod wheel_command;
 
 use geneva_cli::Answer;
+use geneva_documents::LEDGER;
+use geneva_evidence::without_ellipses;
 use geneva_figures::Figure;
-use geneva_ledger::{claims, in_full, verdicts};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::{Map, Value};
 use std::ffi::OsString;
@@ -150,7 +151,8 @@ fn number(object: &Map<String, Value>, key: &str) -> f64 {
 /// What the ledger finds right about a claim that is a number.
 #[track_caller]
 fn right(id: &str) -> f64 {
-    let judged = verdicts().iter().find(|judged| judged.claim.id == id).unwrap_or_else(|| panic!("no claim {id}"));
+    let judged =
+        LEDGER.verdicts().iter().find(|judged| judged.claim.id == id).unwrap_or_else(|| panic!("no claim {id}"));
     judged.right_value.or(judged.computed).unwrap_or_else(|| panic!("{id} is no number"))
 }
 
@@ -199,11 +201,11 @@ fn is_ignored_by(process: u32, signal: i32) -> bool {
 /// A workspace with a book of one chapter.
 fn small_workspace() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for inside in ["book/src", "crates/ledger"] {
+    for inside in ["book/src", "crates/documents"] {
         fs::create_dir_all(folder.path().join(inside)).expect("writable");
     }
     for (file, text) in [
-        ("crates/ledger/Cargo.toml", ""),
+        ("crates/documents/Cargo.toml", ""),
         ("book/book.toml", "[book]\ntitle = \"Small\"\n[build]\ncreate-missing = false\n"),
         ("book/src/SUMMARY.md", "- [Only](only.md)\n"),
         ("book/src/only.md", "# Only\n\nA chapter.\n"),
@@ -342,11 +344,11 @@ fn a_line_of_claims_is_at_most_100_characters_long() {
 #[test]
 fn json_says_what_the_ledger_says() {
     let rows = json(&["claims", "--format", "json"]);
-    assert_eq!(rows.len(), claims().len());
-    for (row, judged) in rows.iter().zip(verdicts()) {
+    assert_eq!(rows.len(), LEDGER.claims().len());
+    for (row, judged) in rows.iter().zip(LEDGER.verdicts()) {
         let id = judged.claim.id;
         assert_eq!((&row["id"], &row["verdict"]), (&id.into(), &judged.verdict.slug().into()));
-        assert_eq!(row["printed"], in_full(judged.claim), "{id}");
+        assert_eq!(row["printed"], without_ellipses(judged.claim), "{id}");
         for (key, value) in [("computed", judged.computed), ("right_value", judged.right_value)] {
             assert_eq!(row[key].as_f64().map(f64::to_bits), value.map(f64::to_bits), "{id} {key}");
         }
@@ -439,8 +441,8 @@ fn the_errata_are_those_of_the_ledger() {
 fn every_place_of_a_slip_is_listed_with_it() {
     for row in json(&["errata", "--all", "--format", "json"]) {
         let places: Vec<_> = row["places"].as_array().expect("places").iter().filter_map(Value::as_str).collect();
-        let of = |claim: &&geneva_ledger::Claim| claim.erratum.is_some_and(|erratum| erratum.slip.id == row["id"]);
-        assert_eq!(places.len(), claims().iter().filter(of).count(), "{}", row["id"]);
+        let of = |claim: &&geneva_evidence::Claim| claim.erratum.is_some_and(|erratum| erratum.slip.id == row["id"]);
+        assert_eq!(places.len(), LEDGER.claims().iter().copied().filter(of).count(), "{}", row["id"]);
         assert_eq!(row["id"], places[0]);
     }
 }
@@ -495,7 +497,7 @@ fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
     fs::write(workspace.path().join("book/src/only.md"), leads_to_data).expect("writable");
     let mut command = geneva(&[]);
     let output = command.current_dir(workspace.path()).output().expect("the program runs");
-    let code = if verdicts().iter().all(geneva_ledger::Judged::holds) { 0 } else { 1 };
+    let code = if LEDGER.verdicts().iter().all(|judged| judged.matches_record()) { 0 } else { 1 };
     assert_eq!(output.status.code(), Some(code), "{output:?}");
     assert!(output.stderr.is_empty(), "no progress is shown in a pipe: {output:?}");
     for file in ["index.html", "data/claims.json"] {

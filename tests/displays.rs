@@ -13,7 +13,7 @@ mod mechanisms;
 mod notation;
 mod proofs;
 
-use geneva_ledger::tex::{Class, Misprint, misprints};
+use geneva_evidence::tex::{Class, Misprint, misprints};
 use std::collections::BTreeMap;
 
 /// A number between zero and one, one of many that are spread evenly, the same on every machine.

@@ -5,13 +5,13 @@ mod run;
 
 use crate::{assert_is_drawn, assert_is_plain, number, on_sheet, pin, right, stdout};
 use geneva_case1973::Hypothesis;
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::terms::starts;
 use geneva_dynamics::steady::{Engagement, RiseMeasure};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::terms::starts;
-use geneva_ledger::{claim, claims};
 use serde_json::{Map, Value};
 
 /// Slots, friction, torque, inertia of the driver, of the follower.
@@ -80,10 +80,10 @@ fn numbers_are_those_that_the_ledger_finds_right_in_the_tables_of_1973() {
     for (slots, pins) in [("3", "6-pin"), ("4", "4-pin"), ("6", "3-pin")] {
         let table = format!("meyer.app-e.{pins}");
         let [driver, follower] = ["driver", "follower"].map(|name| {
-            let heading = claim(&format!("{table}.{name}")).expect("an inertia above the table");
+            let heading = LEDGER.claim(&format!("{table}.{name}")).expect("an inertia above the table");
             format!("{}e-6", heading.right_characters())
         });
-        let rows: Vec<_> = claims().iter().filter_map(|claim| row_of(&table, claim.id)).collect();
+        let rows: Vec<_> = LEDGER.claims().iter().filter_map(|claim| row_of(&table, claim.id)).collect();
         assert!(rows.len() >= 12, "{table}: {rows:?}");
         for (friction, torque) in rows {
             let found = object([slots, friction, torque, &driver, &follower], &[]);

@@ -390,7 +390,7 @@ fn pages_without_a_figure_that_moves_load_nothing_of_it() {
 #[test]
 fn the_mistake_is_scored_as_the_ledger_scores_it() {
     use geneva_case1973::{Hypothesis, SixPin};
-    use geneva_ledger::meyer::runs::study::scores;
+    use geneva_documents::meyer::runs::study::scores;
     let given = given_on("mistake");
     let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
     for (setting, hypothesis) in [

@@ -27,7 +27,8 @@ mod supply;
 mod tidy;
 mod typed;
 
-use geneva_ledger::{Decimal, claims, numeric_tokens};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Decimal, numeric_tokens};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -71,7 +72,7 @@ fn owner(number: &str) -> Option<&'static str> {
     static OWNERS: OnceLock<HashMap<String, &str>> = OnceLock::new();
     let owners = OWNERS.get_or_init(|| {
         let mut owners = HashMap::new();
-        for claim in claims() {
+        for claim in LEDGER.claims() {
             let corrected = claim.erratum.as_ref().map(|erratum| erratum.corrected);
             for text in [claim.printed].into_iter().chain(corrected).filter(|text| text.parse::<Decimal>().is_ok()) {
                 for token in numeric_tokens(text) {

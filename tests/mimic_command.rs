@@ -2,7 +2,7 @@
 
 use crate::{geneva, json, pin, refused, stdout};
 use geneva_case1973::Hypothesis;
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 use serde_json::Value;
 use std::fs;
 use std::io::Write;

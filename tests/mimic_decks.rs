@@ -5,9 +5,9 @@
 //! translated by hand gives.
 
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, deck, within_one};
-use geneva_ledger::meyer::runs::study::by_deck;
-use geneva_ledger::meyer::runs::table::{listing, rows};
-use geneva_ledger::printed_value;
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::study::by_deck;
+use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
 use geneva_mimic::{Interpolation, Kept, Parameters};
 
@@ -156,7 +156,7 @@ fn where_the_delay_begins_with_zero_the_line_of_the_motion_needs_no_statements_o
 #[test]
 fn another_print_interval_explains_fewer_of_the_printed_peaks() {
     let usual = within_one(Column::Peak, rows(), as_run());
-    let interval = printed_value("meyer.listing.print-interval").expect("a number");
+    let interval = LEDGER.printed_value("meyer.listing.print-interval").expect("a number");
     for factor in [0.5, 2.0] {
         let runs = runs(&program(&[&as_listed()[..], &[("DT", factor * interval)]].concat()));
         let [minima, periods, peaks] =
@@ -167,7 +167,7 @@ fn another_print_interval_explains_fewer_of_the_printed_peaks() {
 
 #[test]
 fn a_tenth_of_the_print_interval_finds_the_true_peaks() {
-    let interval = printed_value("meyer.listing.print-interval").expect("a number");
+    let interval = LEDGER.printed_value("meyer.listing.print-interval").expect("a number");
     let fine = program(&[&as_listed()[..], &[("DT", interval / 10.0)]].concat());
     let exact = Hypothesis { reading: Reading::True, ..Hypothesis::WITHOUT_LAG };
     let mut missed = [0.0_f64; 2];

@@ -5,9 +5,9 @@
 //! four-slot wheel is a quarter turn, and the slot's angle follows from the pin's coordinates.
 
 use approx::assert_relative_eq;
+use geneva_documents::pin::Instant;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot, sliding_product, velocity_ratio};
 use geneva_kinematics::{Turn, pin_triangle, pin_vectors};
-use geneva_ledger::pin::Instant;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System, Vector2};
 

@@ -106,7 +106,7 @@ fn numbers_are_those_that_the_ledger_finds_right_in_the_examination_problem() {
 /// A datum of the problem, as it is printed.
 fn claim_printed(name: &str) -> &'static str {
     let id = format!("quick-return.{name}");
-    geneva_ledger::claims().iter().find(|claim| claim.id == id).expect("a claim of that id").printed
+    geneva_documents::LEDGER.claims().iter().find(|claim| claim.id == id).expect("a claim of that id").printed
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use crate::book_pages::{book, moved};
 use crate::browser::devtools::{Browser, Medium};
-use geneva_ledger::{Kind, Truth, Verdict, Work, claim, verdicts};
+use geneva_documents::LEDGER;
+use geneva_documents::{JAZAR, MEYER};
+use geneva_evidence::{Kind, Truth, Verdict};
 use serde_json::{Value, json};
 
 fn opened(address: &str) -> Option<Browser> {
@@ -37,14 +39,14 @@ fn filtered(browser: &mut Browser, fields: &[(&str, &str)]) -> (usize, String) {
 #[test]
 fn the_filter_shows_the_claims_that_have_all_that_is_asked_for() {
     let Some(mut browser) = opened("ledger.html") else { return };
-    let all = verdicts().len();
-    let count = |of: fn(&geneva_ledger::Judged) -> bool| verdicts().iter().filter(|judged| of(judged)).count();
+    let all = LEDGER.verdicts().len();
+    let count = |of: fn(&geneva_evidence::Judged) -> bool| LEDGER.verdicts().iter().filter(|judged| of(judged)).count();
     let cases: [(&[(&str, &str)], usize); 9] = [
         (&[], all),
-        (&[("source", "jazar")], count(|judged| judged.claim.work == Work::Jazar2003)),
-        (&[("source", "documents")], count(|judged| judged.claim.work.is_document())),
+        (&[("source", "jazar")], count(|judged| judged.claim.document == &JAZAR)),
+        (&[("source", "documents")], count(|judged| judged.claim.document.is_mirrored())),
         (&[("truth", "open")], count(|judged| judged.truth() == Truth::Open)),
-        (&[("truth", "miscopied")], count(geneva_ledger::Judged::is_miscopied)),
+        (&[("truth", "miscopied")], count(geneva_evidence::Judged::is_miscopied)),
         (&[("verdict", "corrected")], count(|judged| judged.verdict == Verdict::Corrected)),
         (&[("kind", "equation")], count(|judged| judged.claim.kind == Kind::Equation)),
         (
@@ -52,7 +54,7 @@ fn the_filter_shows_the_claims_that_have_all_that_is_asked_for() {
             count(|judged| {
                 let claim = judged.claim;
                 let is_wrong = judged.truth() == Truth::Wrong && !judged.is_miscopied();
-                claim.kind == Kind::Value && is_wrong && claim.work == Work::Meyer1973
+                claim.kind == Kind::Value && is_wrong && claim.document == &MEYER
             }),
         ),
         // A word of an id, in capitals, and one of what it says.
@@ -77,7 +79,7 @@ fn a_filter_is_set_by_keyboard_and_kept_in_the_address() {
     browser.command("Input.insertText", json!({ "text": "rise" }));
     let shown = "[...document.querySelectorAll('.claims > li')].filter(row => row.checkVisibility()).length";
     let some = browser.evaluate(shown).as_u64().expect("a number");
-    assert!(some > 0 && (some as usize) < verdicts().len(), "{some}");
+    assert!(some > 0 && (some as usize) < LEDGER.verdicts().len(), "{some}");
     let address = browser.evaluate("location.href").as_str().expect("an address").to_owned();
     assert!(address.ends_with("#words=rise"), "{address}");
     browser.open("about:blank");
@@ -103,7 +105,7 @@ fn follow(browser: &mut Browser, from: &str, to: &str) {
 #[test]
 fn an_address_of_a_claim_opens_its_row_with_all_that_is_known_of_it() {
     let Some(mut browser) = opened("pin.html") else { return };
-    let judged = geneva_ledger::verdict("jazar.eq-5.29").expect("a claim");
+    let judged = LEDGER.verdict("jazar.eq-5.29").expect("a claim");
     let (id, slip) = (judged.claim.id, &judged.claim.erratum.as_ref().expect("a mistake").slip);
     for page in ["ledger.html", "ledger-jazar.html"] {
         follow(&mut browser, &format!("{page}#{id}"), &format!("ledger.html#{id}"));
@@ -124,10 +126,10 @@ const AT_THE_TOP: f64 = 100.0;
 #[test]
 fn the_row_of_a_claim_is_brought_to_the_top_of_a_phone_and_of_a_wide_window() {
     let Some(mut browser) = opened("pin.html") else { return };
-    let every = verdicts().len() / 7;
+    let every = LEDGER.verdicts().len() / 7;
     for width in [390, 1280] {
         browser.show(width, Medium::Dark);
-        for judged in verdicts().iter().skip(every / 2).step_by(every) {
+        for judged in LEDGER.verdicts().iter().skip(every / 2).step_by(every) {
             let id = judged.claim.id;
             browser.open("about:blank");
             browser.open(&format!("file://{}/ledger.html#{id}", book().display()));
@@ -157,7 +159,7 @@ fn the_search_finds_the_chapter_that_explains_before_the_records_and_a_claim_by_
         .map(|id| (id, format!("ledger.html?#{id}")))
         .to_vec();
     // A number that the handout prints, and its chapter shows.
-    let number = claim("jazar.ex-e.ratio").expect("a claim").printed.trim_start_matches('±');
+    let number = LEDGER.claim("jazar.ex-e.ratio").expect("a claim").printed.trim_start_matches('±');
     let chapters = [
         ("motor", "making.html"),
         ("law of cosines", "pin.html"),

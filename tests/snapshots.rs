@@ -1,6 +1,6 @@
 //! Which numbers are behind the figures, the verdicts and the sentences? They are pinned as text, with the drawings beside them.
 
-use geneva_ledger::verdicts;
+use geneva_documents::LEDGER;
 use geneva_press::{figures, placeholders};
 use insta::{Settings, assert_snapshot};
 
@@ -32,7 +32,7 @@ fn what_a_reader_reads_for_each_placeholder() {
 #[test]
 fn the_verdicts() {
     let mut text = format!("{:<36} {:<17} {:>18} {:>18}\n", "claim", "verdict", "computed", "from rounded");
-    for judged in verdicts() {
+    for judged in LEDGER.verdicts() {
         // Eight digits: with tolerances ten times finer these are the same.
         let number = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.7e}"));
         let (computed, rounded) = (number(judged.computed), number(judged.from_rounded));
@@ -44,7 +44,7 @@ fn the_verdicts() {
 #[test]
 fn how_each_form_was_found() {
     let mut text = String::new();
-    for judged in verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
+    for judged in LEDGER.verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
         text.push_str(&format!("{}\n", judged.claim.id));
         for (role, finding) in &judged.findings {
             let says = if finding.holds { "holds" } else { "fails" };

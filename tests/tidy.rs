@@ -7,7 +7,7 @@ mod units;
 mod waits;
 mod words;
 
-use geneva_ledger::numeric_tokens;
+use geneva_evidence::numeric_tokens;
 use toml::Table;
 
 /// Which crates of the workspace each crate may use.
@@ -202,7 +202,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "crates/dynamics/src",
         "crates/mimic/src",
         "crates/case1973/src",
-        "crates/ledger/src",
+        "crates/documents/src",
         "crates/figures/src",
         "crates/workshop/src",
         "crates/ask/src",

@@ -7,9 +7,10 @@
 use crate::book_sources::chapters;
 use geneva_case1973::likelihood::{LEAST_SPREAD, Law};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reset, Row, SixPin, Weighing, rows_of};
-use geneva_ledger::meyer::runs::study::scores;
-use geneva_ledger::meyer::runs::table::{listing, rows};
-use geneva_ledger::{claims, numeric_tokens};
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::study::scores;
+use geneva_documents::meyer::runs::table::{listing, rows};
+use geneva_evidence::numeric_tokens;
 use geneva_press::asked;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
@@ -91,7 +92,7 @@ fn answered(question: &str, key: &str) -> f64 {
 
 /// The number that a claim prints.
 fn printed(id: &str) -> f64 {
-    let claim = claims().iter().find(|claim| claim.id == id).unwrap_or_else(|| panic!("no claim {id}"));
+    let claim = LEDGER.claims().iter().find(|claim| claim.id == id).unwrap_or_else(|| panic!("no claim {id}"));
     numeric_tokens(claim.printed)[0].parse().expect("a number")
 }
 
@@ -373,7 +374,7 @@ fn every_number_typed_in_a_chapter_is_a_name_a_reference_or_in_a_phrase_of_the_l
             wrong.push(format!("{page}: “{phrase}” has {typed:?}, and the code {numbers:?}"));
         }
     }
-    let known: Vec<&str> = claims().iter().map(|claim| claim.locator).collect();
+    let known: Vec<&str> = LEDGER.claims().iter().map(|claim| claim.locator).collect();
     for (file, markdown) in chapters() {
         let page = file.trim_end_matches(".md");
         // The number of the last heading, and of the last numbered paragraph.

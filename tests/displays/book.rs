@@ -2,7 +2,7 @@
 
 use super::mechanisms::{When, making, pin, quick_return, step, wheel};
 use super::{Harmless, Misprints, escapement, joints};
-use geneva_ledger::tex::{Display, Moment, value_at};
+use geneva_evidence::tex::{Display, Moment, value_at};
 
 /// Misprints that no state of motion shows.
 const HARMLESS: &Harmless = &[
@@ -143,8 +143,11 @@ fn a_display_with_a_number_is_the_equation_with_this_number() {
             "1-3" => vec!["meyer.angle-sum".to_owned()],
             tag => ["", ".first-line", ".second-line"].map(|line| format!("meyer.eq-{tag}{line}")).into(),
         };
-        let lines: Vec<&str> =
-            ids.iter().filter_map(|id| geneva_ledger::claim(id)).map(|claim| claim.right_characters()).collect();
+        let lines: Vec<&str> = ids
+            .iter()
+            .filter_map(|id| geneva_documents::LEDGER.claim(id))
+            .map(|claim| claim.right_characters())
+            .collect();
         let [ours, theirs] = [&printed.tex, &lines.join(" ")].map(|tex| first_side(tex));
         let same = |state: &Moment| {
             let there = state.clone().called(OF_THE_THESIS);

@@ -5,9 +5,9 @@ use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
+use geneva_evidence::tex::{By, Moment};
 use geneva_kinematics::escapement::{Continuous, possible};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
-use geneva_ledger::tex::{By, Moment};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<Moment> {

@@ -4,11 +4,11 @@
 use super::book::states_of;
 use super::inline::{formulas, relates};
 use super::{Harmless, Misprints};
+use geneva_evidence::tex::{Display, Moment, changed_part, name};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::tex::{Display, Moment, changed_part, name};
 
 /// A formula, and an equation that holds with the formula in the place of the dot, wherever the mechanism of its chapter is.
 type Use = (&'static str, &'static str);

@@ -7,9 +7,9 @@
 use super::book::{entering, states_of};
 use super::mechanisms::pin;
 use super::{Misprints, escapement};
+use geneva_evidence::tex::{Class, Display, Moment, changed_part, letters_in, name, value_at};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::tex::{Class, Display, Moment, changed_part, letters_in, name, value_at};
 use std::f64::consts::PI;
 
 /// A chapter, a formula of it, and the states that its text names.
@@ -201,7 +201,7 @@ fn every_formula_in_a_line_holds_where_its_text_says() {
             }
             misprints.make(&format!("{chapter}: {tex}"), &tex, |tex| holds_in(tex, &states).ok());
             // The changed part has the value that it had, or an inequality says less than it could.
-            let same = |(whose, misprint): &(String, geneva_ledger::tex::Misprint)| {
+            let same = |(whose, misprint): &(String, geneva_evidence::tex::Misprint)| {
                 let is_equal = |part: String| holds_in(&part, &states) == Ok(true);
                 *whose == format!("{chapter}: {tex}")
                     && (changed_part(&tex, &misprint.tex).is_some_and(is_equal)

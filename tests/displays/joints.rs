@@ -4,9 +4,9 @@ use super::spread;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::joints::{Escapement, Joints};
 use geneva_dynamics::{Inertias, Parameters, Sign};
+use geneva_evidence::tex::Moment;
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Turn, pin_slot};
-use geneva_ledger::tex::Moment;
 
 /// All three mechanisms, with many joints, on both flanks and with both senses of sliding.
 pub fn states() -> Vec<Moment> {

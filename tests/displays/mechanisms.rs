@@ -3,13 +3,13 @@
 use super::spread;
 use geneva_dynamics::line_contact::{LineContact, MATERIALS, contact_modulus};
 use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_evidence::tex::{By, Moment, Value};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::series::polar_rates;
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, Scale, Sizes};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration};
 use geneva_kinematics::{Turn, pin_slot, pin_triangle, pin_vectors};
-use geneva_ledger::tex::{By, Moment, Value};
 use geneva_mimic::runge_kutta_step;
 use nalgebra::Vector1;
 use std::convert::Infallible;

@@ -3,9 +3,11 @@
 
 use super::mechanisms::{When, pin, quick_return, wheel};
 use super::{escapement, joints};
+use geneva_documents::LEDGER;
+use geneva_documents::WILD;
+use geneva_evidence::Kind;
+use geneva_evidence::tex::{Display, Moment, letters_in};
 use geneva_figures::notation::NOTATION;
-use geneva_ledger::tex::{Display, Moment, letters_in};
-use geneva_ledger::{Kind, Work, claims};
 use geneva_press::figures::FIGURES;
 use std::collections::BTreeMap;
 
@@ -235,16 +237,16 @@ const GREEK: [(&str, &str); 11] = [
 
 #[test]
 fn every_letter_of_a_source_has_a_line_in_the_table_of_its_chapter() {
-    for work in Work::ALL.iter().filter(|work| **work != Work::Wild) {
+    for work in LEDGER.documents().iter().filter(|work| **work != &WILD) {
         let table: Vec<String> = work
-            .symbols()
+            .symbols
             .iter()
             .flat_map(|symbol| symbol.printed.split(", "))
             .map(|printed| base(printed).replace('ϕ', "φ"))
             .collect();
         let mut missing = BTreeMap::new();
         let mut read = 0;
-        for claim in claims().iter().filter(|claim| claim.work == *work && claim.kind == Kind::Equation) {
+        for claim in LEDGER.claims().iter().filter(|claim| claim.document == *work && claim.kind == Kind::Equation) {
             // These are lines of programs. What each of their names is, the claim of its line says.
             if ["meyer.listing.", "meyer.app-b.example."].iter().any(|cards| claim.id.starts_with(cards)) {
                 continue;

@@ -2,12 +2,13 @@
 //!
 //! The verdicts say that a display put right is proven and that the printed one, with all its slips, is refuted.
 
-use geneva_ledger::{Check, claim};
+use geneva_documents::LEDGER;
+use geneva_evidence::Check;
 
 /// Whether characters are proven in the place of a claim's own.
 #[track_caller]
 fn is_proven(id: &str, tex: &str) -> bool {
-    match claim(id).map(|claim| &claim.check) {
+    match LEDGER.claim(id).map(|claim| &claim.check) {
         Some(Check::Equation { first, .. }) => (first.run)(tex).holds,
         _ => panic!("{id}: its characters are not what is proven"),
     }
@@ -16,7 +17,7 @@ fn is_proven(id: &str, tex: &str) -> bool {
 /// The corrected characters of a claim.
 #[track_caller]
 fn corrected(id: &str) -> &'static str {
-    claim(id).expect("a claim").right_characters()
+    LEDGER.claim(id).expect("a claim").right_characters()
 }
 
 #[test]

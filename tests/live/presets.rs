@@ -2,7 +2,7 @@
 
 use super::{PAGES, browser, given_on, moves, of, open};
 use crate::browser::devtools::Medium;
-use geneva_ledger::numbers_in;
+use geneva_evidence::numbers_in;
 use geneva_live::{Arguments, LIVE, Preset};
 use serde_json::Value;
 
@@ -107,7 +107,7 @@ fn a_preset_that_names_a_state_gives_it_wherever_the_other_controls_are() {
 fn the_program_as_listed_prints_as_often_as_the_listing_says() {
     let presets = geneva_live::by_name("mistake").expect("a figure").presets;
     let listed = presets.iter().find(|preset| preset.name.contains("as listed")).expect("a preset");
-    let interval = geneva_ledger::meyer::runs::table::listing().interval;
+    let interval = geneva_documents::meyer::runs::table::listing().interval;
     approx::assert_relative_eq!(
         number(listed, "interval").expect("it is set"),
         1000.0 * interval,

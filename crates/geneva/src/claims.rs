@@ -4,15 +4,17 @@ use crate::fields;
 use crate::output::{TextLayout, count, cut, heading, style};
 use crate::typed::{self, Format, Output, formats};
 use clap::Args;
-use geneva_ledger::{Decimal, Judged, Verdict, Work, claims, in_full, verdict, verdicts, verdicts_of};
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{Decimal, Judged, Verdict, without_ellipses};
 use geneva_press::records;
 
 /// Options of `geneva claims`.
 #[derive(Args, Debug)]
 pub struct ClaimsArguments {
     /// List only the claims of this source
-    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
-    pub source: Option<Work>,
+    #[arg(long, value_parser = typed::named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
+    pub source: Option<&'static Document>,
     /// List only the claims with this verdict
     #[arg(long, value_parser = typed::named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
     pub verdict: Option<Verdict>,
@@ -35,7 +37,7 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
     match wanted.format {
         Format::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
         Format::Csv => fields::csv(
-            claims().first().and_then(|claim| verdict(claim.id)).map(records::claim).as_ref(),
+            LEDGER.claims().first().and_then(|claim| LEDGER.verdict(claim.id)).map(records::claim).as_ref(),
             rows.into_iter().map(records::claim),
         ),
         _ => Ok(table(&rows, layout)),
@@ -44,7 +46,7 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
 
 /// The verdicts on the claims of the source that is wanted, or on all.
 pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
-    wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
+    wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 
 /// Before a claim that no longer matches the record.
@@ -81,21 +83,23 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
     let mut place = None;
     for judged in rows {
         let (claim, colour) = (judged.claim, style(judged.verdict));
-        if place.replace((claim.work, claim.locator)) != Some((claim.work, claim.locator)) {
-            page += &layout.folded(&format!("{}, {}\n", claim.work, claim.locator));
+        if place.replace((claim.document, claim.locator)) != Some((claim.document, claim.locator)) {
+            page += &layout.folded(&format!("{}, {}\n", claim.document, claim.locator));
         }
         let what = match self::computed(judged) {
-            Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(&in_full(claim), claim.unit), printed)),
+            Some(number) => {
+                format!("{}  {number:>computed$}", cut(&with_unit(&without_ellipses(claim), claim.unit), printed))
+            }
             // A form has nothing to set beside it.
-            None => cut(&with_unit(&in_full(claim), claim.unit), middle),
+            None => cut(&with_unit(&without_ellipses(claim), claim.unit), middle),
         };
-        let mark = if judged.holds() { ' ' } else { DIFFERS };
+        let mark = if judged.matches_record() { ' ' } else { DIFFERS };
         let id = format!("{:<before_verdict$}", claim.id);
         let verdict = format!("{colour}{}{colour:#}", judged.verdict);
         page += &format!("{}\n", line(mark, [&id, &what], &verdict).trim_end());
     }
     page += &format!("{}\n", count(rows.len(), "claim"));
-    let differing = rows.iter().filter(|judged| !judged.holds()).count();
+    let differing = rows.iter().filter(|judged| !judged.matches_record()).count();
     if differing > 0 {
         page += &format!(
             "{DIFFERS} {} of them no longer as recorded: the verdict differs, or a witness disagrees\n",
@@ -125,7 +129,8 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command};
     use clap::Parser;
-    use geneva_ledger::{Evidence, Place, judge};
+    use geneva_documents::LEDGER;
+    use geneva_evidence::{Evidence, Locator, judge};
 
     /// The ids of the claims that are listed for these options.
     fn listed(options: &[&str]) -> Vec<String> {
@@ -139,14 +144,14 @@ mod tests {
     #[test]
     fn a_claim_whose_witness_disagrees_is_marked_though_its_verdict_is_the_recorded_one() {
         let claim = |witness: fn() -> f64| {
-            let claim = Place::new(Work::Pin, "Nowhere, line 1")
+            let claim = Locator::new(&PIN, "Nowhere, line 1")
                 .value("pin.made-up", "2.33", "mm", "seven thirds")
-                .by(Evidence::ClosedForm, || 7.0 / 3.0)
-                .by(Evidence::LimitCase, witness);
+                .first_route(Evidence::CLOSED_FORM, || 7.0 / 3.0)
+                .second_route(Evidence::LIMIT_CASE, witness);
             judge(Box::leak(Box::new(claim)))
         };
         let (sound, doubtful) = (claim(|| 7.0 / 3.0), claim(|| 2.5));
-        assert!(doubtful.verdict == Verdict::Reproduced && !doubtful.holds(), "{doubtful:?}");
+        assert!(doubtful.verdict == Verdict::Reproduced && !doubtful.matches_record(), "{doubtful:?}");
         let page = table(&[&sound, &doubtful], TextLayout::default());
         let rows: Vec<_> = page.lines().filter(|line| line.contains("pin.made-up")).collect();
         assert!(rows[0].starts_with("  pin.made-up") && rows[1].starts_with("! pin.made-up"), "{page}");
@@ -160,10 +165,10 @@ mod tests {
 
     #[test]
     fn a_claim_gets_two_lines_where_one_would_leave_its_printed_characters_too_little() {
-        let claim = Place::new(Work::Pin, "Nowhere, line 1")
+        let claim = Locator::new(&PIN, "Nowhere, line 1")
             .value("pin.made-up-with-a-name-of-thirty-eight", "2.33", "mm", "seven thirds")
-            .by(Evidence::ClosedForm, || 7.0 / 3.0)
-            .by(Evidence::LimitCase, || 7.0 / 3.0);
+            .first_route(Evidence::CLOSED_FORM, || 7.0 / 3.0)
+            .second_route(Evidence::LIMIT_CASE, || 7.0 / 3.0);
         let judged = judge(Box::leak(Box::new(claim)));
         let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().expect("verdicts");
         // Mark, id, printed characters, "computed" and verdict, with two blanks between.
@@ -178,11 +183,12 @@ mod tests {
 
     #[test]
     fn every_source_and_every_verdict_select_their_claims() {
-        for work in Work::ALL {
+        for work in LEDGER.documents() {
             for verdict in Verdict::ALL {
-                let is_wanted = |judged: &&Judged| judged.claim.work == *work && judged.verdict == *verdict;
-                let expected: Vec<_> = verdicts().iter().filter(is_wanted).map(|judged| judged.claim.id).collect();
-                let found = listed(&["--source", work.slug(), "--verdict", verdict.slug()]);
+                let is_wanted = |judged: &&Judged| judged.claim.document == *work && judged.verdict == *verdict;
+                let expected: Vec<_> =
+                    LEDGER.verdicts().iter().copied().filter(is_wanted).map(|judged| judged.claim.id).collect();
+                let found = listed(&["--source", work.slug, "--verdict", verdict.slug()]);
                 assert_eq!(found, expected, "{work} {verdict}");
             }
         }

@@ -6,16 +6,18 @@ use crate::printable::shown_path;
 use crate::typed;
 use anyhow::{Error, bail};
 use clap::Args;
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{Entry, Line, joined_or_none, line_gap, number_tokens};
 use geneva_host::files;
-use geneva_ledger::{Entry, Line, Work, listed, number_tokens};
 use std::path::{Path, PathBuf};
 
 /// Options of `geneva coverage`.
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Show only this source
-    #[arg(long, value_parser = typed::named(Work::DOCUMENTS, Work::slug, Work::citation))]
-    pub source: Option<Work>,
+    #[arg(long, value_parser = typed::named(LEDGER.mirrored(), |document| document.slug, |document| document.citation))]
+    pub source: Option<&'static Document>,
     /// Compare the numbers on each line, in digits and in words, with those in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
     pub against: Option<PathBuf>,
@@ -30,24 +32,24 @@ const LONGEST_LINE: usize = 100_000;
 /// The coverage that is wanted, and whether a line differs.
 pub fn page(wanted: &CoverageArguments, layout: TextLayout) -> anyhow::Result<(String, Outcome)> {
     if let (Some(source), Some(file)) = (wanted.source, &wanted.against) {
-        return Ok(compare(source.inventory()?, &copy(source, "--against", file)?, layout));
+        return Ok(compare(source.lines()?, &copy(source, "--against", file)?, layout));
     }
     if let (Some(source), Some(file)) = (wanted.source, &wanted.record) {
-        source.inventory()?;
+        source.lines()?;
         return Ok((source.inventory_for(&copy(source, "--record", file)?), Outcome::AsRecorded));
     }
     let (mut pages, mut complete) = (Vec::new(), true);
-    for work in Work::DOCUMENTS.iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
-        let lines = work.inventory()?;
-        pages.push(inventory(*work, lines, layout));
-        complete &= lines.iter().all(Line::is_accounted_for);
+    for work in LEDGER.mirrored().iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
+        let lines = work.lines()?;
+        pages.push(inventory(work, lines, layout));
+        complete &= lines.iter().all(|line| line_gap(work, line).is_none());
     }
     Ok((pages.join("\n"), Outcome::as_recorded_if(complete)))
 }
 
-fn inventory(work: Work, lines: &[Line], layout: TextLayout) -> String {
+fn inventory(work: &'static Document, lines: &[Line], layout: TextLayout) -> String {
     let bold = heading();
-    let mut page = layout.wrapped(&format!("{work}: "), work.citation());
+    let mut page = layout.wrapped(&format!("{work}: "), work.citation);
     page += &format!("\n{bold}  line  claims  again  exceptions  its numbers{bold:#}\n");
     for line in lines {
         let number_of = |wanted: fn(&Entry) -> bool| line.entries.iter().filter(|entry| wanted(entry)).count();
@@ -58,7 +60,8 @@ fn inventory(work: Work, lines: &[Line], layout: TextLayout) -> String {
             number_of(|entry| matches!(entry, Entry::Again(_))),
             number_of(|entry| matches!(entry, Entry::Exception { .. })),
         );
-        let gap = line.gap().map_or("all accounted for".to_owned(), |gap| format!("NOT accounted for: {gap}"));
+        let gap =
+            line_gap(work, line).map_or("all accounted for".to_owned(), |gap| format!("NOT accounted for: {gap}"));
         page += &layout.wrapped(&numbers, &gap);
     }
     page += &format!("\n{bold}Exceptions{bold:#}\n");
@@ -73,7 +76,7 @@ fn inventory(work: Work, lines: &[Line], layout: TextLayout) -> String {
 }
 
 /// The copy of a source that an option names.
-fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
+fn copy(work: &'static Document, option: &str, file: &Path) -> anyhow::Result<String> {
     let wanted = format!("{option} a text file with your copy of {work}");
     let bytes = files::read(file, MOST_BYTES, &wanted).map_err(Error::msg)?;
     // Digits and number words are the same in every encoding that a copy is likely to have. Raised digits and fractions that
@@ -113,8 +116,8 @@ fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outco
         }
         differing += 1;
         page += &format!("line {number:>4}  DIFFERENT NUMBERS\n");
-        page += &layout.wrapped("    in your copy:   ", &listed(&found));
-        page += &layout.wrapped("    in the ledger:  ", &listed(ours));
+        page += &layout.wrapped("    in your copy:   ", &joined_or_none(&found));
+        page += &layout.wrapped("    in the ledger:  ", &joined_or_none(ours));
     }
     let compared = count(compared, "line");
     let sum = match differing {
@@ -131,7 +134,7 @@ fn compare(inventory: &[Line], text: &str, layout: TextLayout) -> (String, Outco
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::another;
+    use geneva_evidence::another;
 
     fn compared(inventory: &[Line], text: &str) -> (String, Outcome) {
         compare(inventory, text, TextLayout::default())
@@ -161,8 +164,8 @@ mod tests {
     fn each_number_of_a_copy_is_seen_if_it_is_another_or_gone_or_printed_twice() {
         // Made up from the inventories, since the sources' sentences are not ours to keep.
         let (mut in_words, mut in_digits) = (0, 0);
-        for work in Work::DOCUMENTS {
-            let inventory = work.inventory().expect("a test of its own reads it");
+        for work in LEDGER.mirrored() {
+            let inventory = work.lines().expect("a test of its own reads it");
             let numbers = inventory.iter().flat_map(|line| (0..line.numbers.len()).map(move |at| (line, at)));
             for (line, at) in numbers {
                 let number = &line.numbers[at];

@@ -2,14 +2,14 @@
 
 use crate::output::{Streams, TextLayout, count};
 use clap::builder::styling::AnsiColor;
-use geneva_ledger::Judged;
+use geneva_evidence::Judged;
 
 /// At most this many claims are named.
 const MOST: usize = 10;
 
 /// Names on standard error the claims that no longer match the record, if there are any.
 pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn Streams) {
-    let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.holds()).collect();
+    let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.matches_record()).collect();
     if !differing.is_empty() {
         streams.tell(&page(&differing));
     }
@@ -44,14 +44,14 @@ const REMEDY: &str = "Compare the printed characters with the source. If they ar
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::{Evidence, Place, Work, judge};
+    use geneva_evidence::{Evidence, Locator, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.
     fn judged(printed: &'static str) -> Judged {
-        let claim = Place::new(Work::Pin, "Nowhere, line 1")
+        let claim = Locator::new(&PIN, "Nowhere, line 1")
             .value("pin.made-up", printed, "mm", "seven thirds")
-            .by(Evidence::ClosedForm, || 7.0 / 3.0)
-            .by(Evidence::LimitCase, || 7.0 / 3.0);
+            .first_route(Evidence::CLOSED_FORM, || 7.0 / 3.0)
+            .second_route(Evidence::LIMIT_CASE, || 7.0 / 3.0);
         judge(Box::leak(Box::new(claim)))
     }
 

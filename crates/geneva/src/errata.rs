@@ -5,7 +5,9 @@ use crate::fields;
 use crate::output::{TextLayout, count, field, heading};
 use crate::typed::{self, Format, Output, formats};
 use clap::Args;
-use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{Consequence, Judged, TracedSlip, without_ellipses};
 use geneva_press::records;
 use std::slice;
 
@@ -13,8 +15,8 @@ use std::slice;
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
     /// List only the mistakes in this source [default: all sources but wild]
-    #[arg(long, value_parser = typed::named(Work::ALL, Work::slug, Work::citation))]
-    pub source: Option<Work>,
+    #[arg(long, value_parser = typed::named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
+    pub source: Option<&'static Document>,
     /// List only the mistakes with this consequence
     #[arg(long, value_parser = typed::named(Consequence::ALL, Consequence::slug, Consequence::meaning), conflicts_with = "all")]
     pub consequence: Option<Consequence>,
@@ -36,40 +38,41 @@ pub struct ErrataArguments {
 
 /// The mistakes that are wanted, in the format that is wanted.
 pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<String> {
-    let of_source =
-        |places: &Places| wanted.source.map_or(places.is_of_a_document(), |source| places.main().claim.work == source);
+    let of_source = |places: &TracedSlip| {
+        wanted.source.map_or(places.is_mirrored(), |source| places.main().claim.document == source)
+    };
     // What the copy has lost is no mistake of a source: it is listed only on request.
-    let of_consequence = |places: &Places| match wanted.consequence {
+    let of_consequence = |places: &TracedSlip| match wanted.consequence {
         Some(consequence) => places.slip.consequence == consequence,
         None => wanted.all || places.slip.consequence != Consequence::Copy,
     };
-    let all = wanted.source.map_or_else(|| slips().to_vec(), slips_in);
+    let all = wanted.source.map_or_else(|| LEDGER.slips().to_vec(), |source| LEDGER.slips_in(source));
     let first = all.first().cloned();
     let slips: Vec<_> = all.into_iter().filter(|places| of_source(places) && of_consequence(places)).collect();
     match wanted.format {
         Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
         Format::Csv => {
             // A source without mistakes has the header of the others.
-            let header = first.or_else(|| geneva_ledger::slips().first().cloned());
+            let header = first.or_else(|| LEDGER.slips().first().cloned());
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
-        Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
+        Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(LEDGER.mirrored(), slice::from_ref))),
         _ => Ok(text(&slips, layout)),
     }
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
 pub fn derived(wanted: &ErrataArguments) -> Vec<&'static Judged> {
-    wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
+    wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 
 /// The mistakes of each consequence, if there are any.
-fn by_consequence(slips: &[Places]) -> impl Iterator<Item = (Consequence, Vec<&Places>)> {
+fn by_consequence(slips: &[TracedSlip]) -> impl Iterator<Item = (Consequence, Vec<&TracedSlip>)> {
     let of = |consequence| slips.iter().filter(|places| places.slip.consequence == consequence).collect::<Vec<_>>();
     Consequence::ALL.iter().map(move |consequence| (*consequence, of(*consequence))).filter(|(_, of)| !of.is_empty())
 }
 
-fn text(slips: &[Places], layout: TextLayout) -> String {
+fn text(slips: &[TracedSlip], layout: TextLayout) -> String {
     let field = |name, text: &str| field(name, text, layout);
     let bold = heading();
     let mut page = overview(slips, layout);
@@ -79,9 +82,9 @@ fn text(slips: &[Places], layout: TextLayout) -> String {
         page.push('\n');
         for places in of {
             let (slip, main) = (&places.slip, places.main());
-            page +=
-                &layout.folded(&format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.work, main.claim.locator));
-            page += &field("printed", &with_unit(&in_full(main.claim), main.claim.unit));
+            page += &layout
+                .folded(&format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.document, main.claim.locator));
+            page += &field("printed", &with_unit(&without_ellipses(main.claim), main.claim.unit));
             page += &field("right", &right(main));
             if !slip.changes.is_empty() {
                 page += &field("changes", slip.changes);
@@ -99,7 +102,7 @@ fn text(slips: &[Places], layout: TextLayout) -> String {
 }
 
 /// The mistakes that change a result or a conclusion, a few lines each: the first screen.
-fn overview(slips: &[Places], layout: TextLayout) -> String {
+fn overview(slips: &[TracedSlip], layout: TextLayout) -> String {
     let bold = heading();
     let mut page = String::new();
     for (consequence, of) in by_consequence(slips) {
@@ -114,7 +117,8 @@ fn overview(slips: &[Places], layout: TextLayout) -> String {
                 let up_to = if wrong == 1 { "" } else { "up to " };
                 format!("; {} wrong by {up_to}{}", count(wrong, "number"), percent(change))
             });
-            let says = format!("{} -> {}{numbers}", with_unit(&in_full(main.claim), main.claim.unit), right(main));
+            let says =
+                format!("{} -> {}{numbers}", with_unit(&without_ellipses(main.claim), main.claim.unit), right(main));
             page += &layout.wrapped(&format!("  {}  ", places.slip.id), &says);
         }
         page.push('\n');
@@ -140,7 +144,7 @@ fn percent(share: f64) -> String {
 }
 
 /// The other claims that a mistake reaches; of many in one table only how many.
-fn others(places: &Places) -> String {
+fn others(places: &TracedSlip) -> String {
     const MOST: usize = 8;
     let ids: Vec<_> = places.claims.iter().skip(1).map(|judged| judged.claim.id).collect();
     let (shown, rest) = ids.split_at(ids.len().min(MOST));
@@ -148,11 +152,11 @@ fn others(places: &Places) -> String {
     shown.join(", ") + &more
 }
 
-fn markdown(slips: &[Places], works: &[Work]) -> String {
+fn markdown(slips: &[TracedSlip], works: &[&'static Document]) -> String {
     let mut page = "# Errata\n".to_owned();
     for work in works {
-        page += &format!("\n## {work}\n\n{}\n", work.citation());
-        let of_work: Vec<_> = slips.iter().filter(|places| places.main().claim.work == *work).cloned().collect();
+        page += &format!("\n## {work}\n\n{}\n", work.citation);
+        let of_work: Vec<_> = slips.iter().filter(|places| places.main().claim.document == *work).cloned().collect();
         if of_work.is_empty() {
             page += &format!("\nNothing to list among {}.\n", count(work.claims().len(), "claim"));
         }
@@ -160,7 +164,7 @@ fn markdown(slips: &[Places], works: &[Work]) -> String {
             page += &format!("\n### {}\n\n", consequence.heading());
             for places in of {
                 let (slip, main) = (&places.slip, places.main());
-                let printed = with_unit(&in_full(main.claim), main.claim.unit);
+                let printed = with_unit(&without_ellipses(main.claim), main.claim.unit);
                 page += &format!("- **{}** ({}, {}). ", main.claim.locator, code(slip.id), slip.origin);
                 page += &format!("For {} read {}. {}", code(&printed), code(&right(main)), slip.reason);
                 if !slip.changes.is_empty() {
@@ -213,19 +217,19 @@ mod tests {
 
     #[test]
     fn the_options_select_the_mistakes_of_the_ledger() {
-        let expected = |wanted: &dyn Fn(&Places) -> bool| -> Vec<_> {
-            slips().iter().filter(|places| wanted(places)).map(|places| places.slip.id.to_owned()).collect()
+        let expected = |wanted: &dyn Fn(&TracedSlip) -> bool| -> Vec<_> {
+            LEDGER.slips().iter().filter(|places| wanted(places)).map(|places| places.slip.id.to_owned()).collect()
         };
-        assert_eq!(listed(&["--all"]), expected(&Places::is_of_a_document));
-        let no_copy = |places: &Places| places.is_of_a_document() && places.slip.consequence != Consequence::Copy;
+        assert_eq!(listed(&["--all"]), expected(&TracedSlip::is_mirrored));
+        let no_copy = |places: &TracedSlip| places.is_mirrored() && places.slip.consequence != Consequence::Copy;
         assert_eq!(listed(&[]), expected(&no_copy));
         for consequence in Consequence::ALL {
-            let own = expected(&|places| places.is_of_a_document() && places.slip.consequence == *consequence);
+            let own = expected(&|places| places.is_mirrored() && places.slip.consequence == *consequence);
             assert_eq!(listed(&["--consequence", consequence.slug()]), own, "{consequence}");
         }
-        for source in Work::ALL {
-            let own = expected(&|places| places.main().claim.work == *source);
-            assert_eq!(listed(&["--source", source.slug(), "--all"]), own, "{source}");
+        for source in LEDGER.documents() {
+            let own = expected(&|places| places.main().claim.document == *source);
+            assert_eq!(listed(&["--source", source.slug, "--all"]), own, "{source}");
         }
     }
 }

@@ -10,7 +10,6 @@ use anstream::adapter::strip_str;
 use clap::CommandFactory;
 use fastrand::Rng;
 use geneva_host::printable::is_obeyed;
-use geneva_ledger::Work;
 use geneva_mimic::language::DECKS;
 use std::ffi::OsString;
 
@@ -114,7 +113,7 @@ fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
 /// What a command answers, without printing it; none if it takes too long for this.
 fn answered(arguments: Arguments, folder: &tempfile::TempDir) -> Option<anyhow::Result<String>> {
     let layout = TextLayout::default();
-    let quick = |source: Option<Work>| source.is_some_and(|source| source.slug() == "pin");
+    let quick = |source: Option<&'static geneva_evidence::Document>| source.is_some_and(|source| source.slug == "pin");
     Some(match arguments.command? {
         Command::Claims(wanted) if quick(wanted.source) => claims::page(&wanted, layout),
         Command::Errata(wanted) if quick(wanted.source) => errata::page(&wanted, layout),

@@ -320,21 +320,21 @@ fn say(
 fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     let verdicts = {
         let _step = progress::step("deriving the verdicts");
-        geneva_ledger::verdicts()
+        geneva_documents::LEDGER.verdicts()
     };
     streams.print(&summary::page(verdicts, streams.layout()))?;
     book::build(&book::BuildArguments::default(), streams)?;
-    Ok(as_recorded(verdicts, streams))
+    Ok(as_recorded(verdicts.iter().copied(), streams))
 }
 
 /// Whether each of these verdicts matches the record. Those that differ are named on standard error.
 fn as_recorded<'a>(
-    verdicts: impl IntoIterator<Item = &'a geneva_ledger::Judged>,
+    verdicts: impl IntoIterator<Item = &'a geneva_evidence::Judged>,
     streams: &mut dyn Streams,
 ) -> Outcome {
     let verdicts: Vec<_> = verdicts.into_iter().collect();
     differing::tell(verdicts.iter().copied(), streams);
-    Outcome::as_recorded_if(verdicts.into_iter().all(geneva_ledger::Judged::holds))
+    Outcome::as_recorded_if(verdicts.into_iter().all(geneva_evidence::Judged::matches_record))
 }
 
 /// Reads a command line.

@@ -2,19 +2,22 @@
 
 use crate::claims::with_unit;
 use crate::output::{TextLayout, count, field, heading, style};
-use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, slips_of};
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
 
 /// The verdicts of the documents by source, and each claim, also on pages elsewhere, that no longer matches the record.
-pub fn page(verdicts: &[Judged], layout: TextLayout) -> String {
+pub fn page(verdicts: &[&Judged], layout: TextLayout) -> String {
     table(verdicts, layout) + "\n" + &differences(verdicts, layout)
 }
 
 /// How many statements and examples on pages elsewhere are right and wrong, if all match the record.
-fn elsewhere(verdicts: &[Judged], layout: TextLayout) -> String {
+fn elsewhere(verdicts: &[&Judged], layout: TextLayout) -> String {
     let tally = |name: &str, examples: bool| {
         let of_kind =
-            |judged: &&Judged| !judged.claim.work.is_document() && (judged.claim.kind == Kind::Example) == examples;
-        let number = |of: &dyn Fn(&Judged) -> bool| verdicts.iter().filter(of_kind).filter(|judged| of(judged)).count();
+            |judged: &&Judged| !judged.claim.document.is_mirrored() && (judged.claim.kind == Kind::Example) == examples;
+        let number =
+            |of: &dyn Fn(&Judged) -> bool| verdicts.iter().copied().filter(of_kind).filter(|judged| of(judged)).count();
         let truths = Truth::ALL
             .iter()
             .map(|truth| (number(&|judged| judged.truth() == *truth && !judged.is_miscopied()), truth.to_string()));
@@ -37,27 +40,27 @@ fn elsewhere(verdicts: &[Judged], layout: TextLayout) -> String {
 /// The row of the claims that no longer match the record.
 const CHANGED: &str = "changed since recorded";
 
-fn table(verdicts: &[Judged], layout: TextLayout) -> String {
+fn table(verdicts: &[&Judged], layout: TextLayout) -> String {
     let names = Verdict::ALL.iter().map(|verdict| verdict.slug()).chain([CHANGED]);
     let label = names.map(str::len).max().unwrap_or(0);
-    let columns: Vec<(&str, Option<Work>)> =
-        Work::DOCUMENTS.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
+    let columns: Vec<(&str, Option<&'static Document>)> =
+        LEDGER.mirrored().iter().map(|work| (work.slug, Some(*work))).chain([("all", None)]).collect();
     let width = |title: &str| title.len().max(5);
     // Two blanks between columns, or one where they take the room.
     let least: usize = columns.iter().map(|(title, _)| 2 + width(title)).sum();
     let gap = if label + least > layout.width() { 1 } else { 2 };
-    let line = |name: &str, cell: &dyn Fn(&str, Option<Work>) -> String| -> String {
-        let cell = |(title, work): &(&str, Option<Work>)| {
+    let line = |name: &str, cell: &dyn Fn(&str, Option<&'static Document>) -> String| -> String {
+        let cell = |(title, work): &(&str, Option<&'static Document>)| {
             format!("{:gap$}{:>width$}", "", cell(title, *work), width = width(title))
         };
         let cells = columns.iter().map(cell);
         format!("{name:<label$}{}", cells.collect::<String>())
     };
-    let tally = |wanted: &dyn Fn(&Judged) -> bool, work: Option<Work>| {
+    let tally = |wanted: &dyn Fn(&Judged) -> bool, work: Option<&'static Document>| {
         let number = verdicts
             .iter()
             .filter(|judged| {
-                work.map_or(judged.claim.work.is_document(), |work| judged.claim.work == work) && wanted(judged)
+                work.map_or(judged.claim.document.is_mirrored(), |work| judged.claim.document == work) && wanted(judged)
             })
             .count();
         if number == 0 { "–".to_owned() } else { number.to_string() }
@@ -75,14 +78,14 @@ fn table(verdicts: &[Judged], layout: TextLayout) -> String {
         table += &format!("{}\n", line(truth.slug(), &|_, work| tally(&|judged| judged.truth() == *truth, work)));
     }
     table += &format!("\n{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
-    table + &format!("{}\n", line(CHANGED, &|_, work| tally(&|judged| !judged.holds(), work)))
+    table + &format!("{}\n", line(CHANGED, &|_, work| tally(&|judged| !judged.matches_record(), work)))
 }
 
-fn differences(verdicts: &[Judged], layout: TextLayout) -> String {
+fn differences(verdicts: &[&Judged], layout: TextLayout) -> String {
     let field = |name, text: &str| field(name, text, layout);
-    let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
+    let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.matches_record()).collect();
     if differing.is_empty() {
-        let documents = verdicts.iter().filter(|judged| judged.claim.work.is_document()).count();
+        let documents = verdicts.iter().filter(|judged| judged.claim.document.is_mirrored()).count();
         let stands = format!("{}: all verdicts match the record.\n", count(documents, "claim"));
         return stands + &layout.wrapped("", &wrong()) + &elsewhere(verdicts, layout);
     }
@@ -91,7 +94,7 @@ fn differences(verdicts: &[Judged], layout: TextLayout) -> String {
     for judged in differing {
         let claim = judged.claim;
         page += &layout.folded(&format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator));
-        page += &field("printed", &with_unit(&in_full(claim), claim.unit));
+        page += &field("printed", &with_unit(&without_ellipses(claim), claim.unit));
         if let Some(computed) = judged.computed {
             page += &field("computed", &computed.to_string());
         }
@@ -110,7 +113,7 @@ fn differences(verdicts: &[Judged], layout: TextLayout) -> String {
 
 /// How many mistakes the sources have, by consequence. What the copy has lost is not among them.
 fn wrong() -> String {
-    let of = |consequence| slips_of(consequence).count();
+    let of = |consequence| LEDGER.slips_of(consequence).count();
     let told = Consequence::ALL.iter().filter(|consequence| **consequence != Consequence::Copy);
     let all: usize = told.clone().map(|consequence| of(*consequence)).sum();
     let parts: Vec<_> = told.map(|consequence| format!("{} {consequence}", of(*consequence))).collect();
@@ -122,38 +125,39 @@ mod tests {
     use super::*;
     use crate::{Arguments, Command, claims, errata};
     use clap::Parser;
+    use geneva_documents::LEDGER;
+    use geneva_evidence::{Evidence, Locator, judge};
     use geneva_host::layout::columns;
-    use geneva_ledger::{Evidence, Place, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.
     fn judged(printed: &'static str) -> Judged {
-        judged_in(Work::Pin, printed)
+        judged_in(&PIN, printed)
     }
 
     /// An example that is right, and that no source builds.
     fn example() -> Judged {
         let fits =
-            |stated: geneva_ledger::Stated| geneva_ledger::Finding::new(stated.pick(true, false), "seven thirds");
-        let claim = Place::new(Work::Wild, "Nowhere")
+            |stated: geneva_evidence::Stated| geneva_evidence::Finding::new(stated.pick(true, false), "seven thirds");
+        let claim = Locator::new(&WILD, "Nowhere")
             .example("wild.made-up", "7/3", "sizes")
-            .by(Evidence::ClosedForm, fits)
-            .by(Evidence::LimitCase, fits)
+            .first_route(Evidence::CLOSED_FORM, fits)
+            .second_route(Evidence::LIMIT_CASE, fits)
             .but_not("8/3");
         judge(Box::leak(Box::new(claim)))
     }
 
-    fn judged_in(work: Work, printed: &'static str) -> Judged {
-        let place = Place::new(work, "Nowhere, line 1");
+    fn judged_in(work: &'static Document, printed: &'static str) -> Judged {
+        let place = Locator::new(work, "Nowhere, line 1");
         let claim = place
             .value("pin.made-up", printed, "mm", "seven thirds")
-            .by(Evidence::ClosedForm, || 7.0 / 3.0)
-            .by(Evidence::LimitCase, || 7.0 / 3.0);
+            .first_route(Evidence::CLOSED_FORM, || 7.0 / 3.0)
+            .second_route(Evidence::LIMIT_CASE, || 7.0 / 3.0);
         judge(Box::leak(Box::new(claim)))
     }
 
     #[test]
     fn a_claim_that_differs_is_shown_with_all_that_is_known() {
-        let page = page(&[judged("2.33"), judged("2.43")], TextLayout::default());
+        let page = page(&[&judged("2.33"), &judged("2.43")], TextLayout::default());
         for part in
             ["1 of 2 claims", "2.43 mm", "expected      reproduced", "found         not-reproduced", "recorded as"]
         {
@@ -164,7 +168,7 @@ mod tests {
 
     #[test]
     fn every_list_of_claims_and_mistakes_fits_into_every_terminal() {
-        let all = geneva_ledger::verdicts();
+        let all = geneva_documents::LEDGER.verdicts();
         for width in [60, 80, 100] {
             let layout = TextLayout::for_columns(width);
             let pages = ["claims", "errata --all", "errata --source wild --all"].map(|line| {
@@ -184,7 +188,7 @@ mod tests {
 
     #[test]
     fn nothing_is_said_of_claims_that_match_the_record() {
-        let page = page(&[judged("2.33")], TextLayout::default());
+        let page = page(&[&judged("2.33")], TextLayout::default());
         assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");
         // Behind a list that may fill its line.
         assert!(page.ends_with("geneva errata\n"), "{page}");
@@ -193,7 +197,7 @@ mod tests {
     #[test]
     fn what_is_said_elsewhere_has_a_line_of_its_own_and_no_column() {
         let page = page(
-            &[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33"), example()],
+            &[&judged("2.33"), &judged_in(&WILD, "2.33"), &judged_in(&WILD, "2.33"), &example()],
             TextLayout::default(),
         );
         assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");

@@ -8,7 +8,7 @@ pub fn root() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir().context("the current directory doesn't exist; change to one that does")?;
     find(&here).map(Path::to_owned).with_context(|| {
         format!(
-            "no book found: neither {} nor a folder above it holds book/book.toml and crates/ledger; \
+            "no book found: neither {} nor a folder above it holds book/book.toml and crates/documents; \
              change to a folder of the project and try again",
             here.display()
         )
@@ -20,7 +20,7 @@ fn find(here: &Path) -> Option<&Path> {
 }
 
 fn is_workspace(folder: &Path) -> bool {
-    folder.join("book/book.toml").is_file() && folder.join("crates/ledger/Cargo.toml").is_file()
+    folder.join("book/book.toml").is_file() && folder.join("crates/documents/Cargo.toml").is_file()
 }
 
 #[cfg(test)]
@@ -29,10 +29,10 @@ mod tests {
     use std::fs;
 
     fn workspace_in(folder: &Path) {
-        for inside in ["book/src", "crates/ledger"] {
+        for inside in ["book/src", "crates/documents"] {
             fs::create_dir_all(folder.join(inside)).expect("a temporary folder can be written");
         }
-        for file in ["book/book.toml", "crates/ledger/Cargo.toml"] {
+        for file in ["book/book.toml", "crates/documents/Cargo.toml"] {
             fs::write(folder.join(file), "").expect("a temporary folder can be written");
         }
     }

@@ -65,8 +65,6 @@
 #![warn(clippy::missing_errors_doc)]
 
 mod error;
-mod proofs;
-mod scalars;
 
 pub mod bisection;
 pub mod cam;
@@ -87,12 +85,9 @@ pub mod wheel_jerk_proofs;
 pub mod wheel_peak_proofs;
 pub mod wheel_proofs;
 
-pub use dashu_ratio::RBig as Rational;
 pub use error::KinematicsError;
 pub use escapement::{EscapementError, Mechanism};
-pub use proofs::expression::Expression;
-pub use proofs::identity::{Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
-pub use scalars::field::{Field, rational};
-pub use scalars::jet::Jet;
-pub use scalars::surd::Surd;
-pub use scalars::turn::{Turn, angular_velocity};
+pub use geneva_exact::{
+    Expression, Field, Identity, IdentityWithRoot, Jet, Proof, Rational, Refutation, Surd, Turn, angular_velocity,
+    prove, prove_with_root, rational,
+};

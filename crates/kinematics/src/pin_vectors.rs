@@ -3,8 +3,7 @@
 //! Frame: the follower's pivot O is the origin, the driver's axis B lies at (l, 0). The crank angle φ is measured
 //! counter-clockwise from the direction O → B; it is 180° minus the angle θ from the line of centres.
 
-use crate::scalars::turn::angular_velocity;
-use crate::{Field, Jet, Turn};
+use crate::{Field, Jet, Turn, angular_velocity};
 use nalgebra::Vector2;
 use num_traits::Zero;
 

@@ -1,7 +1,7 @@
 //! Are impossible lengths named, and does the follower rest at both ends of the engagement?
 
 use geneva_kinematics::pin_slot::{PinSlot, velocity_ratio};
-use geneva_kinematics::{KinematicsError, Turn};
+use geneva_kinematics::{Jet, KinematicsError, Turn};
 
 #[test]
 fn impossible_lengths_are_named() {
@@ -24,4 +24,23 @@ fn the_follower_stands_still_at_both_ends_of_the_engagement() {
     }
     let inside = Turn::from_radians(0.99 * end);
     assert!(velocity_ratio(&mechanism.ratio(), &inside) > 0.0);
+}
+
+#[test]
+fn a_library_of_dual_numbers_agrees_on_its_derivatives() {
+    let crank = Turn::from_radians(0.3).moving::<4>(1.0);
+    let ratio = Jet::constant(1.5);
+    let ours = velocity_ratio(&ratio, &crank);
+    let (_, first, second, third) = num_dual::third_derivative(
+        |t| {
+            use num_dual::DualNum;
+            let (c, k) = (t.cos(), 1.5);
+            (c * k - 1.0) / (c * (-2.0 * k) + 1.0 + k * k)
+        },
+        0.3,
+    );
+    for (order, theirs) in [(1, first), (2, second), (3, third)] {
+        let ours = ours.derivative(order).expect("carried");
+        approx::assert_relative_eq!(ours, theirs, max_relative = 1e-13);
+    }
 }

@@ -212,8 +212,8 @@ fn unit(field: &Field) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_documents::quick_return::Instant;
     use geneva_kinematics::quick_return::{Branch, Motion};
-    use geneva_ledger::quick_return::Instant;
 
     #[test]
     fn a_number_is_said_with_its_unit_and_the_digits_that_are_asked_for() {

@@ -11,7 +11,7 @@ pub const CRATES: [&str; 8] = [
     "geneva_dynamics",
     "geneva_mimic",
     "geneva_case1973",
-    "geneva_ledger",
+    "geneva_documents",
     "geneva_figures",
     "approx",
     "nalgebra",

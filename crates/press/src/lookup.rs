@@ -1,7 +1,9 @@
 //! Finding things by name; the error tells the nearest name or all there are.
 
 use anyhow::anyhow;
-use geneva_ledger::{Claim, Consequence, Judged, Work, claims, verdict, verdicts, verdicts_of};
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{Claim, Consequence, Judged};
 
 /// What bears this name in a list.
 pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -14,19 +16,19 @@ pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Res
 
 /// The claim with this id, without its verdict.
 pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
-    let found = claims().iter().find(|claim| claim.id == id);
-    found.ok_or_else(|| unknown("claim", id, claims().iter().map(|claim| claim.id)))
+    let found = LEDGER.claims().iter().copied().find(|claim| claim.id == id);
+    found.ok_or_else(|| unknown("claim", id, LEDGER.claims().iter().map(|claim| claim.id)))
 }
 
 /// The judged claim with this id.
 pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
-    verdict(id).ok_or_else(|| unknown("claim", id, claims().iter().map(|claim| claim.id)))
+    LEDGER.verdict(id).ok_or_else(|| unknown("claim", id, LEDGER.claims().iter().map(|claim| claim.id)))
 }
 
 /// The source with this slug.
-pub fn work(slug: &str) -> anyhow::Result<Work> {
-    let found = Work::ALL.iter().copied().find(|work| work.slug() == slug);
-    found.ok_or_else(|| unknown("source", slug, Work::ALL.iter().map(|work| work.slug())))
+pub fn work(slug: &str) -> anyhow::Result<&'static Document> {
+    let found = LEDGER.documents().iter().copied().find(|work| work.slug == slug);
+    found.ok_or_else(|| unknown("source", slug, LEDGER.documents().iter().map(|work| work.slug)))
 }
 
 /// The consequence with this slug.
@@ -36,13 +38,13 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 }
 
 /// The judged claims of a source.
-pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
-    verdicts_of(work).into_iter()
+pub fn of_work(work: &'static Document) -> impl Iterator<Item = &'static Judged> {
+    LEDGER.verdicts_of(work).into_iter()
 }
 
 /// The judged claims of the documents: without what is said elsewhere.
 pub fn of_documents() -> impl Iterator<Item = &'static Judged> {
-    verdicts().iter().filter(|judged| judged.claim.work.is_document())
+    LEDGER.verdicts().iter().copied().filter(|judged| judged.claim.document.is_mirrored())
 }
 
 /// That nothing of this kind bears the name, with the nearest that something bears.

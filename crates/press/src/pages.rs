@@ -5,7 +5,9 @@
 //! read stand behind the book: they have no number, and no chapter leads on to them.
 
 use crate::readme;
-use geneva_ledger::{Claim, Consequence, Slip, Work, claim, claims, wild};
+use geneva_documents::{self as documents, JAZAR, MEYER, PIN, QUICK_RETURN, wild};
+use geneva_evidence::Document;
+use geneva_evidence::{Claim, Consequence, Slip};
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
@@ -53,7 +55,7 @@ pub struct Section {
     /// The anchor of its heading. With `ledger-` before it, the page that it had of its own in earlier editions.
     pub name: &'static str,
     /// The source.
-    pub work: Work,
+    pub work: &'static Document,
     /// The lines of the source's text; of what is no document the places of its claims in the ledger, from zero.
     pub lines: RangeInclusive<u32>,
     /// What the section is.
@@ -142,14 +144,14 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
 pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
     let section = |name, work, lines, title| Section { name, work, lines, title };
     let whole = |name, work, title| section(name, work, 0..=u32::MAX, title);
-    let thesis = |name, lines, title| section(name, Work::Meyer1973, lines, title);
+    let thesis = |name, lines, title| section(name, &MEYER, lines, title);
     // The first subjects of what is said elsewhere are times, steps and sizes.
     let of_sizes = wild::SUBJECTS.iter().take(3).map(|(_, claims)| claims().len() as u32).sum::<u32>();
-    let elsewhere = |name, lines, title| section(name, Work::Wild, lines, title);
+    let elsewhere = |name, lines, title| section(name, &documents::WILD, lines, title);
     vec![
-        whole("pin", Work::Pin, "Textbook problem: the pin in the slot"),
-        whole("quick-return", Work::QuickReturn, "Examination problem: the quick-return mechanism"),
-        whole("jazar", Work::Jazar2003, "Handout: the wheel of N stations"),
+        whole("pin", &PIN, "Textbook problem: the pin in the slot"),
+        whole("quick-return", &QUICK_RETURN, "Examination problem: the quick-return mechanism"),
+        whole("jazar", &JAZAR, "Handout: the wheel of N stations"),
         thesis("meyer", 0..=262, "Thesis: front matter and geometry"),
         thesis("meyer-motion", 263..=425, "Thesis: friction, energy, Lagrange’s equation"),
         thesis("meyer-study", 426..=592, "Thesis: chapter II and appendix A"),
@@ -169,7 +171,7 @@ pub fn address_of_claim(id: &str) -> String {
 /// The page that tells a slip: of a document by its consequence, of another page with its statements. What only a copy has
 /// is listed where the copies are.
 pub fn page_of_slip(slip: &Slip) -> &'static str {
-    if claim(slip.id).is_some_and(|claim| !claim.work.is_document()) {
+    if documents::LEDGER.claim(slip.id).is_some_and(|claim| !claim.document.is_mirrored()) {
         return ELSEWHERE;
     }
     let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(&slip.consequence));
@@ -188,11 +190,11 @@ impl Section {
     /// The ids of the claims made in these lines, or in these places of the ledger, in the order of the ledger.
     pub fn ids(&self) -> impl Iterator<Item = &'static str> {
         let work = self.work;
-        let lines = self.work.inventory().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
+        let lines = self.work.lines().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
         let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
-        let own = claims().iter().filter(move |claim| claim.work == work).zip(0..);
+        let own = documents::LEDGER.claims().iter().copied().filter(move |claim| claim.document == work).zip(0..);
         let stands = move |(claim, place): &(&Claim, u32)| {
-            if work.is_document() { made.contains(&claim.id) } else { self.lines.contains(place) }
+            if work.is_mirrored() { made.contains(&claim.id) } else { self.lines.contains(place) }
         };
         own.filter(stands).map(|(claim, _)| claim.id)
     }
@@ -275,10 +277,10 @@ mod tests {
     #[test]
     fn every_claim_stands_in_one_section() {
         let listed: Vec<_> = SECTIONS.iter().flat_map(Section::ids).collect();
-        for claim in claims() {
+        for claim in documents::LEDGER.claims() {
             assert_eq!(listed.iter().filter(|id| **id == claim.id).count(), 1, "{}", claim.id);
         }
-        assert_eq!(listed.len(), claims().len());
+        assert_eq!(listed.len(), documents::LEDGER.claims().len());
     }
 
     #[test]

@@ -4,7 +4,11 @@ use crate::citing::{LICENCE, TITLE, VERSION};
 use crate::edition::Edition;
 use crate::fields::{self, Row, Value};
 use crate::{address, bibliography};
-use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
+use geneva_documents::LEDGER;
+use geneva_evidence::Document;
+use geneva_evidence::{
+    Check, Consequence, Entry, Finding, Judged, Line, Slip, TracedSlip, entry_numbers, without_ellipses,
+};
 use std::collections::BTreeSet;
 
 /// A field of the files by its path, a point before the field of an object, and what it says.
@@ -135,12 +139,12 @@ pub const OF_AN_ENTRY: &[Field] = &[
 
 /// The files of the records of this edition: their names and texts.
 pub fn files(edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
-    let of_sources = slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
+    let of_sources = LEDGER.slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
     let copies: Vec<_> = slips_of_copies().map(slip).collect();
     let entries = entries()?;
     let works: Vec<_> = bibliography::rows().collect();
     Ok(vec![
-        ("claims.json", versioned("claims", edition, verdicts().iter().map(claim))?),
+        ("claims.json", versioned("claims", edition, LEDGER.verdicts().iter().copied().map(claim))?),
         ("errata.json", versioned("errata", edition, of_sources.map(slip))?),
         ("copies.json", versioned("copies", edition, copies.iter().cloned())?),
         ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
@@ -165,21 +169,21 @@ fn versioned(what: &'static str, edition: &Edition, rows: impl Iterator<Item = R
 }
 
 /// What was lost or changed on the way to the copies, of pages elsewhere too.
-pub fn slips_of_copies() -> impl Iterator<Item = &'static Places> {
-    slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
+pub fn slips_of_copies() -> impl Iterator<Item = &'static TracedSlip> {
+    LEDGER.slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
 }
 
 /// Every entry of every line of the documents.
 fn entries() -> anyhow::Result<Vec<Row>> {
     let mut rows = Vec::new();
-    for work in Work::DOCUMENTS {
-        let lines = work.inventory()?.iter();
-        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(*work, line, of))));
+    for work in LEDGER.mirrored() {
+        let lines = work.lines()?.iter();
+        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(work, line, of))));
     }
     Ok(rows)
 }
 
-fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
+fn entry(work: &'static Document, line: &Line, entry: &Entry) -> Row {
     let (kind, id) = match entry {
         Entry::Claim(id) => ("claim", *id),
         Entry::Rest(id, _) => ("rest", *id),
@@ -190,11 +194,11 @@ fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
     };
     let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
     Row(vec![
-        ("source", work.slug().into()),
+        ("source", work.slug.into()),
         ("line", line.number.into()),
         ("entry", kind.into()),
         ("id", id.into()),
-        ("numbers", entry.numbers().into()),
+        ("numbers", entry_numbers(work, entry).into()),
         ("reason", reason.into()),
     ])
 }
@@ -202,8 +206,8 @@ fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
 /// The fields of a file's rows, and one row to each of the ledger's to see of what type they are.
 pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<Row>)> {
     match file {
-        "claims" => Ok((OF_A_CLAIM, verdicts().iter().map(claim).collect())),
-        "errata" => Ok((OF_A_SLIP, slips().iter().map(slip).collect())),
+        "claims" => Ok((OF_A_CLAIM, LEDGER.verdicts().iter().copied().map(claim).collect())),
+        "errata" => Ok((OF_A_SLIP, LEDGER.slips().iter().map(slip).collect())),
         "coverage" => Ok((OF_AN_ENTRY, entries()?)),
         _ => anyhow::bail!("no file `{file}` is described; there are: claims, errata, coverage"),
     }
@@ -236,7 +240,7 @@ fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
 /// All that is known of a claim.
 pub fn claim(judged: &Judged) -> Row {
     let (claim, slip) = (judged.claim, judged.claim.erratum.as_ref().map(|erratum| &erratum.slip));
-    let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug()).collect();
+    let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug).collect();
     let findings: Vec<_> = judged.findings.iter().map(|(form, finding)| found(form, finding)).collect();
     let (neighbour, missing) = match claim.check {
         Check::Statement { neighbour, .. } => (neighbour, None),
@@ -245,11 +249,11 @@ pub fn claim(judged: &Judged) -> Row {
     };
     Row(vec![
         ("id", claim.id.into()),
-        ("source", claim.work.slug().into()),
+        ("source", claim.document.slug.into()),
         ("locator", claim.locator.into()),
         ("kind", claim.kind.slug().into()),
         ("meaning", claim.meaning.into()),
-        ("printed", in_full(claim).into()),
+        ("printed", without_ellipses(claim).into()),
         ("unit", claim.unit.into()),
         // Missing if the claim is no number.
         ("computed", judged.computed.into()),
@@ -257,7 +261,7 @@ pub fn claim(judged: &Judged) -> Row {
         ("from_rounded", judged.from_rounded.into()),
         ("verdict", judged.verdict.slug().into()),
         ("expected", claim.expected.slug().into()),
-        ("holds", judged.holds().into()),
+        ("holds", judged.matches_record().into()),
         ("complaints", judged.complaints().into()),
         ("evidence", evidence.into()),
         ("findings", findings.into()),
@@ -289,12 +293,12 @@ fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
     let claim = judged.claim;
     // The other claims that the slip reaches, in the record of the one in which it is made.
     let inherited = || {
-        let places = geneva_ledger::slip(claim.id);
+        let places = LEDGER.slip(claim.id);
         let all = places.into_iter().flat_map(|places| &places.claims).map(|judged| judged.claim.id);
         all.filter(|id| *id != claim.id).collect::<Vec<_>>()
     };
     Row(vec![
-        ("printed", slip.map(|_| in_full(claim)).into()),
+        ("printed", slip.map(|_| without_ellipses(claim)).into()),
         ("corrected", slip.map(|_| judged.corrected().unwrap_or_default()).into()),
         ("reason", slip.map(|slip| slip.reason).into()),
         ("witness", slip.map(|slip| slip.witness).into()),
@@ -304,19 +308,19 @@ fn erratum(judged: &Judged, slip: Option<&Slip>) -> Row {
 }
 
 /// All that is known of a slip.
-pub fn slip(places: &Places) -> Row {
+pub fn slip(places: &TracedSlip) -> Row {
     let (slip, main) = (&places.slip, places.main());
     // The claims that it reaches.
     let ids: Vec<_> = places.claims.iter().map(|judged| judged.claim.id).collect();
     Row(vec![
         ("id", slip.id.into()),
-        ("source", main.claim.work.slug().into()),
+        ("source", main.claim.document.slug.into()),
         ("locator", main.claim.locator.into()),
         ("meaning", main.claim.meaning.into()),
         ("consequence", slip.consequence.slug().into()),
         ("origin", slip.origin.slug().into()),
         ("places", ids.into()),
-        ("printed", in_full(main.claim).into()),
+        ("printed", without_ellipses(main.claim).into()),
         ("corrected", main.corrected().unwrap_or_default().into()),
         ("unit", main.claim.unit.into()),
         ("reason", slip.reason.into()),
@@ -332,7 +336,7 @@ pub fn slip(places: &Places) -> Row {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::claims;
+    use geneva_documents::LEDGER;
     use serde_json::Value as Json;
 
     /// The paths of all keys below a value.
@@ -401,8 +405,9 @@ mod tests {
 
     #[test]
     fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_files() {
-        let numbers =
-            |work: &Work| work.inventory().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>();
+        let numbers = |work: &&'static Document| {
+            work.lines().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>()
+        };
         let listed = entries().expect("entries");
         let in_rows: usize = listed
             .iter()
@@ -411,8 +416,8 @@ mod tests {
                 _ => 0,
             })
             .sum();
-        assert_eq!(in_rows, Work::DOCUMENTS.iter().map(numbers).sum::<usize>());
-        for claim in claims().iter().filter(|claim| claim.work.is_document()) {
+        assert_eq!(in_rows, LEDGER.mirrored().iter().map(numbers).sum::<usize>());
+        for claim in LEDGER.claims().iter().filter(|claim| claim.document.is_mirrored()) {
             let id = Value::from(claim.id);
             assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
         }
@@ -429,9 +434,9 @@ mod tests {
         let listed =
             [&errata["errata"], &copies["copies"]].into_iter().flat_map(|list| list.as_array().expect("a list"));
         let listed: Vec<_> = listed.map(|slip| slip["id"].as_str().expect("an id")).collect();
-        for places in slips() {
+        for places in LEDGER.slips() {
             assert_eq!(listed.iter().filter(|id| **id == places.slip.id).count(), 1, "{}", places.slip.id);
         }
-        assert_eq!(listed.len(), slips().len());
+        assert_eq!(listed.len(), LEDGER.slips().len());
     }
 }

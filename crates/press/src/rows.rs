@@ -4,9 +4,9 @@ use crate::asked;
 use anyhow::Context;
 use geneva_ask::escapement::{Further, Question, Units};
 use geneva_case1973::{Hypothesis, Row, Score, least_braked};
+use geneva_documents::meyer::runs::study::scores;
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::study::scores;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// Why a row has no such motion.
 pub const NONE: &str = "a run's data make no escapement";

@@ -13,8 +13,8 @@ use crate::typed::{self, Format, Output, as_typed, formats};
 use anyhow::{Error, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_case1973::Hypothesis;
+use geneva_documents::meyer::runs::table::rows;
 use geneva_host::files;
-use geneva_ledger::meyer::runs::table::rows;
 use geneva_mimic::language::{
     Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
     nearest_to,

@@ -6,8 +6,7 @@
 
 use super::motion::Drive;
 use crate::pin_vectors::path;
-use crate::scalars::turn::angular_velocity;
-use crate::{Field, Turn};
+use crate::{Field, Turn, angular_velocity};
 use nalgebra::Vector2;
 
 /// Rates of the lever's polar coordinates at an instant. All are rational; lengths are divided by r, which has a root.

@@ -11,8 +11,8 @@ use crate::asked::escapement_value;
 use crate::rows::{number, number_with, numbers as of_rows, weakest as weakest_of};
 use geneva_ask::escapement::{Further, Question};
 use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of these sections.
 pub fn numbers() -> Vec<OwnNumber> {

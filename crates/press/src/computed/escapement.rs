@@ -7,7 +7,7 @@ use super::second_routes::motion::SteppedEngagement;
 use super::second_routes::rise::SteppedRise;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, steady};
 use crate::rows::{NONE, numbers as of_rows};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 
 /// The numbers of the chapter.
 pub fn numbers() -> Vec<OwnNumber> {

@@ -7,9 +7,10 @@ use super::second_routes::printed_rows::{count_near, rows_as_mechanisms, rows_as
 use crate::lookup::{judged, of_documents};
 use crate::rows::score;
 use geneva_case1973::{EXPLAINED, Hypothesis, Row, SixPin};
-use geneva_ledger::meyer::runs::data::inputs;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::{Consequence, Decimal, Judged, Kind, Truth, claim, slips_of};
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::data::inputs;
+use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Consequence, Decimal, Judged, Kind, Truth};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -45,7 +46,7 @@ pub fn numbers() -> Vec<OwnNumber> {
                 Ok(places_of_one_line(&[Kind::Statement]))
             }),
         OwnNumber::count("claims.open", || Ok(claims(Truth::Open, |_| true))),
-        OwnNumber::count("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>())),
+        OwnNumber::count("slips.grave", || Ok(GRAVE.map(|of| LEDGER.slips_of(of).count()).iter().sum::<usize>())),
         OwnNumber::count("rows", || Ok(rows().len())),
         OwnNumber::count("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count()))
             .with_second_route("most rows describe no mechanism", RECORD, || {
@@ -68,7 +69,8 @@ pub fn numbers() -> Vec<OwnNumber> {
 
 /// Whether the angle in the program is, as it is rounded there, that by which the pins of a row are apart.
 fn is_reset_rightly(row: &Row) -> bool {
-    let reset: Option<Decimal> = claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
+    let reset: Option<Decimal> =
+        LEDGER.claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
     reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row)))
 }
 
@@ -97,7 +99,7 @@ fn of_one_line(kinds: fn(Kind) -> bool) -> usize {
 
 /// How many claims of some kinds are among the places of that mistake.
 fn places_of_one_line(kinds: &[Kind]) -> usize {
-    let of_line = GRAVE.into_iter().flat_map(slips_of).filter(|places| places.slip.id == FAULTY_LINE);
+    let of_line = GRAVE.into_iter().flat_map(|of| LEDGER.slips_of(of)).filter(|places| places.slip.id == FAULTY_LINE);
     of_line.flat_map(|places| &places.claims).filter(|judged| kinds.contains(&judged.claim.kind)).count()
 }
 
@@ -123,7 +125,7 @@ mod tests {
         assert_eq!(numbers + statements, own);
         // One more number is reproduced in error: a peak that the print-out missed.
         assert_eq!(count("runs.in-error"), numbers + 1);
-        let most = GRAVE.into_iter().flat_map(slips_of).map(|places| places.claims.len()).max();
+        let most = GRAVE.into_iter().flat_map(|of| LEDGER.slips_of(of)).map(|places| places.claims.len()).max();
         assert_eq!(most, Some(own));
         let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy));
         assert!(2 * own > wrong, "{own} of {wrong}");

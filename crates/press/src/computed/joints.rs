@@ -9,8 +9,8 @@ use crate::numbers::fixed;
 use crate::rows::{number, number_with, weakest};
 use crate::tables::joints::{CHANGE, effect};
 use geneva_ask::escapement::Further;
+use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::comparable;
 
 /// Radius of the pin, radius and friction of the journals, of which the chapter speaks first; radii in crank radii.
 const WITH_PIN: (f64, f64, f64) = (0.1, 0.0, 0.0);

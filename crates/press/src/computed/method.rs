@@ -4,7 +4,8 @@ use super::own_number::OwnNumber;
 use crate::lookup::of_documents;
 use crate::tables::readings::{READINGS, SENTENCES};
 use anyhow::Context;
-use geneva_ledger::{Check, Evidence, Judged, verdicts};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Check, Evidence, Judged};
 use std::collections::BTreeMap;
 
 /// Made by the test of the misprints, which fails if it is not as the ledger has it.
@@ -50,11 +51,11 @@ fn misprints(name: &str) -> anyhow::Result<usize> {
 
 /// How many equations of all sources are checked: both routes of each read its characters.
 fn equations() -> usize {
-    verdicts().iter().filter(|judged| matches!(judged.claim.check, Check::Equation { .. })).count()
+    LEDGER.verdicts().iter().filter(|judged| matches!(judged.claim.check, Check::Equation { .. })).count()
 }
 
 /// How many claims of the documents have two routes of one kind, of these kinds.
-fn of_one_kind(wanted: fn(Evidence) -> bool) -> usize {
+fn of_one_kind(wanted: fn(&Evidence) -> bool) -> usize {
     let alike = |judged: &&Judged| match judged.claim.check.evidence()[..] {
         [first, witness] => first == witness && wanted(first),
         _ => false,
@@ -100,7 +101,7 @@ mod tests {
         }
         assert!(misprints("made up").is_err());
         // What else is of one kind would have to be said.
-        assert_eq!(of_one_kind(|_| true), of_one_kind(|kind| kind == Evidence::OtherPlaceInSource));
+        assert_eq!(of_one_kind(|_| true), of_one_kind(|kind| kind == Evidence::OTHER_PLACE_IN_SOURCE));
         assert!(again() > 3 && equations() > 200);
     }
 }

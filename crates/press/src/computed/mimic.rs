@@ -8,9 +8,9 @@ use super::second_routes::printed_rows::{count_near, rows_as_run};
 use crate::html::escape;
 use anyhow::Context;
 use geneva_case1973::{Column, Reset, within_one};
-use geneva_ledger::claim;
-use geneva_ledger::meyer::runs::study::{AS_LISTED, by_deck};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::study::{AS_LISTED, by_deck};
+use geneva_documents::meyer::runs::table::rows;
 
 /// The numbers of the page on the language.
 pub fn numbers() -> Vec<OwnNumber> {
@@ -27,7 +27,7 @@ pub const WORDS: &[(&str, Phrase)] = &[("mimic.as-listed", || Ok(as_listed()))];
 
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn as_listed() -> String {
-    let set = AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
+    let set = AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", LEDGER.claim(id)?.printed)));
     format!("<code>{}</code>", escape(&set.collect::<Vec<_>>().join(" ")))
 }
 

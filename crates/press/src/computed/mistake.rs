@@ -6,8 +6,8 @@ use super::second_routes::NEWTON;
 use super::second_routes::printed_rows::{count_near, rows_as_run, rows_on_the_integrator, rows_with_listed_lag};
 use crate::rows::score;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, rows_of};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the page.
 pub fn numbers() -> Vec<OwnNumber> {

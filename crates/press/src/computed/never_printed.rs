@@ -6,8 +6,8 @@ use super::second_routes::printed_rows::rows_as_mechanisms;
 use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Row, rows_of};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter on the corrected tables.
 pub fn numbers() -> Vec<OwnNumber> {

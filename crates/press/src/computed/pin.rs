@@ -4,12 +4,12 @@ use super::kinds::{FORMULA, SERIES, TRIANGLE, VECTORS};
 use super::own_number::{Form, Numbers, OwnNumber};
 use super::second_routes::contact::{Stance, dot, moment};
 use anyhow::Context;
+use geneva_documents::pin::Instant;
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::quick_return::{Drive, series};
 use geneva_kinematics::wheel::{Wheel, acceleration_ratio};
-use geneva_ledger::pin::Instant;
 use std::f64::consts::PI;
 
 /// The numbers of the chapter.

@@ -11,9 +11,9 @@ use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::deck::{as_listed, deck, longer_than_delay, turned_when_backwards};
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
+use geneva_documents::meyer::runs::study::by_deck;
+use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::study::by_deck;
-use geneva_ledger::meyer::runs::table::{listing, rows};
 use geneva_mimic::language::{Deck, Layout, Program, deck_named};
 
 /// The numbers of the chapter on the program.

@@ -25,12 +25,12 @@ use geneva_case1973::{
     Column, EXPLAINED, Hypothesis, Reset, Row, Score, Trend, Weighing, pairs_by_friction, pairs_by_torque, rows_of,
     series,
 };
+use geneva_documents::meyer::runs::statistics::{LITTLE, shuffled, statistic};
+use geneva_documents::meyer::runs::study::{explained, scores};
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::meyer::terms::MISSING;
+use geneva_evidence::{Decimal, Judged, Verdict, numbers_in};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::statistics::{LITTLE, shuffled, statistic};
-use geneva_ledger::meyer::runs::study::{explained, scores};
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::meyer::terms::MISSING;
-use geneva_ledger::{Decimal, Judged, Verdict, numbers_in};
 use std::sync::OnceLock;
 
 /// The numbers of the chapter on the runs.
@@ -352,7 +352,7 @@ mod tests {
     use geneva_case1973::likelihood::LEAST_SPREAD;
     use geneva_case1973::weighing::margins_by_one_row_of_each;
     use geneva_case1973::witness::sampling;
-    use geneva_ledger::meyer::runs::statistics::{OTHERS, SHUFFLES, STATISTICS};
+    use geneva_documents::meyer::runs::statistics::{OTHERS, SHUFFLES, STATISTICS};
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {

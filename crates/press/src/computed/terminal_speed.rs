@@ -12,8 +12,8 @@ use crate::rows::{NONE, numbers as of_rows};
 use anyhow::Context;
 use geneva_case1973::rise_times::is_steady_from_the_first_minimum;
 use geneva_case1973::{Column, obeys, rows_of, series};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The numbers of the chapter.
 pub fn numbers() -> Vec<OwnNumber> {

@@ -17,10 +17,10 @@ use anyhow::Context;
 use geneva_ask::escapement::Question;
 use geneva_case1973::rise_times::change;
 use geneva_case1973::{Row, least_braked, strongest, weakest};
+use geneva_documents::meyer::runs::choice::comparable;
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::meyer::terms::MISSING;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::comparable;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::meyer::terms::MISSING;
 use std::sync::OnceLock;
 
 /// The numbers of this chapter.

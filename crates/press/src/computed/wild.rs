@@ -7,7 +7,8 @@ use super::second_routes::outline::Cut;
 use super::{least, most};
 use crate::{figures, lookup};
 use anyhow::Context;
-use geneva_ledger::{Judged, Kind, Truth, Work, wild};
+use geneva_documents::{WILD, wild};
+use geneva_evidence::{Judged, Kind, Truth};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
@@ -32,7 +33,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 fn claims_elsewhere() -> impl Iterator<Item = &'static Judged> {
-    lookup::of_work(Work::Wild)
+    lookup::of_work(&WILD)
 }
 
 /// Whether it is stated, and not only built as an example.

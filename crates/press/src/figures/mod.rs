@@ -10,14 +10,14 @@ use crate::{live, lookup};
 use anyhow::Context;
 use geneva_ask::escapement::{Design, Drawing};
 use geneva_case1973::{Hypothesis, weakest};
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::{jazar, pin::Instant, quick_return::Instant as Lever};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// Draws a figure for the printed data of its source.
 type Draw = fn() -> anyhow::Result<Figure>;

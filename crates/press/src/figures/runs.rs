@@ -7,13 +7,13 @@ use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Score, least_braked, rows_of};
+use geneva_documents::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_8};
+use geneva_documents::meyer::runs::study::{delays, scores};
+use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Compared, Count, Group, Lag, Scan};
 use geneva_figures::steady::{self, Measurement};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_8};
-use geneva_ledger::meyer::runs::study::{delays, scores};
-use geneva_ledger::meyer::runs::table::{listing, rows};
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {

@@ -6,10 +6,10 @@ use crate::rows::{NONE, example, number};
 use crate::tables::timer::PARTS;
 use anyhow::Context;
 use geneva_case1973::{Column, Hypothesis, rows_of};
+use geneva_documents::meyer::runs::table::rows;
 use geneva_figures::Figure;
 use geneva_figures::timer::{self, Tested};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::rows;
 
 /// The mechanisms with the frictions of their runs.
 fn tested() -> anyhow::Result<Vec<Tested>> {

@@ -1,9 +1,9 @@
 //! The figure of what is said of Geneva wheels elsewhere.
 
 use anyhow::Context;
+use geneva_documents::wild::ratio;
 use geneva_figures::Figure;
 use geneva_figures::stations::{self, Compared, wrong_formulas};
-use geneva_ledger::wild::ratio;
 
 /// Wrong formulas, and what each is for.
 const FORMULAS: [(&str, &str); 7] = [

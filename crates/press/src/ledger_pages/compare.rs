@@ -3,7 +3,7 @@
 use super::inline::{computed, linked_badge, rounded, with_unit};
 use crate::html::{Cells, Table, escape, table as html_table};
 use crate::lookup;
-use geneva_ledger::{Claim, Decimal, Judged, Kind, Mark, Marked};
+use geneva_evidence::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
 const LEGEND: &str = "<p class=\"legend\">Printed digits that agree with the computed number are not underlined. If \
      only the last digit differs, it has <span class=\"digit last\">a dotted underline</span>. Otherwise all digits \

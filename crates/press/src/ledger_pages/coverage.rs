@@ -4,13 +4,15 @@ use crate::html::{Cells, table};
 use crate::lookup;
 use crate::records::slips_of_copies;
 use anyhow::bail;
-use geneva_ledger::{Entry, Line, Places, Work};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Document, line_gap};
+use geneva_evidence::{Entry, Line, TracedSlip};
 
 /// How much of each document the claims account for, and which characters its copy has lost or changed.
 pub fn page() -> anyhow::Result<String> {
     let mut rows = Vec::new();
-    for work in Work::DOCUMENTS {
-        rows.push(row(*work, work.inventory()?));
+    for work in LEDGER.mirrored() {
+        rows.push(row(work, work.lines()?));
     }
     let head = ["Source", "Lines", "Numbers", "Claims", "Exceptions", "Characters of the copy"];
     let sums = table("Coverage of the sources", Cells::NamedNumbers, &head, rows)?.html();
@@ -28,13 +30,13 @@ pub fn page() -> anyhow::Result<String> {
 }
 
 /// What the copies of the documents have lost or changed.
-fn of_documents() -> impl Iterator<Item = &'static Places> {
-    slips_of_copies().filter(|places| places.is_of_a_document())
+fn of_documents() -> impl Iterator<Item = &'static TracedSlip> {
+    slips_of_copies().filter(|places| places.is_mirrored())
 }
 
 /// The sums of a source.
-fn row(work: Work, lines: &[Line]) -> anyhow::Result<Vec<String>> {
-    if let Some(line) = lines.iter().find(|line| !line.is_accounted_for()) {
+fn row(work: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
+    if let Some(line) = lines.iter().find(|line| line_gap(work, line).is_some()) {
         bail!("line {} of {work} has numbers that nothing accounts for", line.number);
     }
     let entries = || lines.iter().flat_map(|line| &line.entries);
@@ -43,7 +45,7 @@ fn row(work: Work, lines: &[Line]) -> anyhow::Result<Vec<String>> {
         lines.iter().map(|line| line.numbers.len()).sum(),
         lookup::of_work(work).count(),
         entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
-        of_documents().filter(|places| places.main().claim.work == work).count(),
+        of_documents().filter(|places| places.main().claim.document == work).count(),
     ];
     Ok([vec![work.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
 }
@@ -57,7 +59,7 @@ mod tests {
         let page = page().expect("a page");
         let all = of_documents().count();
         assert_eq!(page.matches("<a id=\"slip-").count(), all);
-        let of = |work: &Work| row(*work, work.inventory().expect("lines")).expect("a row")[5].parse::<usize>();
-        assert_eq!(Work::DOCUMENTS.iter().map(|work| of(work).expect("a number")).sum::<usize>(), all);
+        let of = |work: &&'static Document| row(work, work.lines().expect("lines")).expect("a row")[5].parse::<usize>();
+        assert_eq!(LEDGER.mirrored().iter().map(|work| of(work).expect("a number")).sum::<usize>(), all);
     }
 }

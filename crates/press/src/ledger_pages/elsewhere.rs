@@ -6,7 +6,9 @@ use crate::formula::broken;
 use crate::html::{Cells, Table, escape, prose, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
-use geneva_ledger::{Judged, Kind, Slip, Truth, Work, in_full, slip, wild};
+use geneva_documents::WILD;
+use geneva_documents::{LEDGER, wild};
+use geneva_evidence::{Judged, Kind, Slip, Truth, without_ellipses};
 
 /// What is wrong that is stated, a row for each slip.
 pub fn wrong() -> anyhow::Result<Table> {
@@ -22,7 +24,7 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
     let main = |(judged, slip): &(&Judged, &Slip)| judged.claim.id == slip.id && of(judged);
     let rows = statements_with_slips().filter(main).map(|(judged, slip)| {
         let claim = judged.claim;
-        let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
+        let printed = with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?;
         Ok(vec![
             format!(
                 "<a href=\"#slip-{}\">{}</a><div class=\"form\" data-label=\"As printed\">{}</div>",
@@ -44,7 +46,7 @@ fn is_example(judged: &Judged) -> bool {
 /// Each address, how much of it was taken, and how many of its statements and of its examples are right and wrong.
 pub fn addresses() -> anyhow::Result<Table> {
     let mut all: Vec<(&str, [usize; 4])> = Vec::new();
-    for judged in lookup::of_work(Work::Wild) {
+    for judged in lookup::of_work(&WILD) {
         let (address, _) = read(judged)?;
         let at = all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| {
             all.push((address, [0; 4]));
@@ -86,7 +88,7 @@ fn fold(judged: &Judged) -> anyhow::Result<String> {
     let (address, day) = read(judged)?;
     let erratum = claim.erratum.as_ref().context("nothing is wrong with it")?;
     let anchor = if erratum.slip.id == claim.id { format!(" id=\"slip-{}\"", claim.id) } else { String::new() };
-    let inner = entries(judged, slip(erratum.slip.id).context("a slip without places")?, true)?;
+    let inner = entries(judged, LEDGER.slip(erratum.slip.id).context("a slip without places")?, true)?;
     Ok(format!(
         "<details class=\"erratum\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
          {day}</p>\n{inner}\n</details>\n\n",
@@ -107,7 +109,7 @@ fn whose(address: &str) -> &str {
 
 /// The statements that a slip reaches.
 fn statements_with_slips() -> impl Iterator<Item = (&'static Judged, &'static Slip)> {
-    lookup::of_work(Work::Wild).filter_map(|judged| Some((judged, &judged.claim.erratum.as_ref()?.slip)))
+    lookup::of_work(&WILD).filter_map(|judged| Some((judged, &judged.claim.erratum.as_ref()?.slip)))
 }
 
 /// Address and day of a statement.
@@ -123,7 +125,7 @@ mod tests {
     #[test]
     fn every_wrong_statement_has_a_fold_and_every_slip_an_anchor() {
         let page = statements().expect("folds");
-        let all: Vec<_> = lookup::of_work(Work::Wild).filter(|judged| judged.truth() == Truth::Wrong).collect();
+        let all: Vec<_> = lookup::of_work(&WILD).filter(|judged| judged.truth() == Truth::Wrong).collect();
         assert_eq!(page.matches("<details").count(), all.len());
         for judged in &all {
             let name = format!("<p>{}", linked_id(judged.claim.id));
@@ -144,7 +146,7 @@ mod tests {
         let csv = addresses().expect("a table").csv().expect("data");
         let rows = || csv.lines().skip(1).map(|row| row.rsplit(',').take(4));
         let counted: usize = rows().flatten().filter_map(|cell| cell.parse::<usize>().ok()).sum();
-        assert_eq!(counted, lookup::of_work(Work::Wild).count());
+        assert_eq!(counted, lookup::of_work(&WILD).count());
     }
 
     #[test]

@@ -1,19 +1,20 @@
 //! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
-use super::findings::{how, in_a_word};
+use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::formula::{broken, changed};
 use crate::html::{Cells, Table, escape, prose, table, tex_or_text};
 use crate::lookup;
 use crate::pages::page_of_slip;
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips_of};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Consequence, Judged, TracedSlip, without_ellipses};
 
 /// The erratum of a claim: one line, which opens.
 pub fn one(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
-    let places = slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
+    let places = LEDGER.slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
     Ok(format!(
         "<details class=\"erratum\">\n<summary>{}</summary>\n{}\n</details>",
         in_a_line(judged)?,
@@ -27,7 +28,7 @@ fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
     const SHORT: usize = 24;
     let claim = judged.claim;
     let mut line = format!("<strong>Erratum</strong>, {}: {}", escape(claim.locator), escape(claim.meaning));
-    let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
+    let (printed, corrected) = (without_ellipses(claim), judged.corrected().unwrap_or_default());
     if printed.chars().count() <= SHORT && corrected.chars().count() <= SHORT {
         line += &format!("; printed {}, right {}", with_unit(&tex_or_text(&printed)?, claim.unit)?, right(judged)?);
     } else {
@@ -39,20 +40,21 @@ fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
 
 /// All slips of the documents with a consequence, under a heading that says what they do.
 pub fn all(consequence: &Consequence) -> anyhow::Result<String> {
-    let slip = |places: &Places| Ok(format!("\n{}\n", boxed(places)?));
-    let slips = slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
+    let slip = |places: &TracedSlip| Ok(format!("\n{}\n", boxed(places)?));
+    let slips = LEDGER.slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
     Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
 
 /// What changes a result or a conclusion, a row each.
 pub fn grave() -> anyhow::Result<Table> {
-    let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(slips_of);
+    let grave =
+        [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|consequence| LEDGER.slips_of(consequence));
     let rows = grave.map(|places| {
         let (claim, slip) = (places.main().claim, &places.slip);
-        let (work, locator, meaning) = (claim.work, escape(claim.locator), escape(claim.meaning));
+        let (work, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
         Ok(vec![
             format!("<a href=\"#slip-{}\">{work}, {locator}</a>: {meaning}", slip.id),
-            with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+            with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?,
             right(places.main())?,
             prose(slip.changes) + &numbers(places),
         ])
@@ -64,8 +66,10 @@ pub fn grave() -> anyhow::Result<Table> {
 /// How many slips of the documents there are of each consequence, and how many without those of the copy.
 pub fn summary() -> anyhow::Result<Table> {
     let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
-        let (slips, places) =
-            (slips_of(*consequence).count(), slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>());
+        let (slips, places) = (
+            LEDGER.slips_of(*consequence).count(),
+            LEDGER.slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>(),
+        );
         Ok(vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()])
     });
     table(
@@ -81,15 +85,15 @@ pub fn count(of_what: &str) -> anyhow::Result<String> {
     let number = match of_what {
         "all" => {
             let told = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy);
-            told.map(|of| slips_of(*of).count()).sum()
+            told.map(|of| LEDGER.slips_of(*of).count()).sum()
         }
-        slug => slips_of(lookup::consequence(slug)?).count(),
+        slug => LEDGER.slips_of(lookup::consequence(slug)?).count(),
     };
     Ok(number.to_string())
 }
 
 /// A slip in a box, in full.
-fn boxed(places: &Places) -> anyhow::Result<String> {
+fn boxed(places: &TracedSlip) -> anyhow::Result<String> {
     let (judged, slip) = (places.main(), &places.slip);
     Ok(format!(
         "<aside class=\"erratum\" id=\"slip-{}\" aria-label=\"Erratum {}\">\n<p><strong>{}</strong>: {}. {}</p>\n{}\n</aside>",
@@ -103,7 +107,7 @@ fn boxed(places: &Places) -> anyhow::Result<String> {
 }
 
 /// What an erratum says; in full also how it was found, and where else the slip shows.
-pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
+pub fn entries(judged: &Judged, places: &TracedSlip, in_full_detail: bool) -> anyhow::Result<String> {
     let (claim, slip) = (judged.claim, &places.slip);
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
@@ -126,20 +130,20 @@ pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow
 
 /// The printed characters and what should stand in their place, with what differs between the two marked in each.
 pub fn forms(judged: &Judged) -> anyhow::Result<[String; 2]> {
-    let (printed, corrected) = (in_full(judged.claim), judged.corrected().unwrap_or_default());
+    let (printed, corrected) = (without_ellipses(judged.claim), judged.corrected().unwrap_or_default());
     let form = |of: &str, other: &str| with_unit(&broken(&changed(of, other)?), judged.claim.unit);
     Ok([form(&printed, &corrected)?, form(&corrected, &printed)?])
 }
 
 /// How an erratum was found.
-fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String)) -> anyhow::Result<()> {
+fn found(judged: &Judged, places: &TracedSlip, entry: &mut impl FnMut(&str, String)) -> anyhow::Result<()> {
     let (claim, evidence) = (judged.claim, judged.claim.check.evidence());
     for (term, number, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second witness's number", judged.witnessed, evidence.last()),
     ] {
         if let (Some(number), Some(kind)) = (number, kind) {
-            entry(term, format!("{} ({})", with_unit(&rounded(judged, number), claim.unit)?, in_a_word(*kind)));
+            entry(term, format!("{} ({})", with_unit(&rounded(judged, number), claim.unit)?, kind.name));
         }
     }
     // Where the source's own way leads to another number, the right one rests on more than its printed places.
@@ -165,7 +169,7 @@ pub fn right(judged: &Judged) -> anyhow::Result<String> {
 }
 
 /// How many printed numbers a slip makes wrong, and by how much.
-fn numbers(places: &Places) -> String {
+fn numbers(places: &TracedSlip) -> String {
     let number = places.wrong_numbers().count();
     let (of, up_to) = match number {
         1 => ("one printed number".to_owned(), ""),
@@ -178,7 +182,7 @@ fn numbers(places: &Places) -> String {
 }
 
 /// The other claims that a slip reaches; of many in one table only the first.
-fn others(judged: &Judged, places: &Places) -> String {
+fn others(judged: &Judged, places: &TracedSlip) -> String {
     const MOST: usize = 8;
     let ids = places.claims.iter().map(|other| other.claim.id).filter(|id| *id != judged.claim.id);
     let links: Vec<_> = ids.clone().take(MOST).map(linked_id).collect();

@@ -1,7 +1,7 @@
 //! What was found of an equation, a figure or a statement, in sentences.
 
 use crate::html::prose;
-use geneva_ledger::{Check, Evidence, Finding, Judged};
+use geneva_evidence::{Check, Finding, Judged};
 
 /// How a form was found to hold or to fail, with the reading; for a missing value, what is missing.
 pub fn how(judged: &Judged) -> String {
@@ -104,35 +104,17 @@ fn lowered(words: &str) -> String {
 /// The kinds of evidence of both routes, in brackets.
 fn routes(judged: &Judged) -> [String; 2] {
     let evidence = judged.claim.check.evidence();
-    [evidence.first(), evidence.last()]
-        .map(|kind| kind.map_or_else(String::new, |kind| format!(" (by {})", in_a_word(*kind))))
-}
-
-/// A kind of evidence in a word or two.
-pub fn in_a_word(kind: Evidence) -> &'static str {
-    match kind {
-        Evidence::ClosedForm => "a formula",
-        Evidence::ExactIdentity => "an exact proof",
-        Evidence::Jet => "power series",
-        Evidence::AutomaticDerivative => "dual numbers",
-        Evidence::Vectors => "coordinates",
-        Evidence::LimitCase => "individual cases",
-        Evidence::Dimension => "dimensions",
-        Evidence::OtherPlaceInSource => "another place in the source",
-        Evidence::Quadrature => "integrals over the driver's angle",
-        Evidence::RungeKutta => "integration in steps",
-        Evidence::Program => "the program of 1973",
-    }
+    [evidence.first(), evidence.last()].map(|kind| kind.map_or_else(String::new, |kind| format!(" (by {})", kind.name)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::verdicts;
+    use geneva_documents::LEDGER;
 
     #[test]
     fn every_finding_is_told_in_sentences() {
-        for judged in verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
+        for judged in LEDGER.verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
             let (id, told) = (judged.claim.id, how(judged));
             assert!(told.contains("printed") && told.contains("econd way"), "{id}: {told}");
             for log in ["fails: fails", "holds: holds", ";<br>", "[", "Some(", "..=", "-identity"] {

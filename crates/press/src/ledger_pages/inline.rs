@@ -5,12 +5,13 @@ use crate::html::{escape, prose, tex_or_text};
 use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, in_full, wild};
+use geneva_documents::wild;
+use geneva_evidence::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, without_ellipses};
 
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
     let claim = lookup::judged(id)?.claim;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?))
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?))
 }
 
 /// The computed number with its unit.
@@ -117,13 +118,13 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     let claim = judged.claim;
     let mut out = format!(
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
-        escape(&claim.work.to_string()),
+        escape(&claim.document.to_string()),
         place(claim),
         prose(claim.meaning),
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(&broken(&tex_or_text(&in_full(claim))?), claim.unit)?);
+    entry("Printed", with_unit(&broken(&tex_or_text(&without_ellipses(claim))?), claim.unit)?);
     if let Some(number) = computed(judged) {
         entry("Computed", with_unit(&number, claim.unit)?);
     }
@@ -140,7 +141,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     let mut evidence = claim.check.evidence();
     evidence.dedup();
     for (number, kind) in evidence.iter().enumerate() {
-        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning()));
+        entry(["Checked by", "and by"][number.min(1)], escape(kind.meaning));
     }
     out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", address_of_claim(id)));
     Ok(out)
@@ -184,7 +185,7 @@ pub fn linked_page(address: &str) -> String {
 
 /// What the source is.
 pub fn citation(slug: &str) -> anyhow::Result<String> {
-    Ok(escape(lookup::work(slug)?.citation()))
+    Ok(escape(lookup::work(slug)?.citation))
 }
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.

@@ -4,7 +4,7 @@
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
 use super::errata::forms;
-use super::findings::{how, in_a_word, in_words};
+use super::findings::{how, in_words};
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
@@ -13,7 +13,8 @@ use crate::html::{prose, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
 use crate::units::tied_without_tags;
-use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
+use geneva_documents::LEDGER;
+use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
@@ -40,7 +41,7 @@ pub fn page() -> anyhow::Result<String> {
 
 /// The scripts and the style of the page, and what is known of each claim.
 pub fn files() -> anyhow::Result<[File; 3]> {
-    let details = verdicts().iter().map(|judged| Ok((judged.claim.id, tied_without_tags(&details(judged)?))));
+    let details = LEDGER.verdicts().iter().map(|judged| Ok((judged.claim.id, tied_without_tags(&details(judged)?))));
     let details: BTreeMap<_, _> = details.collect::<anyhow::Result<_>>()?;
     // A claim a line, so that two editions can be compared.
     let text = serde_json::to_string(&details)?.replace("\",\"", "\",\n\"");
@@ -57,7 +58,7 @@ fn filter() -> String {
     let select = |name: &str, label: &str, options: String| {
         format!("<label>{label} <select name=\"{name}\"><option value=\"\">all</option>{options}</select></label>")
     };
-    let sources = Work::ALL.iter().map(|work| option(work.slug(), "", source(*work)));
+    let sources = LEDGER.documents().iter().map(|work| option(work.slug, "", work.title));
     let sources = [option(DOCUMENTS, "", "the four documents")].into_iter().chain(sources).collect();
     let verdicts = Verdict::ALL.iter().map(|verdict| {
         option(verdict.slug(), &format!(" data-truth=\"{}\"", verdict.truth().slug()), &verdict.to_string())
@@ -76,17 +77,6 @@ fn filter() -> String {
     )
 }
 
-/// A source in a word or two.
-fn source(work: Work) -> &'static str {
-    match work {
-        Work::Pin => "textbook problem",
-        Work::QuickReturn => "examination problem",
-        Work::Jazar2003 => "handout",
-        Work::Meyer1973 => "thesis",
-        Work::Wild => "pages elsewhere",
-    }
-}
-
 fn kind_name(kind: Kind) -> &'static str {
     match kind {
         Kind::Value => "number",
@@ -100,14 +90,14 @@ fn kind_name(kind: Kind) -> &'static str {
 /// The claims of a section; every row can be linked to by the claim's id.
 fn section(section: &Section) -> anyhow::Result<String> {
     let rows = section.ids().map(|id| row(lookup::judged(id)?)).collect::<anyhow::Result<String>>()?;
-    let (title, name, work) = (section.title, section.name, section.work.slug());
+    let (title, name, work) = (section.title, section.name, section.work.slug);
     Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{work}\">\n{rows}</ul>\n\n"))
 }
 
 /// A claim: its id, our verdict, where it stands, what it says, what is printed, and what was found, in a line.
 fn row(judged: &Judged) -> anyhow::Result<String> {
     let (claim, verdict) = (judged.claim, judged.verdict);
-    let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
+    let printed = with_unit(&tex_or_text(&without_ellipses(claim))?, claim.unit)?;
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
         // A form may be wider than the page; one whose lines are aligned scrolls, and so takes the focus.
@@ -170,12 +160,12 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
         ("Right", judged.right_value, None),
     ] {
         if let Some(value) = value {
-            let kind = kind.map_or_else(String::new, |kind| format!(" ({})", in_a_word(*kind)));
+            let kind = kind.map_or_else(String::new, |kind| format!(" ({})", kind.name));
             entry(term, number(value)? + &kind);
         }
     }
     if judged.computed.is_none() {
-        entry("Two routes", evidence.iter().copied().map(in_a_word).collect::<Vec<_>>().join(", "));
+        entry("Two routes", evidence.iter().map(|kind| kind.name).collect::<Vec<_>>().join(", "));
     }
     let missing = if evidence.is_empty() { "What is missing" } else { "How it was checked" };
     entry(missing, how(judged));
@@ -201,21 +191,21 @@ mod tests {
     fn every_claim_has_a_row_and_every_row_has_details() {
         let page = page().expect("a page");
         let [_, _, details] = files().expect("files");
-        for judged in verdicts() {
+        for judged in LEDGER.verdicts() {
             let id = judged.claim.id;
             let row = format!("<li id=\"{id}\" class=\"{} {}", judged.claim.kind.slug(), judged.verdict.slug());
             assert_eq!(page.matches(&row).count(), 1, "{id}");
             assert_eq!(details.text().matches(&format!("\"{id}\":\"<dl><dt>")).count(), 1, "{id}");
         }
-        assert_eq!(page.matches("<li ").count(), verdicts().len());
+        assert_eq!(page.matches("<li ").count(), LEDGER.verdicts().len());
     }
 
     #[test]
     fn the_filter_offers_what_the_rows_have() {
         let filter = filter();
-        for judged in verdicts() {
+        for judged in LEDGER.verdicts() {
             for value in
-                [judged.claim.work.slug(), judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
+                [judged.claim.document.slug, judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
             {
                 assert!(filter.contains(&format!("<option value=\"{value}\"")), "{value}");
             }
@@ -224,7 +214,7 @@ mod tests {
 
     #[test]
     fn a_row_says_in_a_line_what_was_found() {
-        for judged in verdicts() {
+        for judged in LEDGER.verdicts() {
             let (id, found) = (judged.claim.id, found(judged));
             let says = match judged.truth() {
                 Truth::Open => found.starts_with("Open: "),

@@ -5,8 +5,9 @@ use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::tables::chain::scientific;
 use crate::{lookup, maths};
 use anyhow::Context;
+use geneva_documents::LEDGER;
+use geneva_evidence::{Judged, Symbol, Verdict};
 use geneva_figures::notation::NOTATION;
-use geneva_ledger::{Evidence, Judged, Symbol, TOLERANCES, Verdict};
 
 /// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts() -> anyhow::Result<Table> {
@@ -19,17 +20,17 @@ pub fn verdicts() -> anyhow::Result<Table> {
 
 /// The kinds of evidence and how many claims of the documents use each.
 pub fn evidence() -> anyhow::Result<Table> {
-    let rows = Evidence::ALL.iter().map(|kind| {
+    let rows = LEDGER.evidence().iter().map(|kind| {
         let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
         let count = lookup::of_documents().filter(uses).count();
-        Ok(vec![kind.to_string(), escape(kind.meaning()), count.to_string()])
+        Ok(vec![kind.to_string(), escape(kind.meaning), count.to_string()])
     });
     table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)
 }
 
 /// The tolerances that are not printed digits.
 pub fn tolerances() -> anyhow::Result<Table> {
-    let rows = TOLERANCES.iter().map(|tolerance| {
+    let rows = LEDGER.tolerances().into_iter().map(|tolerance| {
         let relative = scientific(&format!("{:e}", tolerance.relative))?;
         Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
     });
@@ -46,7 +47,7 @@ pub fn notation() -> anyhow::Result<Table> {
 
 /// The letters of a source and the book's: first those of the triangle, in the same order for each source.
 pub fn symbols(slug: &str) -> anyhow::Result<Table> {
-    let symbols = lookup::work(slug)?.symbols();
+    let symbols = lookup::work(slug)?.symbols;
     let is_of_triangle = |of: &&Symbol| NOTATION.iter().any(|letter| letter.tex == of.ours);
     let triangle = NOTATION.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
     let others = symbols.iter().filter(|symbol| !is_of_triangle(symbol));
@@ -67,7 +68,7 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
 /// What a letter of the book stands for in the chapters on a source: both are named, the letter in TeX.
 pub fn letter(of: &str) -> anyhow::Result<String> {
     let (slug, tex) = of.split_once(' ').with_context(|| format!("`{of}`: give a source and a letter, `meyer K`"))?;
-    let symbols = lookup::work(slug)?.symbols();
+    let symbols = lookup::work(slug)?.symbols;
     let symbol = symbols.iter().find(|symbol| symbol.ours == tex);
     let symbol = symbol.ok_or_else(|| lookup::unknown("letter", tex, symbols.iter().map(|symbol| symbol.ours)))?;
     Ok(escape(&meaning(symbol)))

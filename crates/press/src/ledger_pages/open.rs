@@ -5,7 +5,7 @@ use super::inline::{linked_id, place};
 use crate::html::escape;
 use crate::lookup::{named, of_documents};
 use crate::pages::OPEN;
-use geneva_ledger::{Judged, Truth};
+use geneva_evidence::{Judged, Truth};
 
 /// Claims that the same thing would settle.
 #[derive(Clone, Copy)]
@@ -165,19 +165,19 @@ pub fn list(name: &str) -> anyhow::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::verdicts;
+    use geneva_documents::LEDGER;
 
     const PAGE: &str = include_str!("../../../../book/src/open.md");
 
     #[test]
     fn every_open_claim_is_in_one_group_and_every_name_of_a_group_is_open() {
-        for judged in verdicts().iter().filter(|judged| judged.truth() == Truth::Open) {
+        for judged in LEDGER.verdicts().iter().filter(|judged| judged.truth() == Truth::Open) {
             let groups = GROUPS.iter().filter(|group| group.has(judged.claim.id)).count();
             assert_eq!(groups, 1, "{} lacks something: say in which group it is", judged.claim.id);
         }
         for group in GROUPS {
             for pattern in group.ids {
-                let mut named = verdicts().iter().filter(|judged| fits(pattern, judged.claim.id)).peekable();
+                let mut named = LEDGER.verdicts().iter().filter(|judged| fits(pattern, judged.claim.id)).peekable();
                 assert!(named.peek().is_some(), "no claim is {pattern}");
                 assert!(named.all(|judged| judged.truth() == Truth::Open), "{pattern} is not open");
             }
@@ -220,7 +220,7 @@ mod tests {
         let rises = list("rise-times").expect("a list");
         assert!(rises.contains("<details>") && rises.matches("<li>").count() <= GROUPS[0].ids.len(), "{rises}");
         let all: usize = GROUPS.iter().map(|group| claims(group.name).expect("claims").len()).sum();
-        assert_eq!(all, verdicts().iter().filter(|judged| judged.truth() == Truth::Open).count());
+        assert_eq!(all, LEDGER.verdicts().iter().filter(|judged| judged.truth() == Truth::Open).count());
         assert!(list("rises").is_err());
     }
 }

@@ -9,10 +9,10 @@ use crate::lookup;
 use crate::pages::address_of_claim;
 use anyhow::{Context, anyhow};
 use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
+use geneva_documents::meyer::runs::table::{listing, rows};
+use geneva_documents::quick_return::Instant as Lever;
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::table::{listing, rows};
-use geneva_ledger::quick_return::Instant as Lever;
 use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, Side, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
@@ -225,7 +225,8 @@ fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
 fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
-    let rpm = geneva_ledger::printed_value("quick-return.driver-speed").context("a speed without a number")?;
+    let rpm =
+        geneva_documents::LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;
     let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
     Ok(Arguments::of(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))

@@ -96,7 +96,7 @@ mod tests {
     fn a_placeholder_has_its_words_and_what_is_read_there() {
         let chapter = "A sentence.\nOf the pin that we draw here the radius is {{printed:pin.radius}} and {{ref:pin-velocity}}.\n\n{{figure:pin-velocity}}\n";
         let read = lines(chapter);
-        let radius = geneva_ledger::claim("pin.radius").expect("a claim").printed;
+        let radius = geneva_documents::LEDGER.claim("pin.radius").expect("a claim").printed;
         assert!(
             read.starts_with(&format!("pin that we draw here the radius is {{{{printed:pin.radius}}}} → {radius}")),
             "{read}"

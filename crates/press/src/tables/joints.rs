@@ -4,8 +4,8 @@ use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
 use crate::rows::{number_with, weakest};
 use geneva_ask::escapement::Further;
+use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::comparable;
 
 /// Ideal joints, and joints compared with them; radii in crank radii: of the pin, of both journals, and the friction of the
 /// journals.

@@ -2,8 +2,8 @@
 
 use crate::html::{Cells, Table, table};
 use crate::numbers::fixed;
+use geneva_documents::jazar::LockingArcs;
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::jazar::LockingArcs;
 
 /// The journal's radius in crank radii.
 const JOURNAL: f64 = 0.8;

@@ -5,7 +5,7 @@ use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::Context;
-use geneva_ledger::quick_return::with_printed_angle;
+use geneva_documents::quick_return::with_printed_angle;
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
 pub fn terms() -> anyhow::Result<Table> {

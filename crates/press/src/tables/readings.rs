@@ -1,7 +1,7 @@
 //! The claims that hostile readings have overturned: each reading with the claims whose answer it changed.
 
 use crate::html::{Cells, Table, table};
-use geneva_ledger::Kind;
+use geneva_evidence::Kind;
 
 /// A reading of the ledger and of the book by someone who set out to refute them.
 pub struct Reading {
@@ -201,7 +201,8 @@ pub fn readings() -> anyhow::Result<Table> {
 mod tests {
     use super::*;
     use crate::lookup::judged;
-    use geneva_ledger::{Truth, claim};
+    use geneva_documents::LEDGER;
+    use geneva_evidence::Truth;
     use std::collections::BTreeSet;
 
     #[test]
@@ -211,9 +212,9 @@ mod tests {
             assert_eq!(ids.len(), reading.overturned.len(), "{}", reading.what);
             for (id, kind) in reading.overturned {
                 // A claim may have gone since.
-                assert!(claim(id).is_none_or(|claim| claim.kind == *kind), "{id}: {kind}");
+                assert!(LEDGER.claim(id).is_none_or(|claim| claim.kind == *kind), "{id}: {kind}");
             }
-            let known = reading.overturned.iter().filter(|(id, _)| claim(id).is_some()).count();
+            let known = reading.overturned.iter().filter(|(id, _)| LEDGER.claim(id).is_some()).count();
             assert!(10 * known >= 8 * reading.overturned.len(), "{}: {known} claims are known", reading.what);
         }
     }

@@ -5,10 +5,10 @@ use crate::numbers::fixed;
 use geneva_case1973::rise_times::{
     EVENTS, Misread, Near, OF_A_PART, Target, Tried, Whole, groups as all_groups, parts,
 };
-use geneva_ledger::claims;
-use geneva_ledger::meyer::runs::study::explained;
-use geneva_ledger::meyer::runs::table::rows;
-use geneva_ledger::meyer::terms::{MISSING, TERMS};
+use geneva_documents::LEDGER;
+use geneva_documents::meyer::runs::study::explained;
+use geneva_documents::meyer::runs::table::rows;
+use geneva_documents::meyer::terms::{MISSING, TERMS};
 
 /// How many rows each definition explains, with each part of a velocity that may be missing.
 pub fn definitions() -> anyhow::Result<Table> {
@@ -86,7 +86,7 @@ pub fn events() -> anyhow::Result<Table> {
 /// The words of the thesis on which claims turn.
 pub fn terms() -> anyhow::Result<Table> {
     let rows = TERMS.iter().map(|term| {
-        let used = claims().iter().filter(|claim| term.is_used_by(claim.id)).count();
+        let used = LEDGER.claims().iter().filter(|claim| term.is_used_by(claim.id)).count();
         let meaning = escape(term.meaning);
         Ok(vec![escape(term.word), meaning, escape(term.rests_on), used.to_string()])
     });

@@ -12,12 +12,12 @@ use geneva_case1973::weighing::Others;
 use geneva_case1973::{
     Column, Constants, Fit, Hypothesis, Lag, Reading, Reset, Row, Score, SixPin, Weighing, rows_of, series, slug,
 };
+use geneva_documents::meyer::runs::data;
+use geneva_documents::meyer::runs::statistics::STATISTICS;
+use geneva_documents::meyer::runs::study::{delays as all_delays, scores};
+use geneva_documents::meyer::runs::table::{expected, rows};
+use geneva_evidence::Verdict;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::Verdict;
-use geneva_ledger::meyer::runs::data;
-use geneva_ledger::meyer::runs::statistics::STATISTICS;
-use geneva_ledger::meyer::runs::study::{delays as all_delays, scores};
-use geneva_ledger::meyer::runs::table::{expected, rows};
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
 pub fn hypotheses() -> anyhow::Result<Table> {

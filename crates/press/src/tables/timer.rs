@@ -4,7 +4,7 @@ use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
 use crate::rows::{example, number, number_with};
 use geneva_case1973::{Column, Row, strongest, weakest};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 
 /// The followers compared: parts of the inertia of the example's.
 pub const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];

@@ -2,7 +2,7 @@
 
 use geneva_case1973::witness::{lagged, lagged_by};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Row, Run};
-use geneva_ledger::meyer::runs::table::rows;
+use geneva_documents::meyer::runs::table::rows;
 use std::sync::OnceLock;
 
 /// Peak, minimum and period of a row; none if a run comes to no end.

@@ -1,0 +1,22 @@
+//! In which unit a document prints which quantity: what a claim says that it is decides its unit.
+
+use crate::{Claim, Kind};
+
+/// Words for a quantity, as the meaning of a claim has them, and the unit in which the document prints it; empty for none.
+///
+/// The words that come first in a claim's meaning count, and the longer ones of two that begin in the same place.
+pub type QuantityUnit = (&'static str, &'static str);
+
+/// The unit of what a claim of a number is about; none if nothing is said of it.
+pub fn expected_unit(claim: &Claim) -> Option<QuantityUnit> {
+    let named = claim.document.units.iter().filter_map(|unit| Some((claim.meaning.find(unit.0)?, unit)));
+    named.min_by_key(|(at, (words, _))| (*at, usize::MAX - words.len())).map(|(_, unit)| *unit)
+}
+
+/// What is wrong with the unit of a claim, if something is.
+pub fn unit_fault(claim: &Claim) -> Option<String> {
+    let (words, unit) = expected_unit(claim).filter(|_| claim.kind == Kind::Value)?;
+    let named = |unit: &str| if unit.is_empty() { "no unit".to_owned() } else { format!("the unit {unit}") };
+    (claim.unit != unit)
+        .then(|| format!("it has {}, but the source prints \"{words}\" with {}", named(claim.unit), named(unit)))
+}
