@@ -1,11 +1,12 @@
 //! Questions that the chapters ask of mechanisms, each stated once, and numbers of the answers as a sentence says them.
 
 use crate::lookup::{claim, unknown};
-use crate::numbers::{fixed, significant};
 use anyhow::Context;
+use geneva_ask::escapement;
 use geneva_ask::number_format::no_greater;
 use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-use geneva_ask::{MechanismReport, ReportField, Rounding};
+use geneva_ask::{Error, MechanismReport, ReportField, Rounding};
+use geneva_press::numbers::{fixed, significant};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -102,13 +103,30 @@ pub fn design(name: &str) -> anyhow::Result<WheelDesign> {
 /// The field with this key of the answer to a question as it is typed behind `geneva`, or of its further fields. Each question is
 /// asked once.
 pub fn field(question: &str, key: &str) -> anyhow::Result<ReportField> {
+    field_of(question, key, || geneva_ask::answer(question), || geneva_ask::further(question))
+}
+
+/// A number of the answer about an escapement, or of its further fields. Each question is asked once.
+pub fn escapement_value(question: &escapement::EscapementQuestion, key: &str) -> anyhow::Result<f64> {
+    let (asked, design) = (format!("{question:?}"), || escapement::EscapementDesign::new(*question));
+    let field = field_of(&asked, key, || design()?.answer(), || design()?.further())?;
+    number_of(&field, &asked)
+}
+
+/// The field with this key of an answer or of further fields, for a question that is known by its characters.
+fn field_of(
+    question: &str,
+    key: &str,
+    answer: impl FnOnce() -> Result<MechanismReport, Error>,
+    further: impl FnOnce() -> Result<Vec<ReportField>, Error>,
+) -> anyhow::Result<ReportField> {
     static ANSWERS: Asked<MechanismReport> = Asked::new(BTreeMap::new());
     static FURTHER: Asked<Vec<ReportField>> = Asked::new(BTreeMap::new());
-    let answer = once(&ANSWERS, question, geneva_ask::answer)?;
+    let answer = once(&ANSWERS, question, answer)?;
     if let Some(field) = answer.field(key) {
         return Ok(field.clone());
     }
-    let further = once(&FURTHER, question, geneva_ask::further)?;
+    let further = once(&FURTHER, question, further)?;
     let known = || answer.fields().chain(further.iter());
     known().find(|field| field.key == key).cloned().ok_or_else(|| unknown("key", key, known().map(|field| field.key)))
 }
@@ -117,12 +135,12 @@ pub fn field(question: &str, key: &str) -> anyhow::Result<ReportField> {
 type Asked<T> = Mutex<BTreeMap<String, Arc<T>>>;
 
 /// What a question gives, found at the first time.
-fn once<T>(asked: &Asked<T>, question: &str, ask: fn(&str) -> Result<T, geneva_ask::Error>) -> anyhow::Result<Arc<T>> {
+fn once<T>(asked: &Asked<T>, question: &str, ask: impl FnOnce() -> Result<T, Error>) -> anyhow::Result<Arc<T>> {
     let known = || asked.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = known().get(question) {
         return Ok(Arc::clone(found));
     }
-    let found = Arc::new(ask(question).with_context(|| format!("`{question}`"))?);
+    let found = Arc::new(ask().with_context(|| format!("`{question}`"))?);
     known().insert(question.to_owned(), Arc::clone(&found));
     Ok(found)
 }

@@ -37,7 +37,6 @@ use geneva_figures::notation::NOTATION;
 use geneva_press::Book;
 use geneva_press::book::{Examples, NotationLetter};
 use geneva_press::pages::{generate_listings, generate_summary};
-use geneva_press::{html, numbers};
 
 /// This book.
 pub static BOOK: Book = Book {

@@ -2,7 +2,8 @@
 
 use crate::asked;
 use anyhow::Context;
-use geneva_case1973::{Column, Hypothesis, Row, Score, rows_with_least_friction};
+use geneva_ask::escapement::{EscapementQuestion, Further, UnitSystem};
+use geneva_case1973::{Hypothesis, Row, Score, rows_with_least_friction};
 use geneva_documents::meyer::runs::study::scores;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
@@ -10,24 +11,31 @@ use geneva_kinematics::Mechanism;
 /// Why a row has no such motion.
 pub const NONE: &str = "a run's data make no escapement";
 
-/// The question about the escapement of a row, as it is typed behind `geneva`.
-pub fn question(row: &Row) -> String {
-    let [driver, follower] = Hypothesis::IDEAL.inertias(row);
-    let (slots, friction, torque) = (row.mechanism.slots(), row.printed(Column::Friction), row.printed(Column::Torque));
-    format!(
-        "escapement --slots {slots} --friction {friction} --torque {torque} --driver-inertia {driver} \
-         --follower-inertia {follower} --units in-lb-s"
-    )
+/// The question about the escapement of a row.
+pub fn question(row: &Row) -> EscapementQuestion {
+    let [driver_inertia, follower_inertia] = Hypothesis::IDEAL.inertias(row);
+    EscapementQuestion {
+        slots: row.mechanism.slots(),
+        friction: row.friction(),
+        torque: row.torque(),
+        driver_inertia,
+        follower_inertia,
+        units: Some(UnitSystem::InLbS),
+        reset_deg: None,
+        further: Further::default(),
+    }
 }
 
 /// A number of the answer about a row.
 pub fn number(row: &Row, key: &str) -> anyhow::Result<f64> {
-    number_with(row, "", key)
+    asked::escapement_value(&question(row), key)
 }
 
-/// A number of the answer about a row, with further arguments or with others.
-pub fn number_with(row: &Row, arguments: &str, key: &str) -> anyhow::Result<f64> {
-    asked::value(&format!("{} {arguments}", question(row)), key)
+/// A number of the answer about a row whose question is changed.
+pub fn number_with(row: &Row, change: impl FnOnce(&mut EscapementQuestion), key: &str) -> anyhow::Result<f64> {
+    let mut question = question(row);
+    change(&mut question);
+    asked::escapement_value(&question, key)
 }
 
 /// A number of the answer about each row.
@@ -48,4 +56,24 @@ pub fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score<'static>>
 /// The row with the weakest spring, of rows by rising torque.
 pub fn weakest(rows: Option<&'static [Row]>) -> anyhow::Result<&'static Row> {
     rows.and_then(<[Row]>::first).context("no such run in the tables")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_case1973::Column;
+
+    #[test]
+    fn a_row_asks_what_its_printed_numbers_would_ask_at_the_command_line() {
+        for row in rows() {
+            let [driver, follower] = Hypothesis::IDEAL.inertias(row);
+            let typed = format!(
+                "--slots {} --friction {} --torque {} --driver-inertia {driver} --follower-inertia {follower} --units in-lb-s",
+                row.mechanism.slots(),
+                row.printed(Column::Friction),
+                row.printed(Column::Torque)
+            );
+            assert_eq!(question(row), EscapementQuestion::parse(&typed).expect("a question"));
+        }
+    }
 }

@@ -38,6 +38,15 @@ pub struct Further {
     pub joints: Option<Joints>,
 }
 
+impl Further {
+    /// The radii of the pin and of the journals of driver and follower, in crank radii, and the friction of the journals; nothing
+    /// else is asked.
+    pub fn with_joints([pin_radius, driver_journal, follower_journal, bearing_friction]: [f64; 4]) -> Self {
+        let joints = Joints { pin_radius, driver_journal, follower_journal, bearing_friction, ..Joints::IDEAL };
+        Self { joints: Some(joints), ..Self::default() }
+    }
+}
+
 /// Coherent systems of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitSystem {
@@ -101,13 +110,7 @@ impl EscapementQuestion {
         }
         let [friction, torque, driver, follower, reset_deg, crank_radius, play, set_friction, joints @ ..] = measures;
         let joints = joints.iter().any(Option::is_some).then(|| joints.map(Option::unwrap_or_default));
-        let joints = joints.map(|[pin_radius, driver_journal, follower_journal, bearing_friction]| Joints {
-            pin_radius,
-            driver_journal,
-            follower_journal,
-            bearing_friction,
-            ..Joints::IDEAL
-        });
+        let further = joints.map_or_else(Further::default, Further::with_joints);
         let needed = |name, value: Option<f64>| value.ok_or_else(|| refused!("--{name} is missing; give it"));
         Ok(Self {
             slots: slots.ok_or_else(|| refused!("--slots is missing; give it"))?,
@@ -117,7 +120,7 @@ impl EscapementQuestion {
             follower_inertia: needed("follower-inertia", follower)?,
             units,
             reset_deg,
-            further: Further { crank_radius, play, set_friction, joints },
+            further: Further { crank_radius, play, set_friction, ..further },
         })
     }
 }

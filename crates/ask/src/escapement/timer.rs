@@ -44,7 +44,7 @@ impl EscapementDesign {
     ///
     /// Why there is no steady state, a further argument that is impossible, and a reset angle, for no mechanism has another than its
     /// own.
-    pub(crate) fn further(&self) -> Result<Vec<ReportField>, Error> {
+    pub fn further(&self) -> Result<Vec<ReportField>, Error> {
         if self.question.reset_deg.is_some() {
             return Err(refused!("--reset-deg: further fields are of a real mechanism; leave it out"));
         }

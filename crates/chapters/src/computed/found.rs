@@ -1,134 +1,177 @@
 //! Of what proofreading found: how many chains were checked, how many flags a person confirmed, and with what precision.
 
-use super::Number;
+use super::kinds::{INTERVAL, TRIALS};
+use super::own_number::{Numbers, OwnNumber, RECORD};
+use super::second_routes::interval::score_interval;
 use crate::found::{
     Answer, Contact, Flag, Judgement, Run, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
 };
 
 /// The numbers of the page.
-pub const NUMBERS: &[(&str, Number)] = &[
-    ("found.formulas", || Ok(thousands(run("old")?.formulas))),
-    ("found.checkable", || Ok(thousands(run("old")?.checkable))),
-    ("found.checked", || Ok(thousands(run("old")?.checked))),
-    ("found.old.flags", || Ok(old()?.len().to_string())),
-    ("found.old.real", || Ok(real(&old()?).to_string())),
-    ("found.old.rounding", || Ok(of(&old()?, Judgement::Rounding).to_string())),
-    ("found.old.convention", || Ok(of(&old()?, Judgement::Convention).to_string())),
-    ("found.old.ours", || Ok(of(&old()?, Judgement::Ours).to_string())),
-    ("found.old.precision", || Ok(precision(real(&old()?), old()?.len()))),
-    ("found.new.flags", || Ok(new()?.len().to_string())),
-    ("found.new.real", || Ok(real(&new()?).to_string())),
-    ("found.new.places", || Ok(places(&new()?)?.to_string())),
-    ("found.new.checked", || Ok(thousands(run("new")?.checked))),
-    ("found.new.rate", || rate()),
-    ("found.new.units", || unit_misprints()),
-    ("found.new.hints", || hints(&new()?)),
-    ("found.hints", || hints_judged(|_| true)),
-    ("found.hints-right", || hints_judged(|right| right == Answer::Yes)),
-    ("found.errata", || Ok(errata()?.len().to_string())),
-    ("found.errata-found", || Ok(errata_found()?.to_string())),
-    ("found.recall", || Ok(precision(errata_found()?, errata()?.len()))),
-    ("found.errata-numbers", || errata_of("number")),
-    ("found.errata-units", || errata_of("unit")),
-    ("found.results", || planted(|of| [of.results])),
-    ("found.operands", || planted(|of| [of.operands])),
-    ("found.planted", || planted(|of| [of.results, of.operands])),
-    ("found.results-visible", || planted(|of| [of.results.visible()])),
-    ("found.operands-visible", || planted(|of| [of.operands.visible()])),
-    ("found.operands-invisible", invisible),
-    ("found.first.commas", || commas()),
-    ("found.second.agreed", || Ok(agreed(&round("second")?).to_string())),
-    ("found.third.texts", || texts("third")),
-    ("found.third.flags", || Ok(round("third")?.len().to_string())),
-    ("found.third.early", || {
-        let first: Vec<String> = of_run("third")?.into_iter().take(14).map(|run| run.text).collect();
-        Ok(round("third")?.iter().filter(|flag| first.contains(&flag.text)).count().to_string())
-    }),
-    ("found.third.real", || Ok(right(&round("third")?).to_string())),
-    ("found.third.precision", || share(&round("third")?)),
-    ("found.third.faults", || Ok(faults("third")?.to_string())),
-    ("found.third.with-fault", || with_fault("third")),
-    ("found.stop.texts", || Ok(until_stop()?.0.to_string())),
-    ("found.stop.english", || {
-        let mut flags = until_stop()?.1;
-        flags.retain(|flag| flag.text != "Solid state physics");
-        Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
-    }),
-    ("found.fourth.texts", || Ok(listed("fourth", ENOUGH)?.0.to_string())),
-    ("found.fourth.run", || texts("fourth")),
-    ("found.fourth.all", || all_of("fourth")),
-    ("found.fourth.commands", || Ok(because("fourth", "a command that isn't known")?.to_string())),
-    ("found.fifth.flags", || Ok(first_of("fifth")?.len().to_string())),
-    ("found.fifth.faults", || Ok(distinct(&first_of("fifth")?).to_string())),
-    ("found.fifth.cut", || {
-        Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count().to_string())
-    }),
-    ("found.sixth.faults", || Ok(faults("sixth")?.to_string())),
-    ("found.sixth.with-fault", || with_fault("sixth")),
-    ("found.sixth.rest", || rest("sixth")),
-    ("found.sixth.misread", || Ok(misread(&round("sixth")?).to_string())),
-    ("found.after.new", || {
-        let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
-        Ok(again
-            .iter()
-            .filter(|flag| flag.judgement == Judgement::Real && flag.after == Answer::Yes)
-            .count()
-            .to_string())
-    }),
-    ("found.aside.first", || kept("first")),
-    ("found.aside.second", || kept("second")),
-    ("found.aside.third", || kept("third")),
-    ("found.aside.fourth", || kept("fourth")),
-    ("found.aside.fifth", || kept("fifth")),
-    ("found.aside.all-real", || Ok(asked()?.len().to_string())),
-    ("found.aside.lost", || Ok(asked()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count().to_string())),
-    ("found.sums.signs", || Ok(thousands(sums()?.iter().map(|of| of.signs).sum()))),
-    ("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>().to_string())),
-    ("found.seventh.misread", || Ok(misread(&round("seventh")?).to_string())),
-    ("found.seventh.understood", || Ok(because("seventh", "kiloohms")?.to_string())),
-    ("found.seventh.rest", || rest("seventh")),
-    ("found.eighth.flags", || Ok(round("eighth")?.len().to_string())),
-    ("found.publisher.real", || confirmed(&round("publisher")?)),
-    ("found.publisher.misread", || Ok(misread(&round("publisher")?).to_string())),
-    ("found.publisher.faults", || Ok(faults("publisher")?.to_string())),
-    ("found.publisher.after", || after_repairs("publisher")),
-    ("found.ninth.second", || Ok(confirmed_again(&round("ninth")?).to_string())),
-    ("found.ninth.flags", || Ok(round("ninth")?.len().to_string())),
-    ("found.tenth.letters", || Ok(because("tenth", "einbein")?.to_string())),
-    ("found.eleventh.repeated", || {
-        let most = richest("eleventh")?;
-        let of_it = |flag: &Contact| most.as_ref().is_some_and(|most| flag.text == most.text);
-        let flags: Vec<Contact> = round("eleventh")?.into_iter().filter(of_it).collect();
-        Ok((flags.len() - right(&flags)).to_string())
-    }),
-    ("found.last", || confirmed(&last()?)),
-    ("found.last.flags", || Ok(last()?.len().to_string())),
-    ("found.last.second", || Ok(confirmed_again(&last()?).to_string())),
-    ("found.last.agreed", || Ok(agreed(&last()?).to_string())),
-    ("found.doubted", || confirmed(&with_doubts()?)),
-    ("found.doubted.faults", || Ok(distinct(&with_doubts()?).to_string())),
-    ("found.doubted.flags", || Ok(with_doubts()?.len().to_string())),
-    ("found.doubted.misread", || Ok(misread(&with_doubts()?).to_string())),
-];
+pub fn numbers() -> Vec<OwnNumber> {
+    let thousands = |id, run: fn() -> Numbers<u32>| OwnNumber::new(id, "{,}", RECORD, run);
+    vec![
+        thousands("found.formulas", || Ok(run("old")?.formulas)),
+        thousands("found.checkable", || Ok(run("old")?.checkable)),
+        thousands("found.checked", || Ok(run("old")?.checked)),
+        OwnNumber::count("found.old.flags", || Ok(old_flags()?.len())),
+        OwnNumber::count("found.old.real", || Ok(real_count(&old_flags()?))),
+        OwnNumber::count("found.old.rounding", || Ok(count_judged(&old_flags()?, Judgement::Rounding))),
+        OwnNumber::count("found.old.convention", || Ok(count_judged(&old_flags()?, Judgement::Convention))),
+        OwnNumber::count("found.old.ours", || Ok(count_judged(&old_flags()?, Judgement::Ours))),
+        share("found.old.precision", SHARE, || Ok([real_count(&old_flags()?), old_flags()?.len()])),
+        OwnNumber::count("found.new.flags", || Ok(new_flags()?.len())),
+        OwnNumber::count("found.new.real", || Ok(real_count(&new_flags()?))),
+        OwnNumber::count("found.new.places", || Ok(real_places(&new_flags()?)?)),
+        thousands("found.new.checked", || Ok(run("new")?.checked)),
+        share("found.new.rate", "{.1}&nbsp;% (95&nbsp;% interval {.1} to {.1}&nbsp;%)", || {
+            Ok([real_places(&new_flags()?)?, run("new")?.checked as usize])
+        }),
+        OwnNumber::count("found.new.units", || {
+            Ok(unit_flags()?.iter().filter(|flag| flag.judgement == Judgement::Real).count())
+        }),
+        OwnNumber::count("found.new.hints", || {
+            let hinted = |flag: &&Flag| flag.judgement == Judgement::Real && !flag.hint.is_empty();
+            Ok(new_flags()?.iter().filter(hinted).count())
+        }),
+        OwnNumber::count("found.hints", || Ok(hints_judged(|_| true)?)),
+        OwnNumber::count("found.hints-right", || Ok(hints_judged(|right| right == Answer::Yes)?)),
+        OwnNumber::count("found.errata", || Ok(errata()?.len())),
+        OwnNumber::count("found.errata-found", || Ok(errata_found()?)),
+        share("found.recall", SHARE, || Ok([errata_found()?, errata()?.len()])),
+        OwnNumber::new("found.errata-numbers", OF, RECORD, || Ok(errata_of("number")?)),
+        OwnNumber::new("found.errata-units", OF, RECORD, || Ok(errata_of("unit")?)),
+        noticed_share("found.results", |of| vec![of.results]),
+        noticed_share("found.operands", |of| vec![of.operands]),
+        noticed_share("found.planted", |of| vec![of.results, of.operands]),
+        noticed_share("found.results-visible", |of| vec![of.results.visible()]),
+        noticed_share("found.operands-visible", |of| vec![of.operands.visible()]),
+        OwnNumber::new("found.operands-invisible", "{.1}&nbsp;%", RECORD, || {
+            let of = errors()?.operands;
+            Ok(100.0 * f64::from(of.invisible) / f64::from(of.tried.max(1)))
+        }),
+        OwnNumber::count("found.first.commas", || Ok(count_because("first", "decimal comma")?)),
+        OwnNumber::count("found.second.agreed", || Ok(agreement_count(&round("second")?))),
+        OwnNumber::count("found.third.texts", || Ok(of_run("third")?.len())),
+        OwnNumber::count("found.third.flags", || Ok(round("third")?.len())),
+        OwnNumber::count("found.third.early", || {
+            let first: Vec<String> = of_run("third")?.into_iter().take(14).map(|run| run.text).collect();
+            Ok(round("third")?.iter().filter(|flag| first.contains(&flag.text)).count())
+        }),
+        OwnNumber::count("found.third.real", || Ok(confirmed_count(&round("third")?))),
+        share("found.third.precision", SHARE, || Ok(confirmed_of_all(&round("third")?))),
+        OwnNumber::count("found.third.faults", || Ok(round_fault_count("third")?)),
+        OwnNumber::count("found.third.with-fault", || Ok(count_texts_with_fault("third")?)),
+        OwnNumber::count("found.stop.texts", || Ok(until_stop()?.0)),
+        share("found.stop.english", COUNTED, || {
+            let mut flags = until_stop()?.1;
+            flags.retain(|flag| flag.text != "Solid state physics");
+            Ok(confirmed_of_all(&flags))
+        }),
+        OwnNumber::count("found.fourth.texts", || Ok(flags_until("fourth", ENOUGH)?.0)),
+        OwnNumber::count("found.fourth.run", || Ok(of_run("fourth")?.len())),
+        share("found.fourth.all", COUNTED, || Ok(confirmed_of_all(&round("fourth")?))),
+        OwnNumber::count("found.fourth.commands", || Ok(count_because("fourth", "a command that isn't known")?)),
+        OwnNumber::count("found.fifth.flags", || Ok(first_of("fifth")?.len())),
+        OwnNumber::count("found.fifth.faults", || Ok(fault_count(&first_of("fifth")?))),
+        OwnNumber::count("found.fifth.cut", || {
+            Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count())
+        }),
+        OwnNumber::count("found.sixth.faults", || Ok(round_fault_count("sixth")?)),
+        OwnNumber::count("found.sixth.with-fault", || Ok(count_texts_with_fault("sixth")?)),
+        share("found.sixth.rest", COUNTED, || counts_without_richest("sixth")),
+        OwnNumber::count("found.sixth.misread", || Ok(misread_count(&round("sixth")?))),
+        OwnNumber::count("found.after.new", || {
+            let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
+            let is_new = |flag: &&Contact| flag.judgement == Judgement::Real && flag.after == Answer::Yes;
+            Ok(again.iter().filter(is_new).count())
+        }),
+        kept_share("found.aside.first", "first"),
+        kept_share("found.aside.second", "second"),
+        kept_share("found.aside.third", "third"),
+        kept_share("found.aside.fourth", "fourth"),
+        kept_share("found.aside.fifth", "fifth"),
+        OwnNumber::count("found.aside.all-real", || Ok(real_flags_asked_about()?.len())),
+        OwnNumber::count("found.aside.lost", || {
+            Ok(real_flags_asked_about()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count())
+        }),
+        thousands("found.sums.signs", || Ok(sums()?.iter().map(|of| of.signs).sum())),
+        OwnNumber::count("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>())),
+        OwnNumber::count("found.seventh.misread", || Ok(misread_count(&round("seventh")?))),
+        OwnNumber::count("found.seventh.understood", || Ok(count_because("seventh", "kiloohms")?)),
+        share("found.seventh.rest", COUNTED, || counts_without_richest("seventh")),
+        OwnNumber::count("found.eighth.flags", || Ok(round("eighth")?.len())),
+        share("found.publisher.real", MARKED, || Ok(confirmed_of_all(&round("publisher")?))),
+        OwnNumber::count("found.publisher.misread", || Ok(misread_count(&round("publisher")?))),
+        OwnNumber::count("found.publisher.faults", || Ok(round_fault_count("publisher")?)),
+        OwnNumber::new("found.publisher.after", OF, RECORD, || {
+            Ok(confirmed_of_all(&flags_after_repairs("publisher")?))
+        }),
+        OwnNumber::count("found.ninth.second", || Ok(second_reader_count(&round("ninth")?))),
+        OwnNumber::count("found.ninth.flags", || Ok(round("ninth")?.len())),
+        OwnNumber::count("found.tenth.letters", || Ok(count_because("tenth", "einbein")?)),
+        OwnNumber::count("found.eleventh.repeated", || {
+            let most = richest("eleventh")?;
+            let of_it = |flag: &Contact| most.as_ref().is_some_and(|most| flag.text == most.text);
+            let flags: Vec<Contact> = round("eleventh")?.into_iter().filter(of_it).collect();
+            Ok(flags.len() - confirmed_count(&flags))
+        }),
+        share("found.last", MARKED, || Ok(confirmed_of_all(&last_rounds()?))),
+        OwnNumber::count("found.last.flags", || Ok(last_rounds()?.len())),
+        OwnNumber::count("found.last.second", || Ok(second_reader_count(&last_rounds()?))),
+        OwnNumber::count("found.last.agreed", || Ok(agreement_count(&last_rounds()?))),
+        share("found.doubted", MARKED, || Ok(confirmed_of_all(&rounds_with_doubts()?))),
+        OwnNumber::count("found.doubted.faults", || Ok(fault_count(&rounds_with_doubts()?))),
+        OwnNumber::count("found.doubted.flags", || Ok(rounds_with_doubts()?.len())),
+        OwnNumber::count("found.doubted.misread", || Ok(misread_count(&rounds_with_doubts()?))),
+    ]
+}
 
-fn old() -> anyhow::Result<Vec<Flag>> {
+/// A part of all.
+const OF: &str = "{.0} of {.0}";
+/// A share in per cent with its interval; with part and all before it, and with what they are.
+const SHARE: &str = "{.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
+const COUNTED: &str = "{.0} of {.0}, {.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
+const MARKED: &str = "{.0} of {.0} flags mark real errors: {.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
+
+/// The share of a part in all with its interval: by Wilson's formula, and by trying which shares the counts allow. A form with more
+/// than three holes shows the counts too.
+fn share(id: &'static str, form: &'static str, counts: fn() -> Numbers<[usize; 2]>) -> OwnNumber {
+    let is_counted = form.matches('{').count() > 3;
+    let numbers = move |interval: fn(usize, usize) -> [f64; 2]| -> Numbers {
+        let [part, all] = counts()?;
+        let before = if is_counted { vec![part as f64, all as f64] } else { Vec::new() };
+        Ok([before, vec![100.0 * part as f64 / all as f64], interval(part, all).to_vec()].concat())
+    };
+    let by_formula = |part, all| {
+        let [_, low, high] = percent(part, all);
+        [low, high]
+    };
+    OwnNumber::new(id, form, INTERVAL, move || numbers(by_formula)).with_second_route(
+        "how far its flags can be trusted",
+        TRIALS,
+        move || numbers(score_interval),
+    )
+}
+
+fn old_flags() -> anyhow::Result<Vec<Flag>> {
     Ok(flags()?.into_iter().filter(|flag| flag.flagged_old == Answer::Yes).collect())
 }
 
-fn new() -> anyhow::Result<Vec<Flag>> {
+fn new_flags() -> anyhow::Result<Vec<Flag>> {
     Ok(flags()?.into_iter().filter(|flag| flag.flagged_new == Answer::Yes).collect())
 }
 
-fn of(flags: &[Flag], judgement: Judgement) -> usize {
+fn count_judged(flags: &[Flag], judgement: Judgement) -> usize {
     flags.iter().filter(|flag| flag.judgement == judgement).count()
 }
 
-fn real(flags: &[Flag]) -> usize {
-    of(flags, Judgement::Real)
+fn real_count(flags: &[Flag]) -> usize {
+    count_judged(flags, Judgement::Real)
 }
 
 /// In how many elements there is a misprint on the number.
-fn places(flags: &[Flag]) -> anyhow::Result<usize> {
+fn real_places(flags: &[Flag]) -> anyhow::Result<usize> {
     let places: std::collections::BTreeSet<_> = flags
         .iter()
         .filter(|flag| flag.judgement == Judgement::Real)
@@ -137,44 +180,22 @@ fn places(flags: &[Flag]) -> anyhow::Result<usize> {
     Ok(places.len())
 }
 
-fn unit_misprints() -> anyhow::Result<String> {
-    Ok(unit_flags()?.iter().filter(|flag| flag.judgement == Judgement::Real).count().to_string())
-}
-
-/// How many misprints have a hint.
-fn hints(flags: &[Flag]) -> anyhow::Result<String> {
-    let with = flags.iter().filter(|flag| flag.judgement == Judgement::Real && !flag.hint.is_empty());
-    Ok(with.count().to_string())
-}
-
-/// The share of checked chains of the newest state that are wrong.
-fn rate() -> anyhow::Result<String> {
-    let (wrong, checked) = (places(&new()?)?, f64::from(run("new")?.checked));
-    let (low, high) = wilson(wrong, checked as usize);
-    Ok(format!(
-        "{:.1}&nbsp;% (95&nbsp;% interval {:.1} to {:.1}&nbsp;%)",
-        100.0 * wrong as f64 / checked,
-        100.0 * low,
-        100.0 * high
-    ))
-}
-
 fn errata_found() -> anyhow::Result<usize> {
     Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count())
 }
 
 /// How many hints of misprints in all texts are such.
-fn hints_judged(such: fn(Answer) -> bool) -> anyhow::Result<String> {
+fn hints_judged(such: fn(Answer) -> bool) -> anyhow::Result<usize> {
     let in_book = flags()?.into_iter().filter_map(|flag| flag.hint_right);
     let elsewhere = contacts()?.into_iter().filter_map(|flag| flag.hint_right);
-    Ok(in_book.chain(elsewhere).filter(|right| such(*right)).count().to_string())
+    Ok(in_book.chain(elsewhere).filter(|right| such(*right)).count())
 }
 
-/// How many of the errata of a kind the program finds.
-fn errata_of(kind: &str) -> anyhow::Result<String> {
+/// How many of the errata of a kind the program finds, and how many there are.
+fn errata_of(kind: &str) -> anyhow::Result<[usize; 2]> {
     let errata = errata()?;
-    let of = || errata.iter().filter(|erratum| erratum.kind == kind);
-    Ok(format!("{} of {}", of().filter(|erratum| erratum.found != "no").count(), of().count()))
+    let of_kind = || errata.iter().filter(|erratum| erratum.kind == kind);
+    Ok([of_kind().filter(|erratum| erratum.found != "no").count(), of_kind().count()])
 }
 
 /// A round of first contact as a row of the table: its name, texts and flags, the real errors with their share, the misreadings, and the real
@@ -182,15 +203,15 @@ fn errata_of(kind: &str) -> anyhow::Result<String> {
 pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
     let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
     let row = |words: &str, texts: usize, flags: &[Contact], after: &str| -> anyhow::Result<Vec<String>> {
-        let counts = [texts, flags.len(), right(flags)].map(|count| count.to_string());
+        let counts = [texts, flags.len(), confirmed_count(flags)].map(|count| count.to_string());
         Ok([
             vec![words.to_owned()],
             counts.to_vec(),
-            vec![briefly(right(flags), flags.len()), misread(flags).to_string(), after_repairs(after)?],
+            vec![briefly(confirmed_count(flags), flags.len()), misread_count(flags).to_string(), after_repairs(after)?],
         ]
         .concat())
     };
-    let (third, fourth) = (until_stop()?, listed("fourth", ENOUGH)?);
+    let (third, fourth) = (until_stop()?, flags_until("fourth", ENOUGH)?);
     let whole = |words: &str, name: &str| row(words, count(name)?, &round(name)?, name);
     Ok(vec![
         whole("first", "first")?,
@@ -209,27 +230,27 @@ pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
 }
 
 /// The flags of the rounds whose program knew the rule for doubts.
-fn with_doubts() -> anyhow::Result<Vec<Contact>> {
-    Ok([round("sixth")?, round("seventh")?, round("eighth")?, last()?].concat())
+fn rounds_with_doubts() -> anyhow::Result<Vec<Contact>> {
+    Ok([round("sixth")?, round("seventh")?, round("eighth")?, last_rounds()?].concat())
 }
 
 /// The flags of the last three rounds, which took one list of texts.
-fn last() -> anyhow::Result<Vec<Contact>> {
+fn last_rounds() -> anyhow::Result<Vec<Contact>> {
     Ok([round("ninth")?, round("tenth")?, round("eleventh")?].concat())
 }
 
-/// The confirmed flags among some, with their share.
-fn confirmed(flags: &[Contact]) -> anyhow::Result<String> {
-    Ok(format!("{} of {} flags mark real errors: {}", right(flags), flags.len(), share(flags)?))
+/// How many of some flags are confirmed, and how many there are.
+fn confirmed_of_all(flags: &[Contact]) -> [usize; 2] {
+    [confirmed_count(flags), flags.len()]
 }
 
 /// How many flags a second reader confirms.
-fn confirmed_again(flags: &[Contact]) -> usize {
+fn second_reader_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.second_judge == Some(Judgement::Real)).count()
 }
 
 /// How many of these flags are the program's own misreadings.
-fn misread(flags: &[Contact]) -> usize {
+fn misread_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.judgement == Judgement::Ours).count()
 }
 
@@ -239,7 +260,7 @@ fn round(name: &str) -> anyhow::Result<Vec<Contact>> {
 }
 
 /// The flags that the program raises after the repairs in the texts of a round.
-fn after(name: &str) -> anyhow::Result<Vec<Contact>> {
+fn flags_after_repairs(name: &str) -> anyhow::Result<Vec<Contact>> {
     let texts: Vec<String> = runs()?.into_iter().filter(|run| run.run == name).map(|run| run.text).collect();
     let such = |flag: &Contact| flag.after == Answer::Yes && texts.contains(&flag.text);
     Ok(contacts()?.into_iter().filter(such).collect())
@@ -254,7 +275,7 @@ const ENOUGH: usize = 40;
 
 /// The flags of a round in the order of its texts and files, up to the end of the file with the flag that makes them enough, and in how
 /// many texts they are.
-fn listed(name: &str, enough: usize) -> anyhow::Result<(usize, Vec<Contact>)> {
+fn flags_until(name: &str, enough: usize) -> anyhow::Result<(usize, Vec<Contact>)> {
     let all = round(name)?;
     let last = all.get(enough - 1).or(all.last()).cloned();
     let is_last = |flag: &&Contact| last.as_ref().is_some_and(|last| last.text == flag.text && last.file == flag.file);
@@ -269,14 +290,8 @@ fn first_of(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(round(name)?.into_iter().take(ENOUGH).collect())
 }
 
-/// The confirmed flags of a round among all, with their share.
-fn all_of(name: &str) -> anyhow::Result<String> {
-    let flags = round(name)?;
-    Ok(format!("{} of {}, {}", right(&flags), flags.len(), share(&flags)?))
-}
-
 /// How many flags of a round have such a reason.
-fn because(name: &str, reason: &str) -> anyhow::Result<usize> {
+fn count_because(name: &str, reason: &str) -> anyhow::Result<usize> {
     Ok(round(name)?.iter().filter(|flag| flag.why.contains(reason)).count())
 }
 
@@ -297,42 +312,40 @@ fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
 
 /// The confirmed flags among those that the program raises after the repairs in the texts of a round.
 fn after_repairs(name: &str) -> anyhow::Result<String> {
-    let flags = after(name)?;
-    Ok(format!("{} of {}", right(&flags), flags.len()))
+    let flags = flags_after_repairs(name)?;
+    Ok(format!("{} of {}", confirmed_count(&flags), flags.len()))
 }
 
 /// The confirmed flags of a round among those that the rule for doubts would have left, with their share.
-fn kept(name: &str) -> anyhow::Result<String> {
-    let flags: Vec<Contact> = round(name)?.into_iter().filter(|flag| flag.aside == Some(Answer::No)).collect();
-    let percent = 100.0 * right(&flags) as f64 / flags.len().max(1) as f64;
-    Ok(format!("{} of {} ({percent:.0}&nbsp;%)", right(&flags), flags.len()))
+fn kept_share(id: &'static str, name: &'static str) -> OwnNumber {
+    OwnNumber::new(id, "{.0} of {.0} ({.0}&nbsp;%)", RECORD, move || {
+        let flags: Vec<Contact> = round(name)?.into_iter().filter(|flag| flag.aside == Some(Answer::No)).collect();
+        let [part, all] = confirmed_of_all(&flags).map(|count| count as f64);
+        Ok([part, all, 100.0 * part / all.max(1.0)])
+    })
 }
 
 /// The real errors among the flags for which it is known whether the rule for doubts would have set them aside.
-fn asked() -> anyhow::Result<Vec<Contact>> {
+fn real_flags_asked_about() -> anyhow::Result<Vec<Contact>> {
     Ok(contacts()?.into_iter().filter(|flag| flag.aside.is_some() && flag.judgement == Judgement::Real).collect())
 }
 
-fn share(flags: &[Contact]) -> anyhow::Result<String> {
-    Ok(precision(right(flags), flags.len()))
-}
-
 /// How many faults of the texts the confirmed flags of a round come from.
-fn faults(name: &str) -> anyhow::Result<usize> {
-    Ok(distinct(&round(name)?))
+fn round_fault_count(name: &str) -> anyhow::Result<usize> {
+    Ok(fault_count(&round(name)?))
 }
 
 /// How many faults of the texts these flags come from.
-fn distinct(flags: &[Contact]) -> usize {
+fn fault_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.judgement == Judgement::Real && flag.repeats == Answer::No).count()
 }
 
 /// In how many texts of a round at least one flag was confirmed.
-fn with_fault(name: &str) -> anyhow::Result<String> {
+fn count_texts_with_fault(name: &str) -> anyhow::Result<usize> {
     let flags = round(name)?;
     let texts: std::collections::BTreeSet<&str> =
         flags.iter().filter(|flag| flag.judgement == Judgement::Real).map(|flag| flag.text.as_str()).collect();
-    Ok(texts.len().to_string())
+    Ok(texts.len())
 }
 
 /// The run with the most flags of a round.
@@ -341,29 +354,20 @@ fn richest(name: &str) -> anyhow::Result<Option<Run>> {
 }
 
 /// The confirmed flags of a round among all, without the text that has the most flags.
-fn rest(name: &str) -> anyhow::Result<String> {
+fn counts_without_richest(name: &str) -> Numbers<[usize; 2]> {
     let mut flags = round(name)?;
     let most = richest(name)?;
     flags.retain(|flag| most.as_ref().is_none_or(|most| flag.text != most.text));
-    Ok(format!("{} of {}, {}", right(&flags), flags.len(), precision(right(&flags), flags.len())))
+    Ok(confirmed_of_all(&flags))
 }
 
 /// On how many flags two readers agree.
-fn agreed(flags: &[Contact]) -> usize {
+fn agreement_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.second_judge == Some(flag.judgement)).count()
 }
 
-fn right(flags: &[Contact]) -> usize {
+fn confirmed_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.judgement == Judgement::Real).count()
-}
-
-fn texts(round: &str) -> anyhow::Result<String> {
-    Ok(runs()?.iter().filter(|run| run.run == round).count().to_string())
-}
-
-/// How many flags of the first round come from the decimal comma.
-fn commas() -> anyhow::Result<String> {
-    Ok(round("first")?.iter().filter(|flag| flag.why.contains("decimal comma")).count().to_string())
 }
 
 /// A share and the ends of its 95 % interval, in per cent.
@@ -376,12 +380,6 @@ fn percent(part: usize, all: usize) -> [f64; 3] {
 fn briefly(part: usize, all: usize) -> String {
     let [share, low, high] = percent(part, all);
     format!("{share:.0}&nbsp;% ({low:.0} to&nbsp;{high:.0})")
-}
-
-/// A share in per cent with its interval.
-fn precision(part: usize, all: usize) -> String {
-    let [share, low, high] = percent(part, all);
-    format!("{share:.0}&nbsp;% (95&nbsp;% interval {low:.0} to {high:.0}&nbsp;%)")
 }
 
 /// Errors that were planted in one kind of number.
@@ -419,24 +417,14 @@ fn errors() -> anyhow::Result<Errors> {
     })
 }
 
-/// The share of planted errors that were noticed, in per cent.
-fn planted<const N: usize>(of: fn(&Errors) -> [Planted; N]) -> anyhow::Result<String> {
-    let kinds = of(&errors()?);
-    let sum = |what: fn(&Planted) -> u32| kinds.iter().map(what).sum::<u32>();
-    let (tried, noticed) = (sum(|of| of.tried), sum(|of| of.noticed));
-    let share = 100.0 * f64::from(noticed) / f64::from(tried.max(1));
-    Ok(format!("{} of {} ({share:.1}&nbsp;%)", thousands(noticed), thousands(tried)))
-}
-
-/// The share of changed operands that don't change the result in its printed digits.
-fn invisible() -> anyhow::Result<String> {
-    let of = errors()?.operands;
-    Ok(format!("{:.1}&nbsp;%", 100.0 * f64::from(of.invisible) / f64::from(of.tried.max(1))))
-}
-
-/// An integer with a comma between thousands.
-fn thousands(number: u32) -> String {
-    if number < 1000 { number.to_string() } else { format!("{},{:03}", number / 1000, number % 1000) }
+/// The planted errors that were noticed among all, with their share in per cent.
+fn noticed_share(id: &'static str, of: fn(&Errors) -> Vec<Planted>) -> OwnNumber {
+    OwnNumber::new(id, "{,} of {,} ({.1}&nbsp;%)", RECORD, move || {
+        let kinds = of(&errors()?);
+        let sum = |what: fn(&Planted) -> u32| f64::from(kinds.iter().map(what).sum::<u32>());
+        let (tried, noticed) = (sum(|of| of.tried), sum(|of| of.noticed));
+        Ok([noticed, tried, 100.0 * noticed / tried.max(1.0)])
+    })
 }
 
 #[cfg(test)]
@@ -446,9 +434,9 @@ mod tests {
     #[test]
     fn the_proofreaders_readme_says_how_reliable_it_is() {
         let readme = include_str!("../../../proofread/README.md").split_whitespace().collect::<Vec<_>>().join(" ");
-        let (flags, old) = (with_doubts().expect("flags"), old().expect("flags"));
-        let [share, known] =
-            [(right(&flags), flags.len()), (real(&old), old.len())].map(|(part, all)| percent(part, all)[0]);
+        let (flags, old) = (rounds_with_doubts().expect("flags"), old_flags().expect("flags"));
+        let [share, known] = [(confirmed_count(&flags), flags.len()), (real_count(&old), old.len())]
+            .map(|(part, all)| percent(part, all)[0]);
         let errors = errors().expect("planted errors");
         let [tried, noticed] =
             [errors.results.tried + errors.operands.tried, errors.results.noticed + errors.operands.noticed];

@@ -1,33 +1,46 @@
 //! Of the chapter on making a wheel: what no answer has.
 
-use super::{Number, least};
+use super::kinds::{FORMULA, OUTLINES, PROPORTION, SEARCH, STANDARD};
+use super::least;
+use super::own_number::{Numbers, OwnNumber};
+use super::second_routes::outline::Cut;
 use crate::asked::design;
-use crate::numbers::{fixed, significant};
 use anyhow::Context;
 use geneva_figures::stations;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel, play_of_h8_e8};
 
 /// The numbers of the chapter that are of no answer.
-pub const NUMBERS: &[(&str, Number)] = &[
-    ("making.bite", || Ok(with_unit(-least_gap(1)?))),
-    ("making.passes", || Ok(with_unit(least_gap(2)?))),
-    ("making.fit-3", || Ok(fit(3.0, 6.0))),
-    ("making.fit-6", || Ok(fit(6.0, 10.0))),
-    ("making.fit-10", || Ok(fit(10.0, 18.0))),
-    ("making.fit-18", || Ok(fit(18.0, 30.0))),
-    ("making.fit-radius-4", || Ok(in_fit(4)?.0)),
-    ("making.fit-pin-4", || Ok(in_fit(4)?.1)),
-    ("making.fit-radius-5", || Ok(in_fit(5)?.0)),
-    ("making.fit-pin-5", || Ok(in_fit(5)?.1)),
-    ("making.fit-radius-6", || Ok(in_fit(6)?.0)),
-    ("making.fit-pin-6", || Ok(in_fit(6)?.1)),
-    ("making.fit-radius-8", || Ok(in_fit(8)?.0)),
-    ("making.fit-pin-8", || Ok(in_fit(8)?.1)),
-    ("making.fit-radius-10", || Ok(in_fit(10)?.0)),
-    ("making.fit-pin-10", || Ok(in_fit(10)?.1)),
-    ("making.fit-radius-12", || Ok(in_fit(12)?.0)),
-    ("making.fit-pin-12", || Ok(in_fit(12)?.1)),
-];
+pub fn numbers() -> Vec<OwnNumber> {
+    vec![
+        OwnNumber::new("making.bite", "{2}&nbsp;mm", OUTLINES, || Ok(-least_gap(1)?)).with_second_route(
+            "an arc about the wheel's axis bites",
+            OUTLINES,
+            || Ok(-least_gap_by_places(true)?),
+        ),
+        OwnNumber::new("making.passes", "{2}&nbsp;mm", OUTLINES, || Ok(least_gap(2)?)).with_second_route(
+            "the crescent lets the horn pass",
+            OUTLINES,
+            || Ok(least_gap_by_places(false)?),
+        ),
+        fit("making.fit-3", 0),
+        fit("making.fit-6", 1),
+        fit("making.fit-10", 2),
+        fit("making.fit-18", 3),
+        in_fit("making.fit-radius-4", "{.0}&nbsp;mm", 4, 0),
+        in_fit("making.fit-pin-4", "{.1}&nbsp;mm", 4, 1),
+        in_fit("making.fit-radius-5", "{.0}&nbsp;mm", 5, 0),
+        in_fit("making.fit-pin-5", "{.1}&nbsp;mm", 5, 1),
+        in_fit("making.fit-radius-6", "{.0}&nbsp;mm", 6, 0),
+        in_fit("making.fit-pin-6", "{.1}&nbsp;mm", 6, 1),
+        in_fit("making.fit-radius-8", "{.0}&nbsp;mm", 8, 0),
+        in_fit("making.fit-pin-8", "{.1}&nbsp;mm", 8, 1),
+        in_fit("making.fit-radius-10", "{.0}&nbsp;mm", 10, 0),
+        in_fit("making.fit-pin-10", "{.1}&nbsp;mm", 10, 1),
+        in_fit("making.fit-radius-12", "{.0}&nbsp;mm", 12, 0),
+        in_fit("making.fit-pin-12", "{.1}&nbsp;mm", 12, 1),
+    ]
+}
 
 fn sizes_of(question: &str) -> anyhow::Result<Sizes> {
     design(question)?.sizes.context("a size")
@@ -44,22 +57,60 @@ fn least_gap(column: usize) -> anyhow::Result<f64> {
     Ok(least(&figure.series.rows.iter().map(|row| row[column]).collect::<Vec<_>>()))
 }
 
-fn with_unit(length: f64) -> String {
-    format!("{}&nbsp;mm", significant(length, 2))
+/// The least gap in mm between a horn's tip and the locking disc, place by place: with the cut of the drawing, or with an
+/// arc about the wheel's axis in mid-index.
+fn least_gap_by_places(about_axis: bool) -> anyhow::Result<f64> {
+    let sizes = sizes()?;
+    let disc = sizes.locking_disc.context("a disc")?;
+    let (centre, radius) = if about_axis {
+        (sizes.centre_distance, sizes.tip_radius + sizes.play.locking / 2.0)
+    } else {
+        (disc.crescent.centre, disc.crescent.radius)
+    };
+    let cut = Cut {
+        slots: f64::from(sizes.wheel.stations()),
+        centre_distance: sizes.centre_distance,
+        crank_radius: sizes.crank_radius,
+        rim: sizes.tip_radius,
+        arc: sizes.locking_arc_radius,
+        disc: disc.radius,
+        centre,
+        radius,
+    };
+    Ok(cut.least_gap())
 }
 
-/// Least and greatest play of a fit for diameters over one and up to another number of millimetres.
-fn fit(over: f64, up_to: f64) -> String {
-    let [least, most] = play_of_h8_e8(over, up_to).map(|play| fixed(play, 3));
-    format!("{least} to {most}&nbsp;mm")
+/// Ranges of diameters in millimetres, each over one and up to another number, with the least play of the fit H8/e8 and the
+/// tolerance of hole and of shaft in micrometres, as the tables of ISO 286 have them.
+const FITS: [([f64; 2], u32, u32); 4] =
+    [([3.0, 6.0], 20, 18), ([6.0, 10.0], 25, 22), ([10.0, 18.0], 32, 27), ([18.0, 30.0], 40, 33)];
+
+/// Least and greatest play of a fit in millimetres, by the standard's table.
+fn tabulated((_, play, tolerance): ([f64; 2], u32, u32)) -> [f64; 2] {
+    [play, play + 2 * tolerance].map(|micrometres| f64::from(micrometres) / 1000.0)
 }
 
-/// The crank radius in whole millimetres up to which the program's play is no more than that of the fit, and the pin's diameter there.
-fn in_fit(stations: u32) -> anyhow::Result<(String, String)> {
-    let [radius, pin] = last_in_fit(stations)?;
-    Ok((format!("{}&nbsp;mm", fixed(radius, 0)), format!("{}&nbsp;mm", fixed(pin, 1))))
+/// Least and greatest play of a fit for a range of diameters.
+fn fit(id: &'static str, range: usize) -> OwnNumber {
+    let [over, up_to] = FITS[range].0;
+    OwnNumber::new(id, "{.3} to {.3}&nbsp;mm", FORMULA, move || Ok(play_of_h8_e8(over, up_to))).with_second_route(
+        "so much play is usual",
+        STANDARD,
+        move || Ok(tabulated(FITS[range])),
+    )
 }
 
+/// The crank radius in whole millimetres up to which the program's play is no more than that of the fit, or the pin's diameter
+/// there.
+fn in_fit(id: &'static str, form: &'static str, stations: u32, which: usize) -> OwnNumber {
+    OwnNumber::new(id, form, SEARCH, move || Ok(last_in_fit(stations)?[which])).with_second_route(
+        "up to there the program's play is usual",
+        PROPORTION,
+        move || Ok(last_in_fit_by_proportion(stations)?[which]),
+    )
+}
+
+/// The last radius and the pin there, tenth by tenth of a millimetre.
 fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
     let wheel = Wheel::new(stations)?;
     let of = |radius: f64| Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default());
@@ -71,13 +122,28 @@ fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
     Ok([radius, of(radius)?.pin_diameter])
 }
 
+/// The last radius and the pin there: pin and play are in proportion to the crank radius, so in each range of the standard there is
+/// one radius from which on the play is too great.
+fn last_in_fit_by_proportion(stations: u32) -> Numbers<[f64; 2]> {
+    const SIZE: f64 = 1000.0;
+    let sizes = Sizes::new(Wheel::new(stations)?, Scale::CrankRadius(SIZE), &Choices::default())?;
+    let (pin, play) = (sizes.pin_diameter / SIZE, sizes.play.slot / SIZE);
+    let too_loose = FITS.into_iter().filter_map(|fit| {
+        let ([over, up_to], [_, most]) = (fit.0, tabulated(fit));
+        let from = (over / pin).max(most / play);
+        (from < up_to / pin).then_some(from)
+    });
+    // Up to there it is no more than the fit's; a little is left to rounding.
+    let radius = (too_loose.fold(f64::INFINITY, f64::min) + 1e-9).floor();
+    Ok([radius, pin * radius])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::asked::{question, value};
     use geneva_ask::ReportField;
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-    use geneva_kinematics::indexing::Indexing;
     use geneva_kinematics::wheel::{EntryContact, Play};
     use geneva_live::LiveArguments;
 

@@ -1,6 +1,6 @@
 //! Of how it is checked: the equations that are read, the misprints that were made, and what readings overturned.
 
-use super::Number;
+use super::own_number::OwnNumber;
 use crate::lookup::of_documents;
 use crate::tables::readings::{READINGS, SENTENCES};
 use anyhow::Context;
@@ -14,32 +14,39 @@ const MISPRINTS: &str = include_str!("../../../../book/records/misprints.csv");
 const MISPRINTS_OF_WRONG: &str = include_str!("../../../../book/records/misprints-of-wrong.csv");
 
 /// The numbers of the page.
-pub const NUMBERS: &[(&str, Number)] = &[
-    ("method.misprints.refuted", || misprints("refuted")),
-    ("method.misprints.refuted-by-both", || misprints("refuted-by-both")),
-    ("method.misprints.unreadable", || misprints("unreadable")),
-    ("method.misprints.harmless", || misprints("harmless")),
-    ("method.misprints.of-wrong", || misprints("noticed")),
-    ("method.misprints.at-the-slip", || misprints("at-the-slip")),
-    ("method.equations", || Ok(equations().to_string())),
-    ("method.same-kind", || Ok(of_one_kind(|_| true).to_string())),
-    ("method.readings.last", || Ok(last()?.0.to_string())),
-    ("method.readings.last-of", || Ok(last()?.1.to_string())),
-    ("method.readings.last-part", || Ok(one_in(last()?))),
-    ("method.readings.last-sentences", || Ok(last()?.2.to_string())),
-    ("method.readings.eighth-sentences", || {
-        let sentences = READINGS.get(7).and_then(|reading| reading.sentences);
-        Ok(sentences.context("the eighth reading counted sentences")?.to_string())
-    }),
-    ("method.readings.again", || Ok(again().to_string())),
-];
+pub fn numbers() -> Vec<OwnNumber> {
+    vec![
+        misprinted("method.misprints.refuted", "refuted"),
+        misprinted("method.misprints.refuted-by-both", "refuted-by-both"),
+        misprinted("method.misprints.unreadable", "unreadable"),
+        misprinted("method.misprints.harmless", "harmless"),
+        misprinted("method.misprints.of-wrong", "noticed"),
+        misprinted("method.misprints.at-the-slip", "at-the-slip"),
+        OwnNumber::count("method.equations", || Ok(equations())),
+        OwnNumber::count("method.same-kind", || Ok(of_one_kind(|_| true))),
+        OwnNumber::count("method.readings.last", || Ok(last()?.0)),
+        OwnNumber::count("method.readings.last-of", || Ok(last()?.1)),
+        OwnNumber::count("method.readings.last-part", || Ok(one_in(last()?))),
+        OwnNumber::count("method.readings.last-sentences", || Ok(last()?.2)),
+        OwnNumber::count("method.readings.eighth-sentences", || {
+            let sentences = READINGS.get(7).and_then(|reading| reading.sentences);
+            Ok(sentences.context("the eighth reading counted sentences")?)
+        }),
+        OwnNumber::count("method.readings.again", || Ok(again())),
+    ]
+}
 
 /// A number of the records of misprints.
-fn misprints(name: &str) -> anyhow::Result<String> {
+fn misprinted(id: &'static str, line: &'static str) -> OwnNumber {
+    OwnNumber::count(id, move || Ok(misprints(line)?))
+}
+
+/// A number of the records of misprints.
+fn misprints(name: &str) -> anyhow::Result<usize> {
     let lines =
         [MISPRINTS, MISPRINTS_OF_WRONG].into_iter().flat_map(str::lines).filter_map(|line| line.split_once(','));
-    let found = lines.into_iter().find_map(|(known, number)| (known == name).then(|| number.to_owned()));
-    found.with_context(|| format!("the record of misprints has no line `{name}`"))
+    let found = lines.into_iter().find_map(|(known, number)| (known == name).then_some(number));
+    Ok(found.with_context(|| format!("the record of misprints has no line `{name}`"))?.parse()?)
 }
 
 /// How many equations of all sources are checked: both routes of each read its characters.
@@ -70,8 +77,8 @@ fn last() -> anyhow::Result<(usize, usize, usize)> {
 }
 
 /// A part as one in so many.
-fn one_in((part, all, _): (usize, usize, usize)) -> String {
-    (all as f64 / part.max(1) as f64).round().to_string()
+fn one_in((part, all, _): (usize, usize, usize)) -> f64 {
+    (all as f64 / part.max(1) as f64).round()
 }
 
 /// How many claims more than one reading has overturned.
@@ -90,7 +97,7 @@ mod tests {
     #[test]
     fn the_record_of_misprints_has_its_lines() {
         for name in ["refuted", "refuted-by-both", "unreadable", "harmless", "noticed", "at-the-slip"] {
-            assert!(misprints(name).expect("a line").parse::<usize>().is_ok_and(|number| number > 0), "{name}");
+            assert!(misprints(name).expect("a line") > 0, "{name}");
         }
         assert!(misprints("made up").is_err());
         // What else is of one kind would have to be said.

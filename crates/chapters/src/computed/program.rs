@@ -1,7 +1,13 @@
 //! Of the program: what it gives of the thesis's tables, and what its reset after a quarter of a turn does to six and to
 //! three pins.
 
-use super::Number;
+use super::Phrase;
+use super::kinds::{FORMULA, PRINTOUT, PROGRAM, QUADRATURE, VECTORS};
+use super::own_number::{Form, Numbers, OwnNumber};
+use super::second_routes::NEWTON;
+use super::second_routes::contact::ContactModel;
+use super::second_routes::printed_rows::{count_near, rows_with_listed_lag};
+use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::deck::{deck, listed_settings, longer_than_delay, turned_when_backwards};
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
@@ -11,47 +17,53 @@ use geneva_kinematics::Mechanism;
 use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 
 /// The numbers of the chapter on the program.
-pub const NUMBERS: &[(&str, Number)] = &[
-    ("program.statements", || Ok(own()?.execution_order().len().to_string())),
-    ("program.needless", || {
-        Ok(own()?.execution_order().iter().filter(|statement| statement.is_dead).count().to_string())
-    }),
-    ("program.loop", || loop_without_delay(OLD_ACCELERATION)),
-    ("program.four-pin.runs", || Ok(rows_with(true).count().to_string())),
-    ("program.four-pin.minima", || of_own_reset(true, Column::Minimum)),
-    ("program.four-pin.periods", || of_own_reset(true, Column::Period)),
-    ("program.four-pin.peaks", || of_own_reset(true, Column::Peak)),
-    ("program.other-pins.runs", || Ok(rows_with(false).count().to_string())),
-    ("program.other-pins.minima", || of_own_reset(false, Column::Minimum)),
-    ("program.other-pins.periods", || of_own_reset(false, Column::Period)),
-    ("program.other-pins.peaks", || of_own_reset(false, Column::Peak)),
-    ("program.no-delay.minima", || without_delay(Column::Minimum)),
-    ("program.no-delay.periods", || without_delay(Column::Period)),
-    ("program.no-delay.peaks", || without_delay(Column::Peak)),
-    ("program.long-steps", long_steps),
-    ("program.backwards-after", || {
-        let row = rows().first().context("there is no run")?;
-        let turned =
-            turned_when_backwards(row, &listed_settings(&listing())).context("the follower never runs backwards")?;
-        Ok(super::degrees(turned))
-    }),
-    ("program.three-at-the-reset", || Ok(format!("{:.2}", listing().velocity_ratio_at_reset(Mechanism::THREE_PIN)))),
-    ("program.six-at-the-reset", || Ok(format!("{:.2}", -listing().velocity_ratio_at_reset(Mechanism::SIX_PIN)))),
-];
+pub fn numbers() -> Vec<OwnNumber> {
+    vec![
+        OwnNumber::count("program.statements", || Ok(own_deck_program()?.execution_order().len())),
+        OwnNumber::count("program.needless", || {
+            Ok(own_deck_program()?.execution_order().iter().filter(|statement| statement.is_dead).count())
+        }),
+        OwnNumber::count("program.four-pin.runs", || Ok(rows_with(true).count())),
+        count_with_own_reset("program.four-pin.minima", true, Column::Minimum),
+        count_with_own_reset("program.four-pin.periods", true, Column::Period),
+        count_with_own_reset("program.four-pin.peaks", true, Column::Peak),
+        OwnNumber::count("program.other-pins.runs", || Ok(rows_with(false).count())),
+        count_with_own_reset("program.other-pins.minima", false, Column::Minimum),
+        count_with_own_reset("program.other-pins.periods", false, Column::Period),
+        count_with_own_reset("program.other-pins.peaks", false, Column::Peak),
+        count_without_delay("program.no-delay.minima", Column::Minimum),
+        count_without_delay("program.no-delay.periods", Column::Period),
+        count_without_delay("program.no-delay.peaks", Column::Peak),
+        OwnNumber::new("program.long-steps", Form::Range("{.0}", "&nbsp;%"), PROGRAM, || {
+            let parts = longer_than_delay(rows()).context("the escapement's deck does not run")?;
+            Ok(parts.iter().map(|part| 100.0 * part).collect::<Vec<_>>())
+        }),
+        OwnNumber::new("program.backwards-after", "{.1}°", PRINTOUT, || {
+            let row = rows().first().context("there is no run")?;
+            let turned = turned_when_backwards(row, &listed_settings(&listing()));
+            Ok(turned.context("the follower never runs backwards")?.to_degrees())
+        })
+        .with_second_route("the follower runs backwards", PRINTOUT, || {
+            // By the program translated by hand, which knows nothing of decks.
+            let row = rows().first().context("there is no run")?;
+            let lines = Hypothesis::AS_RUN.printout(row).context(NONE)?.lines;
+            let backwards = lines.iter().find(|line| line.follower_speed < 0.0);
+            Ok(backwards.context("the follower never runs backwards")?.turned.to_degrees())
+        }),
+        ratio_at_the_reset("program.three-at-the-reset", Mechanism::THREE_PIN, "the follower is still turning", 1.0),
+        ratio_at_the_reset("program.six-at-the-reset", Mechanism::SIX_PIN, "the follower runs backwards", -1.0),
+    ]
+}
+
+/// The names of the loop.
+pub const WORDS: &[(&str, Phrase)] = &[("program.loop", || loop_without_delay(OLD_ACCELERATION))];
 
 /// The old acceleration in the escapement's deck.
 const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";
 
 /// The escapement's deck as it stands.
-fn own() -> anyhow::Result<Program> {
+fn own_deck_program() -> Numbers<Program> {
     Ok(Program::new(&deck(&[]).context("there is no such deck")?)?)
-}
-
-/// What part of the steps is longer than the delay, from the least to the greatest of all runs of the deck with the
-/// thesis's numbers, in per cent.
-fn long_steps() -> anyhow::Result<String> {
-    let parts = longer_than_delay(rows()).context("the escapement's deck does not run")?;
-    Ok(format!("{:.0} to {:.0}&nbsp;%", 100.0 * super::least(&parts), 100.0 * super::most(&parts)))
 }
 
 /// The names in the circle that the deck has without its delay.
@@ -71,22 +83,46 @@ fn rows_with(four_pins: bool) -> impl Iterator<Item = &'static Row> {
 }
 
 /// In how many rows a column comes within one unit of the last printed place.
-fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Run>)>) -> String {
+fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Run>)>) -> usize {
     let is_near = |row: &Row, run: &Run| column.is_within_one(row.number(column), run.number(column));
-    runs.filter(|(row, run)| run.as_ref().is_some_and(|run| is_near(row, run))).count().to_string()
+    runs.filter(|(row, run)| run.as_ref().is_some_and(|run| is_near(row, run))).count()
 }
 
-/// By the deck as it stands: each mechanism's own angle from pin to pin.
-fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
-    let runs = by_deck(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
-    let of_these = |(row, _): &(&Row, Option<Run>)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins;
-    Ok(within_one(column, rows().iter().zip(runs.iter().copied().map(Some)).filter(of_these)))
+/// Reproduced rows by the deck as it stands: each mechanism's own angle from pin to pin.
+fn count_with_own_reset(id: &'static str, four_pins: bool, column: Column) -> OwnNumber {
+    const OWN_RESET: Hypothesis =
+        Hypothesis { reset: Reset::OfTheMechanism, constants: Constants::Exact, ..Hypothesis::AS_RUN };
+    OwnNumber::new(id, "{.0}", PROGRAM, move || {
+        let runs = by_deck(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
+        let all = rows().iter().zip(runs.iter().copied().map(Some));
+        Ok(within_one(column, all.filter(|(row, _)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins)))
+    })
+    .with_second_route("the right card explains four pins only", NEWTON, move || {
+        let all = rows_with_listed_lag(OWN_RESET);
+        Ok(count_near(all.filter(|(row, _)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins), &[column]))
+    })
 }
 
-/// By the program translated by hand, with the sign of the acceleration itself.
-fn without_delay(column: Column) -> anyhow::Result<String> {
+/// Reproduced rows by the program translated by hand, with the sign of the acceleration itself.
+fn count_without_delay(id: &'static str, column: Column) -> OwnNumber {
     let hypothesis = Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG };
-    Ok(within_one(column, rows().iter().map(|row| (row, hypothesis.run(row)))))
+    OwnNumber::new(id, "{.0}", PROGRAM, move || {
+        Ok(within_one(column, rows().iter().map(|row| (row, hypothesis.run(row)))))
+    })
+    // The listed π changes no such count.
+    .with_second_route("the delay was not necessary", QUADRATURE, move || {
+        Ok(count_near(rows().iter().map(|row| (row, Hypothesis::WITHOUT_LAG.results(row))), &[column]))
+    })
+}
+
+/// The follower's speed over the driver's where the program lets go of the pin, times a sign.
+fn ratio_at_the_reset(id: &'static str, mechanism: Mechanism, conclusion: &'static str, sign: f64) -> OwnNumber {
+    OwnNumber::new(id, "{.2}", FORMULA, move || Ok(sign * listing().velocity_ratio_at_reset(mechanism)))
+        .with_second_route(conclusion, VECTORS, move || {
+            let row = rows().iter().find(|row| row.mechanism == mechanism).context(NONE)?;
+            let model = ContactModel::of_row(row);
+            Ok(sign * model.stance(listing().reset - model.half).ratio)
+        })
 }
 
 #[cfg(test)]

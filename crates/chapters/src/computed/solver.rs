@@ -1,20 +1,23 @@
 //! Of the chapter on the solver: what it takes, from the record.
 
-use super::{Number, least, most};
+use super::own_number::{Numbers, OwnNumber, RECORD};
+use super::{least, most};
 use crate::measurements::{Measurement, integrators};
-use crate::numbers::significant;
 use anyhow::Context;
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, Number)] = &[
-    ("solver.escapements", || Ok(each()?.1.to_string())),
-    ("solver.steady-state", || Ok(format!("{:.0} µs", each()?.0))),
-    ("solver.missed-by", || Ok(significant(least(&missed()?), 2))),
-    ("solver.located.error.least", || Ok(significant(least(&located(error)?), 2))),
-    ("solver.located.error.most", || Ok(significant(most(&located(error)?), 2))),
-    ("solver.located.work.least", || Ok(format!("{:.1}", 1.0 / most(&located(evaluations)?)))),
-    ("solver.located.work.most", || Ok(format!("{:.1}", 1.0 / least(&located(evaluations)?)))),
-];
+pub fn numbers() -> Vec<OwnNumber> {
+    let recorded = |id, form: &'static str, run: fn() -> Numbers<f64>| OwnNumber::new(id, form, RECORD, run);
+    vec![
+        OwnNumber::count("solver.escapements", || Ok(each()?.1)),
+        recorded("solver.steady-state", "{.0} µs", || Ok(each()?.0)),
+        recorded("solver.missed-by", "{2}", || Ok(least(&missed()?))),
+        recorded("solver.located.error.least", "{2}", || Ok(least(&located(error)?))),
+        recorded("solver.located.error.most", "{2}", || Ok(most(&located(error)?))),
+        recorded("solver.located.work.least", "{.1}", || Ok(1.0 / most(&located(evaluations)?))),
+        recorded("solver.located.work.most", "{.1}", || Ok(1.0 / least(&located(evaluations)?))),
+    ]
+}
 
 /// The library's methods, as written down at first.
 const METHODS: [&str; 2] = ["dopri5", "dop853"];

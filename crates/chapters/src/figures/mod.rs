@@ -8,7 +8,7 @@ use crate::computed::making;
 use crate::rows::{NONE, example, question};
 use crate::{live, lookup};
 use anyhow::Context;
-use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion};
+use geneva_ask::escapement::{EscapementDesign, EscapementDrawing};
 use geneva_case1973::{Hypothesis, weakest};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::{jazar, pin::Instant, quick_return::Instant as Lever};
@@ -63,9 +63,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
         Ok(escapement::steady_forces(&own, TRAILING)?)
     }),
     ("escapement-normal-force", || {
-        let question = question(example()?);
-        let (_, arguments) = question.split_once(' ').context("a question with arguments")?;
-        Ok(EscapementDesign::new(EscapementQuestion::parse(arguments)?)?.drawing(EscapementDrawing::NormalForce)?)
+        Ok(EscapementDesign::new(question(example()?))?.drawing(EscapementDrawing::NormalForce)?)
     }),
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),

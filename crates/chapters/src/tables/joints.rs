@@ -1,6 +1,7 @@
 //! What a pin of finite radius and rubbing journals make of the thesis's mechanisms.
 
 use crate::rows::{number_with, weakest};
+use geneva_ask::escapement::Further;
 use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
 use geneva_press::html::{Cells, Table, table};
@@ -58,10 +59,8 @@ fn compared(caption: &str, key: &str, shown: fn(f64) -> String) -> anyhow::Resul
 /// A number of a mechanism of the thesis with joints: the radius of the pin, and radius and friction of both journals, radii in
 /// crank radii.
 pub fn effect(mechanism: Mechanism, (pin, journals, friction): (f64, f64, f64), key: &str) -> anyhow::Result<f64> {
-    let joints = format!(
-        "--pin-radius {pin} --driver-journal {journals} --follower-journal {journals} --bearing-friction {friction}"
-    );
-    number_with(weakest(comparable(mechanism))?, &joints, key)
+    let joints = Further::with_joints([pin, journals, journals, friction]);
+    number_with(weakest(comparable(mechanism))?, |question| question.further = joints, key)
 }
 
 fn named((pin, journals, friction): (f64, f64, f64)) -> String {

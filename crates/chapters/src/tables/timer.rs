@@ -1,6 +1,6 @@
 //! A clockmaker's questions: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
-use crate::rows::{example, number, number_with, question};
+use crate::rows::{example, number, number_with};
 use geneva_case1973::{Column, Row, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_press::html::{Cells, Table, table};
@@ -11,8 +11,7 @@ pub const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
 
 /// A number of a row's mechanism with so many times less inertia of its follower.
 pub fn lighter(row: &Row, part: f64, key: &str) -> anyhow::Result<f64> {
-    let own = crate::asked::value(&question(row), "follower_inertia")?;
-    number_with(row, &format!("--follower-inertia {}", own / part), key)
+    number_with(row, |question| question.follower_inertia /= part, key)
 }
 
 /// How soon four pins come to the steady motion, with followers of another size, by three measures.

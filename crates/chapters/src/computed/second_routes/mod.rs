@@ -1,0 +1,50 @@
+//! Second routes to our own numbers, which share no code with the first ones.
+//!
+//! The first routes ask `ask` and the study of the runs, and through them the solutions of `geneva-dynamics`. Here forces are
+//! vectors and steps are equal; only the printed rows take their runs from the witnesses of `geneva-case1973`, or from the program
+//! where the first route is no program. What both start from are the sizes of an escapement and the printed rows. The results are
+//! compared and never shown.
+
+pub mod blow;
+pub mod contact;
+pub mod definitions;
+pub mod interval;
+pub mod motion;
+pub mod outline;
+pub mod printed_rows;
+pub mod rise;
+pub mod spread;
+
+use super::own_number::{Numbers, RouteKind};
+use crate::rows::NONE;
+use contact::ContactModel;
+use motion::{SteppedEngagement, SteppedPassage};
+
+/// Steps over which the friction changes its sign lose some digits.
+pub const NEWTON: RouteKind =
+    RouteKind { slug: "newton", meaning: "Newton's laws in vectors, in equal steps of the crank", tolerance: 1e-4 };
+
+/// The difference of two motions that are nearly alike keeps fewer digits than each of them.
+pub const NEWTON_DIFFERENCE: RouteKind = RouteKind {
+    slug: "newton-difference",
+    meaning: "the difference of two motions by Newton's laws, in equal steps of the crank",
+    tolerance: 2e-3,
+};
+
+/// A measure of the motion of an escapement that repeats itself.
+pub fn steady<T>(model: ContactModel, measure: impl FnOnce(&SteppedPassage<'_>) -> Option<T>) -> Numbers<T> {
+    let engagement = SteppedEngagement::new(model);
+    Ok(engagement.steady_passage().as_ref().and_then(measure).ok_or(NONE)?)
+}
+
+/// Mean speed of the motion that repeats itself, in radians per unit of time.
+pub fn mean_speed(model: ContactModel) -> Numbers<f64> {
+    Ok(SteppedEngagement::new(model).mean_speed().ok_or(NONE)?)
+}
+
+/// The power of the friction to which the mean speed is proportional: from a little more and a little less of it.
+pub fn friction_power(model: ContactModel) -> Numbers<f64> {
+    const LITTLE: f64 = 0.005;
+    let with = |times: f64| mean_speed(ContactModel { friction: times * model.friction, ..model });
+    Ok((with(1.0 + LITTLE)? / with(1.0 - LITTLE)?).ln() / ((1.0 + LITTLE) / (1.0 - LITTLE)).ln())
+}
