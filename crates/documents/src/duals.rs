@@ -56,12 +56,12 @@ impl Crank {
         second_derivative(|t| [self.distance(t), self.slot(t)], 0.0).map(<[f64; 3]>::from)
     }
 
-    /// Locator, velocity and acceleration of the pin at time zero.
+    /// Place, velocity and acceleration of the pin at time zero.
     pub fn pin_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.pin(t))
     }
 
-    /// Locator, velocity and acceleration at time zero of the follower's point under the pin.
+    /// Place, velocity and acceleration at time zero of the follower's point under the pin.
     pub fn point_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.point_under_the_pin(t))
     }
@@ -94,7 +94,7 @@ pub(crate) fn advance(speed: f64, acceleration: f64, t: Time) -> Time {
     t * speed + t * t * (acceleration / 2.0)
 }
 
-/// Locator, velocity and acceleration at time zero of a point whose place is given as a function of time.
+/// Place, velocity and acceleration at time zero of a point whose place is given as a function of time.
 pub(crate) fn path(place: impl Fn(Time) -> [Time; 2]) -> [Vector2<f64>; 3] {
     let [x, y] = second_derivative(place, 0.0).map(<[f64; 3]>::from);
     std::array::from_fn(|order| Vector2::new(x[order], y[order]))

@@ -16,6 +16,17 @@ pub struct Locator {
     text: &'static str,
 }
 
+/// A text that lives as long as the program, for the id, the place or the meaning of a claim that is made from a table. A claim is made
+/// once, so nothing is kept twice.
+///
+/// ```
+/// let ids = ["friction", "torque"].map(|name| geneva_evidence::intern(format!("leaflet.run-1.{name}")));
+/// assert_eq!(ids, ["leaflet.run-1.friction", "leaflet.run-1.torque"]);
+/// ```
+pub fn intern(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}
+
 /// A claim whose check is not yet given. Two routes complete it.
 pub struct Unchecked<R: ?Sized> {
     claim: Claim,
@@ -70,7 +81,7 @@ impl Locator {
         self.claim(Kind::Statement, id, printed, meaning)
     }
 
-    /// Sizes of a mechanism that is built as an example, of which the claim is that it works.
+    /// Sizes of something that is built as an example, of which the claim is that it works.
     #[track_caller]
     pub fn example(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<ChoiceFn> {
         self.claim(Kind::Example, id, printed, meaning)

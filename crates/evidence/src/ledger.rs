@@ -118,16 +118,16 @@ impl Ledger {
 
     /// The verdicts that have been asked for until now, in the order of [`Ledger::claims`].
     pub fn judged_until_now(&'static self) -> impl Iterator<Item = &'static Judged> {
-        self.slots().iter().filter_map(OnceLock::get)
+        self.verdict_places().iter().filter_map(OnceLock::get)
     }
 
     /// The verdict on the claim at this position, derived when it is first asked for.
     fn judged(&'static self, position: usize) -> &'static Judged {
-        self.slots()[position].get_or_init(|| judge(self.claims()[position]))
+        self.verdict_places()[position].get_or_init(|| judge(self.claims()[position]))
     }
 
     /// A place for the verdict on each claim.
-    fn slots(&'static self) -> &'static [OnceLock<Judged>] {
+    fn verdict_places(&'static self) -> &'static [OnceLock<Judged>] {
         self.judged.get_or_init(|| self.claims().iter().map(|_| OnceLock::new()).collect())
     }
 
@@ -177,8 +177,8 @@ impl Ledger {
     /// The slip of this id with its places: the verdicts on no other claims are derived for it.
     pub fn slip(&'static self, id: &str) -> Option<&'static TracedSlip> {
         let all = || self.claims().iter().filter_map(|claim| Some((claim.erratum?.slip.id, OnceLock::new()))).collect();
-        let slot = self.slip.get_or_init(all).get(id)?;
-        slot.get_or_init(|| self.slips_where(|slip| slip.id == id).pop()).as_ref()
+        let place = self.slip.get_or_init(all).get(id)?;
+        place.get_or_init(|| self.slips_where(|slip| slip.id == id).pop()).as_ref()
     }
 
     /// The slips that are wanted, with their places.

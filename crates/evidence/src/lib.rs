@@ -76,7 +76,7 @@ mod units;
 mod verdict;
 mod vocabulary;
 
-pub use building::{Locator, Unchecked, Unwitnessed};
+pub use building::{Locator, Unchecked, Unwitnessed, intern};
 pub use check::{Check, ChoiceFn, DecisionFn, Finding, NumberFn, ReadingFn, Route, TestFn};
 pub use coverage::{entry_numbers, line_gap, without_ellipses};
 pub use dimension::Dimension;

@@ -36,7 +36,7 @@ pub static DIFFERENCES: Tolerance = Tolerance {
              quantities change quickly, but a misprint differs in the first few digits",
 };
 
-/// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
+/// For quantities that must vanish, in units of the quantities' own size: what is left of rounding.
 pub static CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,

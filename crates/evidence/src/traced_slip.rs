@@ -74,7 +74,7 @@ impl TracedSlip {
         fault(copy != (slip.origin == Origin::Copy), "a slip of the copy is one by origin and by consequence");
         fault(!copy && !result && !number && changed.is_some(), "a printed number changes");
         fault(number && changed.is_none(), "no printed number changes");
-        // A problem says which numbers are its answers; the tables and curves of a thesis are all of them its results.
+        // A problem says which numbers are its answers; the tables and curves of a longer work are all of them its results.
         let asked = main.document.answers;
         let answers = self.wrong_numbers().filter(|judged| asked.contains(&judged.claim.id));
         let felt = |change: f64| change >= FELT;

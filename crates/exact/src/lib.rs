@@ -19,7 +19,7 @@
 //! assert!(prove(&Square).is_ok());
 //! ```
 //!
-//! This crate knows no mechanism, no claim and no book. Only exact numbers panic, when they are divided by zero.
+//! This crate knows no subject, no claim and no book. Only exact numbers panic, when they are divided by zero.
 
 #![warn(clippy::missing_errors_doc)]
 

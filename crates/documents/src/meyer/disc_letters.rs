@@ -1,7 +1,7 @@
 //! What the letters stand for in the estimate of the inertias: exactly, from a disc made of rings; and by numbers, from a disc
 //! made of strips.
 
-use super::inertia::{Data, data_of_the_sentences};
+use super::disc_data::{Data, data_of_the_sentences};
 use super::reading::Moment;
 use super::*;
 use geneva_evidence::{Decimal, Vocabulary};

@@ -1,7 +1,7 @@
 //! The torque of friction and the normal force that makes it, up to the spring: Eqs. (1-11) to (1-15).
 
 use super::instants::{equal, holds, letters_of, moments};
-use super::lagrange::{agrees_in_steps, frictionless, opposing};
+use super::lagrange::{agrees_in_steps, energy_gained, frictionless, opposing};
 use super::letters::{mechanism, size, triangle};
 use super::slips::{HALF_POWERS, PHI_AS_THETA};
 use super::spring::no_rate;
@@ -238,28 +238,6 @@ fn spring() -> Vec<Claim> {
             "torque of the spring in inch-pounds per radian",
         ),
     ]
-}
-
-/// The growth of the kinetic energy over an engagement per unit of the follower's inertia, by the equation of motion.
-///
-/// The square of the speed grows with the angle by twice the acceleration. At both ends the follower stands still.
-pub fn energy_gained(parameters: &Parameters) -> f64 {
-    let half = parameters.mechanism().engagement_half_angle();
-    let parts = 2000;
-    let step = 2.0 * half / f64::from(parts);
-    let growth = |angle: f64, square: f64| {
-        2.0 * parameters.acceleration(angle, libm::sqrt(square)).map_or(f64::NAN, |found| found.value)
-    };
-    let start = 1.0;
-    let end = (0..parts).fold(start, |square, k| {
-        let angle = -half + step * f64::from(k);
-        let first = growth(angle, square);
-        let second = growth(angle + step / 2.0, square + first * step / 2.0);
-        let third = growth(angle + step / 2.0, square + second * step / 2.0);
-        let fourth = growth(angle + step, square + third * step);
-        square + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth)
-    });
-    parameters.inertias().ratio() * (end - start) / 2.0
 }
 
 /// Escapements with friction.

@@ -1,6 +1,5 @@
 //! The parametric graphs, Figs. 9 to 11, and what the general statements on them say of the torque.
 
-use super::profile::lost;
 use super::runs::table::rows;
 use super::terms::{Start, starts};
 use super::*;
@@ -95,7 +94,7 @@ fn least_rise_time() -> Claim {
 
 fn graphs() -> Vec<Claim> {
     vec![
-        lost("meyer.fig-9", "Fig. 9", "rise time and terminal velocity over torque, three pins", "FIGURE 9"),
+        lost_curves("meyer.fig-9", "Fig. 9", "rise time and terminal velocity over torque, three pins", "FIGURE 9"),
         at("Figs. 10 and 11, ordinates")
             .statement(
                 "meyer.fig-10.rise-axis",
@@ -108,9 +107,9 @@ fn graphs() -> Vec<Claim> {
                  to the average of peak and minimum, you get another. No definition that we tried reproduces even half \
                  of the rise times of Appendix E, which the figures summarise",
             ),
-        lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
+        lost_curves("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),
-        lost("meyer.fig-11", "Fig. 11", "rise time and terminal velocity over torque, six pins", "FIGURE 11"),
+        lost_curves("meyer.fig-11", "Fig. 11", "rise time and terminal velocity over torque, six pins", "FIGURE 11"),
     ]
 }
 

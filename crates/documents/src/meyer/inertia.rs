@@ -1,5 +1,6 @@
 //! The estimate of the inertias: two steel discs.
 
+use super::disc_data::{Data, data_of_the_sentences, mass, volume};
 use super::disc_letters::{DISC, ESTIMATE};
 use super::parameters::AFTER_THE_LIST;
 use super::runs::table::{UNIT, units_in_one};
@@ -279,32 +280,6 @@ fn metric_density(weight: f64) -> f64 {
     weight * POUND / (INCH * INCH * INCH)
 }
 
-/// The numbers of the estimate.
-pub struct Data<T> {
-    pub density: T,
-    pub gravity: T,
-    pub diameter: T,
-    pub thickness: T,
-}
-
-impl Data<String> {
-    /// As the sentences around the estimate print them.
-    pub fn in_sentences() -> Option<Self> {
-        let first = |id: &str| MEYER.printed_text(id).split(' ').next().map(str::to_owned);
-        let [diameter, thickness] = numeric_tokens(MEYER.printed_text("meyer.like-discs")).try_into().ok()?;
-        Some(Self { density: first("meyer.steel")?, gravity: first("meyer.gravity")?, diameter, thickness })
-    }
-
-    pub fn map<T>(self, read: impl Fn(&str) -> Option<T>) -> Option<Data<T>> {
-        Some(Data {
-            density: read(&self.density)?,
-            gravity: read(&self.gravity)?,
-            diameter: read(&self.diameter)?,
-            thickness: read(&self.thickness)?,
-        })
-    }
-}
-
 /// The numbers of the estimate, from the display that has them all.
 fn data() -> Option<Data<f64>> {
     let tokens = numeric_tokens(MEYER.printed_text("meyer.disc.numbers"));
@@ -313,24 +288,10 @@ fn data() -> Option<Data<f64>> {
     Some(Data { density: number(2)? / 1000.0, gravity: number(3)?, diameter: number(5)?, thickness: number(8)? })
 }
 
-/// The data as the sentences around the estimate state them.
-pub fn data_of_the_sentences() -> Option<Data<f64>> {
-    Data::in_sentences()?.map(|number| number.parse().ok())
-}
-
 /// The number of the paragraph before the estimate; it begins with its point.
 fn steel() -> f64 {
     let text = MEYER.printed_text("meyer.steel");
     text.split(' ').next().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
-}
-
-pub fn volume(power: u32) -> Exponents {
-    (0..power).fold(Exponents::NONE, |product, _| product * Exponents::LENGTH)
-}
-
-/// A force over an acceleration.
-pub fn mass() -> Exponents {
-    Exponents::FORCE * Exponents::TIME * Exponents::TIME / Exponents::LENGTH
 }
 
 #[cfg(test)]

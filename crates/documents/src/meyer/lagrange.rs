@@ -1,6 +1,5 @@
 //! Lagrange's equation, the generalised force, and what is left out of it: Eqs. (1-9) and (1-10).
 
-use super::friction::energy_gained;
 use super::instants::{equal, holds, moments};
 use super::letters::{mechanism, opposed};
 use super::*;
@@ -325,4 +324,26 @@ fn simpson(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         _ => 4.0,
     };
     (0..=parts).map(|k| weight(k) * of(from + step * f64::from(k))).sum::<f64>() * step / 3.0
+}
+
+/// The growth of the kinetic energy over an engagement per unit of the follower's inertia, by the equation of motion.
+///
+/// The square of the speed grows with the angle by twice the acceleration. At both ends the follower stands still.
+pub fn energy_gained(parameters: &Parameters) -> f64 {
+    let half = parameters.mechanism().engagement_half_angle();
+    let parts = 2000;
+    let step = 2.0 * half / f64::from(parts);
+    let growth = |angle: f64, square: f64| {
+        2.0 * parameters.acceleration(angle, libm::sqrt(square)).map_or(f64::NAN, |found| found.value)
+    };
+    let start = 1.0;
+    let end = (0..parts).fold(start, |square, k| {
+        let angle = -half + step * f64::from(k);
+        let first = growth(angle, square);
+        let second = growth(angle + step / 2.0, square + first * step / 2.0);
+        let third = growth(angle + step / 2.0, square + second * step / 2.0);
+        let fourth = growth(angle + step, square + third * step);
+        square + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth)
+    });
+    parameters.inertias().ratio() * (end - start) / 2.0
 }

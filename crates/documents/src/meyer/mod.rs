@@ -15,6 +15,7 @@ mod combinations;
 mod concluded;
 mod conclusions;
 mod counts;
+mod disc_data;
 mod disc_letters;
 mod energy;
 mod friction;
@@ -28,6 +29,7 @@ mod instants;
 mod lagrange;
 mod less_friction;
 mod letters;
+mod listed;
 mod motion;
 mod named_mechanisms;
 mod newton;
@@ -100,6 +102,11 @@ pub static MEYER: Document = Document {
 /// A place in this source.
 const fn at(locator: &'static str) -> Locator {
     Locator::new(&MEYER, locator)
+}
+
+/// A figure of which the copy has only the number.
+fn lost_curves(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
+    at(locator).figure(id, printed, meaning).missing("The copy we had does not contain the curves")
 }
 
 /// All claims of the project, in the order of the source.

@@ -1,8 +1,8 @@
 //! How many parameters has the motion?
 
+use super::disc_data::{mass, volume};
 use super::geometry::every;
 use super::hand_over::Drawn;
-use super::inertia::{mass, volume};
 use super::newton::Newton;
 use super::*;
 use crate::evidence::RUNGE_KUTTA;

@@ -17,11 +17,6 @@ use std::sync::OnceLock;
 const BEFORE: Locator = at("Chapter II, sentence around Fig. 8");
 const RISE: Locator = at("Chapter II, paragraph on the rise time in Fig. 8");
 
-/// A figure of which the copy has only the number.
-pub fn lost(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    at(locator).figure(id, printed, meaning).missing("The copy we had does not contain the curves")
-}
-
 pub fn claims() -> Vec<Claim> {
     vec![
         at("Fig. 8").figure("meyer.fig-8", "FIGURE 8", "speeds of driver and follower over time, four pins").missing(

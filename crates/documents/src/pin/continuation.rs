@@ -1,6 +1,6 @@
 //! What the page that continues the problem prints of the drawing, which the copy lacks.
 //!
-//! The page is one of those that are checked in [`wild`](crate::wild), where these characters are claims. The problem's own marks
+//! The page is one of the pages elsewhere, where these characters are claims. The problem's own marks
 //! rest on them as on an outside witness.
 
 /// The arrow of the wheel's angular velocity.

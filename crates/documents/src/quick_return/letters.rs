@@ -1,7 +1,7 @@
 //! What the letters of the problem stand for: exactly, from the lines of crank and lever and power series of the pin's place;
 //! and by numbers, from the pin's place by dual numbers.
 
-use super::frames::Moving;
+use super::moving_frame::{Moving, moving};
 use super::*;
 use crate::triangle::{Triangle, angle};
 use geneva_evidence::Vocabulary;
@@ -284,12 +284,12 @@ pub fn with_parts(parts: [[Vector2<f64>; 2]; 3], relative: Vector2<f64>, turning
 
 fn frame_in_numbers() -> &'static [Moment] {
     static FOUND: OnceLock<[Moment; 1]> = OnceLock::new();
-    FOUND.get_or_init(|| [of_a_frame(frames::moving(1.0))])
+    FOUND.get_or_init(|| [of_a_frame(moving(1.0))])
 }
 
 fn origin_in_numbers() -> &'static [Moment] {
     static FOUND: OnceLock<[Moment; 1]> = OnceLock::new();
-    FOUND.get_or_init(|| [of_a_frame(frames::moving(0.0))])
+    FOUND.get_or_init(|| [of_a_frame(moving(0.0))])
 }
 
 fn of_a_frame(Moving { whole, origin, inside, speed, angular_acceleration }: Moving) -> Moment {

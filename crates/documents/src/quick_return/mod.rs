@@ -8,6 +8,7 @@ mod coriolis;
 mod frames;
 mod given;
 mod letters;
+mod moving_frame;
 mod places;
 mod position;
 mod rounding;

@@ -12,12 +12,12 @@ use std::ops::Neg;
 /// ```
 /// use geneva_exact::{Field, rational};
 ///
-/// /// Distance of the pin nearest to the follower's axis, in crank radii.
-/// fn deepest<S: Field>(ratio: &S) -> S {
+/// /// What is left of a ratio when one is taken away.
+/// fn excess<S: Field>(ratio: &S) -> S {
 ///     ratio.clone() - S::one()
 /// }
-/// assert_eq!(deepest(&2.5), 1.5);
-/// assert_eq!(deepest(&rational(4, 3)), rational(1, 3)); // without rounding
+/// assert_eq!(excess(&2.5), 1.5);
+/// assert_eq!(excess(&rational(4, 3)), rational(1, 3)); // without rounding
 /// ```
 pub trait Field:
     Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>

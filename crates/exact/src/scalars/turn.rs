@@ -13,9 +13,9 @@ use std::array::from_fn;
 /// ```
 /// use geneva_exact::{Turn, rational};
 ///
-/// let crank = Turn::from_half_tangent(&rational(1, 2)); // the triangle of 3, 4 and 5
-/// assert_eq!((crank.cos.clone(), crank.sin.clone()), (rational(3, 5), rational(4, 5)));
-/// assert_eq!(crank.plus(&crank.reversed()), Turn { cos: rational(1, 1), sin: rational(0, 1) });
+/// let turn = Turn::from_half_tangent(&rational(1, 2)); // the triangle of 3, 4 and 5
+/// assert_eq!((turn.cos.clone(), turn.sin.clone()), (rational(3, 5), rational(4, 5)));
+/// assert_eq!(turn.plus(&turn.reversed()), Turn { cos: rational(1, 1), sin: rational(0, 1) });
 /// assert!((Turn::from_degrees(50.0).plus(&Turn::from_degrees(40.0)).degrees() - 90.0).abs() < 1e-13);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,8 +66,8 @@ impl<S: Field> Turn<S> {
     /// use geneva_exact::{Turn, rational};
     ///
     /// // At 3 radians per unit of time the sine grows by 3 times the cosine.
-    /// let crank = Turn::from_half_tangent(&rational(1, 2)); // cosine 3/5
-    /// assert_eq!(crank.moving::<2>(rational(3, 1)).sin.rate(), rational(9, 5));
+    /// let turn = Turn::from_half_tangent(&rational(1, 2)); // cosine 3/5
+    /// assert_eq!(turn.moving::<2>(rational(3, 1)).sin.rate(), rational(9, 5));
     /// ```
     pub fn moving<const N: usize>(&self, rate: S) -> Turn<Jet<S, N>> {
         self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))

@@ -16,9 +16,9 @@ fn derivatives_of_a_rational_function_are_exact() {
 
 #[test]
 fn a_library_of_dual_numbers_agrees() {
-    let crank = Turn::from_radians(0.3).moving::<4>(1.0);
+    let turn = Turn::from_radians(0.3).moving::<4>(1.0);
     let ratio = Jet::constant(1.5);
-    let ours = rate(&ratio, &crank);
+    let ours = rate(&ratio, &turn);
     let (_, first, second, third) = third_derivative(
         |t| {
             use num_dual::DualNum;

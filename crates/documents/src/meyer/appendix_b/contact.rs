@@ -1,9 +1,9 @@
 //! The equation solved for its highest derivative, and how the program knows the sign of the friction.
 
-use super::listing::parts_of;
 use super::program::{self, by_coefficients};
 use super::*;
 use crate::meyer::letters::factors;
+use crate::meyer::listed::parts_of;
 use crate::meyer::reading::{Letters, decide};
 use crate::meyer::runs::study::{by_deck, scores};
 use crate::meyer::runs::table::{listing, rows};

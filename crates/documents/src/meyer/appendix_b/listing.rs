@@ -10,6 +10,7 @@ use super::program::{self, as_equation, by_coefficients};
 use super::program_letters::{FACTORS, PLACES, RATIO, SOLVED};
 use super::reset::reset;
 use super::*;
+use crate::meyer::listed;
 use crate::meyer::runs::study::fitting_interval;
 use crate::meyer::runs::table::listing;
 use crate::meyer::spring::no_rate;
@@ -19,25 +20,6 @@ use geneva_kinematics::Mechanism;
 use std::cmp::Ordering;
 
 const PROGRAM: Locator = at("Appendix B, program");
-
-/// What the program prints of the numbers that all runs share.
-pub mod listed {
-    /// Its π.
-    pub const PI: &str = "3.1416";
-    /// The time between printed lines, in s.
-    pub const PRINT_INTERVAL: &str = ".0005";
-    /// How late the old acceleration is.
-    pub const DELAY: &str = "DT/10.";
-    /// The angle after which it resets the driver's angle, in radians.
-    pub const QUARTER_TURN: &str = "1.5708";
-    /// The time at which a run ends, in s.
-    pub const RUN_LENGTH: &str = ".2";
-}
-
-/// The number by which these characters divide the print interval.
-pub fn parts_of(printed: &str) -> Option<f64> {
-    printed.split_once("DT/")?.1.trim_end_matches('.').parse().ok()
-}
 
 pub fn claims() -> Vec<Claim> {
     [constants(), factors(), motion()].concat()

@@ -4,17 +4,18 @@
 //! run's, under one hypothesis for all cells ([`Hypothesis::AS_RUN`]), and the resolution is one unit of the last
 //! place, for somebody read the number from a print-out. And what is right: the mechanism's own number stands beside it.
 
+use super::cache::{CachedResults, cached_result};
 use super::table::{expected, rows};
 use super::{data, headings};
 use crate::meyer::at;
 use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS, UNEXPLAINED};
 use geneva_case1973::witness::{self, steps::cycle_of_row};
 use geneva_case1973::{Column, Hypothesis, Row, Run};
-use geneva_evidence::{Claim, Verdict};
+use geneva_evidence::{Claim, Verdict, intern};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
-/// The four results of a row.
+/// The four results of a row: column, the end of the claim's id (`meyer.app-e.6-pin.mu-0.20.k-0.03.max`), meaning and unit.
 const RESULTS: [(Column, &str, &str, &str); 4] = [
     (Column::Peak, "max", "greatest speed of the driver in the run", "rad/sec"),
     (Column::Minimum, "min", "least speed of the driver in the run's steady cycle", "rad/sec"),
@@ -31,21 +32,16 @@ pub fn claims() -> Vec<Claim> {
     Mechanism::ALL.into_iter().flat_map(of_table).collect()
 }
 
-/// Text that lives as long as the ledger, which is built once.
-pub fn leaked(text: String) -> &'static str {
-    Box::leak(text.into_boxed_str())
-}
-
 fn of_row(row: &'static Row) -> Vec<Claim> {
     let slug = row.slug();
-    let place = at(leaked(format!(
+    let place = at(intern(format!(
         "Appendix E, {}-pin mechanism, μ = {}, K = {}",
         row.mechanism.pins(),
         row.printed(Column::Friction),
         row.printed(Column::Torque)
     )));
     let of = |(result, (column, name, meaning, unit)): (usize, (Column, &str, _, _))| {
-        let id = leaked(format!("meyer.app-e.{slug}.{name}"));
+        let id = intern(format!("meyer.app-e.{slug}.{name}"));
         let printed_there = place.value(id, row.printed(column), unit, meaning);
         if column == Column::Rise {
             return printed_there.missing(NO_DEFINITION);
@@ -83,38 +79,28 @@ const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reach
                              another if the average of peak and minimum is meant. No definition that we tried \
                              reproduces even half of the 49 rise times";
 
-/// The results of all rows, each run made once.
-type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;
-
-/// The results of a row among those of all; not numbers if there is no such motion.
-pub fn among<const N: usize>(all: &'static Results<N>, row: &Row, of: fn(&Row) -> Option<[f64; N]>) -> [f64; N] {
-    let all = all.get_or_init(|| rows().iter().map(|row| of(row).unwrap_or([f64::NAN; N])).collect());
-    let own = rows().iter().position(|other| other == row);
-    own.map_or([f64::NAN; N], |own| all[own])
-}
-
 fn results(run: Run) -> [f64; 4] {
     RESULTS.map(|(column, ..)| run.number(column))
 }
 
 fn as_run(row: &Row) -> [f64; 4] {
-    static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| Hypothesis::AS_RUN.run(row).map(results))
+    static RUNS: CachedResults<4> = OnceLock::new();
+    cached_result(&RUNS, row, |row| Hypothesis::AS_RUN.run(row).map(results))
 }
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {
-    static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| witness::lagged(row).map(results))
+    static RUNS: CachedResults<4> = OnceLock::new();
+    cached_result(&RUNS, row, |row| witness::lagged(row).map(results))
 }
 
 fn ideal(row: &Row) -> [f64; 4] {
-    static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| Hypothesis::IDEAL.run(row).map(results))
+    static RUNS: CachedResults<4> = OnceLock::new();
+    cached_result(&RUNS, row, |row| Hypothesis::IDEAL.run(row).map(results))
 }
 
 fn ideal_by_steps(row: &Row) -> [f64; 4] {
-    static RUNS: Results<4> = OnceLock::new();
-    among(&RUNS, row, |row| {
+    static RUNS: CachedResults<4> = OnceLock::new();
+    cached_result(&RUNS, row, |row| {
         let [least, time, greatest] = cycle_of_row(&Hypothesis::IDEAL, row)?;
         Some([greatest, least, f64::NAN, time])
     })

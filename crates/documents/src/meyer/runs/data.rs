@@ -2,19 +2,18 @@
 //!
 //! The first route is `fitted` of `geneva-case1973`, the second its witness `gauss_newton`, over the motion in steps.
 
-use super::cells::{among, leaked};
-use super::headings::heading;
-use super::table::{expected, rows};
+use super::cache::cached_result;
+use super::table::{expected, heading_id, rows};
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use geneva_case1973::witness::gauss_newton;
 use geneva_case1973::{Column, Hypothesis, Row, fitted, rows_of};
-use geneva_evidence::{Claim, Locator, Verdict};
+use geneva_evidence::{Claim, Locator, Verdict, intern};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// The claims of a row's friction and torque.
 pub(super) fn claims(row: &'static Row, place: Locator) -> [Claim; 2] {
-    let id = |name: &str| leaked(format!("meyer.app-e.{}.{name}", row.slug()));
+    let id = |name: &str| intern(format!("meyer.app-e.{}.{name}", row.slug()));
     let expected = |column| expected(row, column).unwrap_or(Verdict::Reproduced);
     let friction = place
         .value(id("friction"), row.printed(Column::Friction), "", "coefficient of friction of the run, a given value")
@@ -45,13 +44,13 @@ const TORQUE: &str = "The computed value is the torque that best reproduces the 
 /// Friction and torque of a row by golden section.
 fn sections(row: &Row) -> [f64; 2] {
     static FOUND: OnceLock<Vec<[f64; 2]>> = OnceLock::new();
-    among(&FOUND, row, |row| Some([fitted::friction(row)?, fitted::torque(row)?]))
+    cached_result(&FOUND, row, |row| Some([fitted::friction(row)?, fitted::torque(row)?]))
 }
 
 /// Friction, how finely it is known, and torque of a row by Gauss and Newton.
 fn tangents(row: &Row) -> [f64; 3] {
     static FOUND: OnceLock<Vec<[f64; 3]>> = OnceLock::new();
-    among(&FOUND, row, |row| {
+    cached_result(&FOUND, row, |row| {
         let friction = gauss_newton::friction(row)?;
         Some([friction.value, friction.reach, gauss_newton::torque(row)?.value])
     })
@@ -94,7 +93,7 @@ pub fn inputs() -> impl Iterator<Item = String> {
         rows().iter().flat_map(|row| ["friction", "torque"].map(|name| format!("meyer.app-e.{}.{name}", row.slug())));
     let inertias = ["driver", "follower"].into_iter().flat_map(|member| {
         let drawn = ["10", "11"].map(|figure| format!("meyer.fig-{figure}.{member}"));
-        Mechanism::ALL.map(|mechanism| heading(mechanism, member)).into_iter().chain(drawn)
+        Mechanism::ALL.map(|mechanism| heading_id(mechanism, member)).into_iter().chain(drawn)
     });
     of_rows.chain(inertias).chain(["meyer.listing.print-interval".to_owned()])
 }

@@ -2,16 +2,15 @@
 //!
 //! Inertias are data. Here they are found from all results of a table, without being known: see [`data`].
 
-use super::cells::leaked;
 use super::data;
-use super::table::{UNIT, drawn, headed, rows, units_in_one};
+use super::table::{UNIT, drawn, headed, heading_id, rows, units_in_one};
 use crate::MEYER;
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use crate::meyer::at;
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
 use geneva_case1973::witness::steps::cycle_of_row;
-use geneva_case1973::{Column, Hypothesis, Row, slug};
-use geneva_evidence::{Claim, Finding, Locator, Stated};
+use geneva_case1973::{Column, Hypothesis, Row};
+use geneva_evidence::{Claim, Finding, Locator, Stated, intern};
 use geneva_kinematics::Mechanism;
 
 /// The members, in the order of the headings.
@@ -20,8 +19,8 @@ const MEMBERS: [&str; 2] = ["driver", "follower"];
 /// The claims of a table's heading.
 pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
     let numbers = headed(mechanism);
-    let place = at(leaked(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
-    let of = |member: usize| inertia(place, leaked(heading(mechanism, MEMBERS[member])), numbers, mechanism, member);
+    let place = at(intern(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
+    let of = |member: usize| inertia(place, intern(heading_id(mechanism, MEMBERS[member])), numbers, mechanism, member);
     let [driver, follower] = [0, 1].map(of);
     match mechanism {
         Mechanism::SIX_PIN => {
@@ -33,7 +32,7 @@ pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
 
 /// The inertia of a member, of the pair with which the table comes out best.
 fn inertia(place: Locator, id: &'static str, numbers: [&'static str; 2], mechanism: Mechanism, member: usize) -> Claim {
-    let meaning = leaked(format!("moment of inertia of the {} in the runs, a given value", MEMBERS[member]));
+    let meaning = intern(format!("moment of inertia of the {} in the runs, a given value", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
         .first_route(QUADRATURE, move || data::inertias(mechanism)[member] * units_in_one(UNIT))
@@ -93,14 +92,9 @@ fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) ->
 pub fn of_figures() -> Vec<Claim> {
     let of = |mechanism: Mechanism| {
         let (figure, numbers) = drawn(mechanism)?;
-        let place = at(leaked(format!("Fig. {figure}, upper plot")));
-        let ids = MEMBERS.map(|member| leaked(format!("meyer.fig-{figure}.{member}")));
+        let place = at(intern(format!("Fig. {figure}, upper plot")));
+        let ids = MEMBERS.map(|member| intern(format!("meyer.fig-{figure}.{member}")));
         Some([0, 1].map(|member| inertia(place, ids[member], numbers, mechanism, member)))
     };
     [Mechanism::FOUR_PIN, Mechanism::SIX_PIN].into_iter().filter_map(of).flatten().collect()
-}
-
-/// The id of an inertia in the heading of a table.
-pub fn heading(mechanism: Mechanism, member: &str) -> String {
-    format!("meyer.app-e.{}.{member}", slug(mechanism))
 }

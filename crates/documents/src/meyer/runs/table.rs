@@ -1,8 +1,8 @@
 //! What is printed of the runs: the tables of Appendix E, one string for each and a line for each run, with the verdicts on
 //! record of its columns; and the inertias of the headings and figures.
 
-use crate::meyer::appendix_b::listing::{listed, parts_of};
-use geneva_case1973::{Column, Given, Listing, Row};
+use crate::meyer::listed::{self, parts_of};
+use geneva_case1973::{Column, Given, Listing, Row, slug};
 use geneva_evidence::Verdict;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -15,9 +15,16 @@ pub fn rows() -> &'static [Row] {
     ROWS.get_or_init(|| lines().filter_map(row).collect())
 }
 
+/// The place of a row in the tables; none if it is of no table.
+pub fn position(row: &Row) -> Option<usize> {
+    // One of the tables' own is found by where it is, a copy of one by what it says.
+    let rows = rows();
+    rows.iter().position(|other| std::ptr::eq(other, row)).or_else(|| rows.iter().position(|other| other == row))
+}
+
 /// The verdict on record of a column of a row, as it is marked after the row.
 pub fn expected(row: &Row, column: Column) -> Option<Verdict> {
-    let (_, _, marks) = lines().nth(rows().iter().position(|other| other == row)?)?;
+    let (_, _, marks) = lines().nth(position(row)?)?;
     let mark = marks.chars().nth(column as usize)?;
     MARKS.iter().find(|(of, _)| *of == mark).map(|(_, verdict)| *verdict)
 }
@@ -81,6 +88,11 @@ pub fn drawn(mechanism: Mechanism) -> Option<(&'static str, [&'static str; 2])> 
         Mechanism::FOUR_PIN => Some(("10", ["3", "50"])),
         _ => None,
     }
+}
+
+/// The id of an inertia in the heading of a table.
+pub fn heading_id(mechanism: Mechanism, member: &str) -> String {
+    format!("meyer.app-e.{}.{member}", slug(mechanism))
 }
 
 /// How verdicts on record are marked behind a row.
