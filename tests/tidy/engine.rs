@@ -51,6 +51,18 @@ fn subject_in(text: &str) -> Vec<String> {
 const PLAIN: [&str; 5] = ["elsewhere", "pages", "problem", "return", "wild"];
 
 #[test]
+fn the_book_builder_names_no_subject_and_no_source() {
+    let files = crate::files("crates/press/src", &[".rs"]);
+    assert!(files.len() > 40, "{} files", files.len());
+    for (path, text) in files {
+        let is_test = path.ends_with("samples.rs") || path.iter().any(|part| part == "tests.rs");
+        let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+        let found = subject_in(code);
+        assert!(is_test || found.is_empty(), "{} names {found:?}: take it from the Book", path.display());
+    }
+}
+
+#[test]
 fn the_engine_names_no_mechanism_and_no_source() {
     assert_eq!(subject_in("/// The Wheel's pin, by Meyer in 1973"), ["wheel", "pin", "meyer", "1973"]);
     assert!(subject_in("use geneva_exact::Field; // spinning pages of a problem").is_empty());

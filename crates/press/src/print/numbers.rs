@@ -18,7 +18,7 @@ pub fn places(pdf: &[u8]) -> anyhow::Result<PageNumbers> {
     pdf.pages(reference(catalog, "/Pages ").context("the PDF has no pages")?, 0, &mut order)?;
     let targets = pdf.object(reference(catalog, "/Dests ").context("the PDF has no targets of links")?)?;
     let mut places = PageNumbers::new();
-    // Each target is a name and in brackets its page and where on it: `/pin--answer [12 0 R /XYZ 0 828 0]`.
+    // Each target is a name and in brackets its page and where on it: `/chapter--answer [12 0 R /XYZ 0 828 0]`.
     for target in targets.split(']') {
         let Some((name, place)) = target.split_once('[') else { continue };
         let name = name.rsplit('/').next().unwrap_or_default().trim();
