@@ -1,5 +1,7 @@
 //! Does the code use the field's words? No name in it contains a word that was given up for a word of the field.
 
+use super::sources::{is_of_a_name, masked};
+
 /// Words that no name has as a part: the word, the crates, and what the field says. Comments and texts are free.
 const GIVEN_UP: &[(&str, &[&str], &str)] = &[
     ("gain", &["kinematics", "dynamics", "case1973"], "angular acceleration"),
@@ -20,34 +22,7 @@ const GIVEN_UP: &[(&str, &[&str], &str)] = &[
 
 /// The names of a file: its words of code, without comments and texts.
 fn names(text: &str) -> Vec<String> {
-    let mut names = Vec::new();
-    let (mut name, mut rest) = (String::new(), text);
-    while let Some(c) = rest.chars().next() {
-        let skipped = match c {
-            '/' if rest.starts_with("//") => rest.find('\n'),
-            '"' => end_of_text(&rest[1..]).map(|end| end + 1),
-            _ => Some(c.len_utf8()),
-        };
-        if c.is_alphanumeric() || c == '_' {
-            name.push(c);
-        } else if !name.is_empty() {
-            names.push(std::mem::take(&mut name));
-        }
-        rest = skipped.map_or("", |skipped| &rest[skipped..]);
-    }
-    names
-}
-
-/// Behind the quotation mark that ends a text.
-fn end_of_text(text: &str) -> Option<usize> {
-    let mut escaped = false;
-    for (at, c) in text.char_indices() {
-        match c {
-            '"' if !escaped => return Some(at + 1),
-            _ => escaped = c == '\\' && !escaped,
-        }
-    }
-    None
+    masked(text).split(|c| !is_of_a_name(c)).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
 /// A name in small letters with its words apart.
