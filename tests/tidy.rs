@@ -3,6 +3,7 @@
 mod circles;
 mod engine;
 mod examples;
+mod known;
 mod lengths;
 mod paths;
 mod public_names;

@@ -1,6 +1,7 @@
 //! Does a public name say what it stands for? A type's name stands for one thing in all crates, and a function's is a verb, a
 //! question or a quantity. Both are looked up by strangers, in a list, far from the line that they were made for.
 
+use super::known::{Comparison, assert_known, lines};
 use super::sources::{Source, public_items, sources, sources_of};
 use std::collections::BTreeMap;
 
@@ -15,6 +16,9 @@ const KNOWN_FUNCTIONS: &str = "tests/tidy/function_names.txt";
 
 /// How many such functions there may be in all: lower it when one has another name.
 const MOST_KNOWN_FUNCTIONS: usize = 160;
+
+/// How a type is declared.
+const TYPES: [&str; 5] = ["struct", "enum", "trait", "type", "union"];
 
 /// Words that only lead from one thing to another. `from` is Rust's name for what makes a value from another one.
 const PREPOSITIONS: &str = "\
@@ -47,79 +51,82 @@ fn places_by_name<'a>(sources: &'a [Source], keywords: &'a [&str]) -> BTreeMap<&
     places
 }
 
-/// What has to change in the list of names of types, or in the code: a line for each, none if both agree.
-fn complaints_on_types(known: &str, places: &BTreeMap<&str, Vec<String>>) -> Vec<String> {
-    let count = |name: &str| places.get(name).map_or(0, Vec::len);
-    let known: BTreeMap<&str, &str> = known.lines().map(|line| line.split_once(": ").unwrap_or((line, ""))).collect();
-    let mut complaints = Vec::new();
-    for (name, things) in &known {
+/// What the list of names of types becomes, by the types in the code.
+fn comparison_of_types(known: &[String], places: &BTreeMap<&str, Vec<String>>) -> Comparison {
+    let places_of = |name: &str| places.get(name).map_or(&[][..], Vec::as_slice);
+    let split =
+        |line: &str| line.split_once(": ").map_or((line.to_owned(), String::new()), |(a, b)| (a.into(), b.into()));
+    let known: BTreeMap<String, String> = known.iter().map(|line| split(line)).collect();
+    let (mut left, mut complaints) = (Vec::new(), Vec::new());
+    for (name, things) in known.iter().filter(|(name, _)| places_of(name).len() > 1) {
+        left.push(format!("{name}: {things}"));
         let things = things.split(';').filter(|thing| thing.trim().len() > 3).count();
-        match count(name) {
-            0 | 1 => complaints.push(format!("{name} stands for one thing at most; delete its line")),
-            count if count != things => complaints.push(format!(
-                "{name} stands for {count} things, and its line says {things}: let it say those of\n    {}",
-                places[name].join("\n    ")
-            )),
-            _ => {}
+        let places = places_of(name);
+        if places.len() != things {
+            complaints.push(format!(
+                "{name} stands for {} things, and its line says {things}: let it say those of\n    {}",
+                places.len(),
+                places.join("\n    ")
+            ));
         }
     }
     for (name, places) in places.iter().filter(|(name, places)| places.len() > 1 && !known.contains_key(**name)) {
         complaints
             .push(format!("{name} stands for several things; say in a name which:\n    {}", places.join("\n    ")));
     }
-    complaints
+    Comparison { left, complaints }
 }
 
 #[test]
 fn a_public_type_name_stands_for_one_thing() {
-    let known = std::fs::read_to_string(crate::path(KNOWN_TYPES)).expect("the list");
-    assert!(known.lines().is_sorted(), "{KNOWN_TYPES} is sorted");
-    assert!(known.lines().count() <= MOST_KNOWN_TYPES, "{KNOWN_TYPES} only gets shorter");
-    let complaints =
-        complaints_on_types(&known, &places_by_name(sources(), &["struct", "enum", "trait", "type", "union"]));
-    assert!(complaints.is_empty(), "{KNOWN_TYPES}:\n{}", complaints.join("\n"));
+    let known = lines(KNOWN_TYPES);
+    assert!(known.len() <= MOST_KNOWN_TYPES, "{KNOWN_TYPES} only gets shorter");
+    let places = places_by_name(sources(), &TYPES);
+    assert_known(KNOWN_TYPES, &known, comparison_of_types(&known, &places));
 }
 
-/// What has to change in the list of names of functions, or in the code: a line for each, none if both agree.
-fn complaints_on_functions(known: &str, places: &BTreeMap<&str, Vec<String>>) -> Vec<String> {
-    let known: BTreeMap<&str, usize> = known
-        .lines()
-        .map(|line| line.split_once(' ').unwrap_or((line, "")))
-        .map(|(name, count)| (name, count.parse().unwrap_or(0)))
-        .collect();
-    let is_bare = |name: &str| {
-        [PREPOSITIONS, PRONOUNS, PARTICIPLES].iter().any(|words| words.split(' ').any(|word| word == name))
+/// Whether a function's name is a preposition, pronoun or participle alone.
+fn is_bare(name: &str) -> bool {
+    [PREPOSITIONS, PRONOUNS, PARTICIPLES].iter().any(|words| words.split(' ').any(|word| word == name))
+}
+
+/// The names of functions in a list, with how many functions each has.
+fn counts(known: &[String]) -> BTreeMap<&str, usize> {
+    let counts = known.iter().filter_map(|line| line.split_once(' '));
+    counts.filter_map(|(name, count)| Some((name, count.parse().ok()?))).collect()
+}
+
+/// What the list of names of functions becomes, by the functions in the code.
+fn comparison_of_functions(known: &[String], places: &BTreeMap<&str, Vec<String>>) -> Comparison {
+    let known = counts(known);
+    let bare: BTreeMap<&str, &Vec<String>> =
+        places.iter().filter(|(name, _)| is_bare(name)).map(|(a, b)| (*a, b)).collect();
+    let left = |(name, before): (&&str, &usize)| {
+        let now = bare.get(name)?.len();
+        Some(format!("{name} {}", now.min(*before)))
     };
-    let mut complaints = Vec::new();
-    for (name, before) in &known {
-        let now = places.get(name).map_or(0, Vec::len);
-        if now == 0 || !is_bare(name) {
-            complaints.push(format!("no function is called `{name}` alone; delete the line `{name} {before}`"));
-        } else if now < *before {
-            complaints.push(format!("fewer functions are called `{name}`: write `{name} {now}` for `{name} {before}`"));
-        }
-    }
-    for (name, places) in places.iter().filter(|(name, _)| is_bare(name)) {
+    let complaint = |(name, places): (&&str, &&Vec<String>)| {
         let before = known.get(name).copied().unwrap_or(0);
-        if places.len() > before {
-            complaints.push(format!(
+        (places.len() > before).then(|| {
+            format!(
                 "functions called `{name}`: {} now, {before} before; name a new one by a verb, a question or a quantity:\n    {}",
                 places.len(),
                 places.join("\n    ")
-            ));
-        }
+            )
+        })
+    };
+    Comparison {
+        left: known.iter().filter_map(left).collect(),
+        complaints: bare.iter().filter_map(complaint).collect(),
     }
-    complaints
 }
 
 #[test]
 fn a_public_function_is_a_verb_a_question_or_a_quantity() {
-    let known = std::fs::read_to_string(crate::path(KNOWN_FUNCTIONS)).expect("the list");
-    assert!(known.lines().is_sorted(), "{KNOWN_FUNCTIONS} is sorted");
-    let sum: usize = known.lines().filter_map(|line| line.split_once(' ')?.1.parse::<usize>().ok()).sum();
+    let known = lines(KNOWN_FUNCTIONS);
+    let sum: usize = counts(&known).values().sum();
     assert!(sum <= MOST_KNOWN_FUNCTIONS, "{KNOWN_FUNCTIONS} only gets shorter: {sum} functions");
-    let complaints = complaints_on_functions(&known, &places_by_name(sources(), &["fn"]));
-    assert!(complaints.is_empty(), "{KNOWN_FUNCTIONS}:\n{}", complaints.join("\n"));
+    assert_known(KNOWN_FUNCTIONS, &known, comparison_of_functions(&known, &places_by_name(sources(), &["fn"])));
 }
 
 /// The sources of two made-up crates of one file each.
@@ -129,18 +136,36 @@ fn made_up(texts: [&str; 2]) -> Vec<Source> {
     crates.flat_map(|(package, text)| sources_of(package, [("lib.rs".to_owned(), text.to_owned())])).collect()
 }
 
+/// What is left of a list, and the first words of the complaints, with two made-up crates.
+#[cfg(test)]
+fn compared(
+    texts: [&str; 2],
+    keywords: &[&str],
+    known: &str,
+    by: fn(&[String], &BTreeMap<&str, Vec<String>>) -> Comparison,
+) -> [String; 2] {
+    let sources = made_up(texts);
+    let known: Vec<String> = known.lines().map(str::to_owned).collect();
+    let Comparison { left, complaints } = by(&known, &places_by_name(&sources, keywords));
+    [left.join("\n"), complaints.join("\n").split(';').next().unwrap_or_default().to_owned()]
+}
+
 #[test]
 fn a_type_name_that_stands_for_two_things_is_found_and_its_line_expires() {
-    let complaints = |texts: [&str; 2], known: &str| {
-        let sources = made_up(texts);
-        complaints_on_types(known, &places_by_name(&sources, &["struct", "enum", "trait", "type"])).join("\n")
-    };
+    let compared = |texts: [&str; 2], known: &str| compared(texts, &TYPES, known, comparison_of_types);
     let twice = ["pub struct Instant {", "pub enum Instant {"];
-    assert!(complaints(twice, "").starts_with("Instant stands for several things"));
-    assert_eq!(complaints(twice, "Instant: of a pin; of a lever"), "");
-    assert!(complaints(twice, "Instant: of a pin").starts_with("Instant stands for 2 things, and its line says 1"));
-    assert!(complaints(twice, "Instant: ; ").starts_with("Instant stands for 2 things, and its line says 0"));
-    assert!(complaints([twice[0], ""], "Instant: of a pin; of a lever").ends_with("delete its line"));
+    let line = "Instant: of a pin; of a lever";
+    assert_eq!(compared(twice, line), [line, ""]);
+    assert_eq!(compared(twice, ""), ["", "Instant stands for several things"]);
+    for (line, count) in
+        [("Instant: of a pin", 1), ("Instant: ; ", 0), ("Instant: of a pin; of a lever; of a wheel", 3)]
+    {
+        let [left, complaint] = compared(twice, line);
+        assert!(
+            left == line && complaint.starts_with(&format!("Instant stands for 2 things, and its line says {count}"))
+        );
+    }
+    assert_eq!(compared([twice[0], ""], line), ["", ""]);
     for other in [
         "pub(crate) struct Instant;",
         "/// pub struct Instant;",
@@ -148,29 +173,27 @@ fn a_type_name_that_stands_for_two_things_is_found_and_its_line_expires() {
         "#[cfg(test)]\npub struct Instant;",
         "pub fn Instant() {",
     ] {
-        assert_eq!(complaints([twice[0], other], ""), "", "{other}");
+        assert_eq!(compared([twice[0], other], ""), ["", ""], "{other}");
     }
 }
 
 #[test]
 fn a_function_that_is_named_by_a_bare_word_is_found_and_its_line_expires() {
-    let complaints = |texts: [&str; 2], known: &str| {
-        let sources = made_up(texts);
-        complaints_on_functions(known, &places_by_name(&sources, &["fn"])).join("\n")
-    };
+    let compared = |texts: [&str; 2], known: &str| compared(texts, &["fn"], known, comparison_of_functions);
     let two = ["impl Wheel {\n    pub fn at(angle: f64) -> Self {", "pub const fn at() {"];
-    assert!(complaints(two, "").starts_with("functions called `at`: 2 now, 0 before"));
-    assert!(complaints(two, "at 1").starts_with("functions called `at`: 2 now, 1 before"));
-    assert_eq!(complaints(two, "at 2"), "");
-    assert!(complaints(two, "at 3").starts_with("fewer functions are called `at`: write `at 2`"));
-    assert!(complaints(["", ""], "at 2").contains("delete the line `at 2`"));
-    assert!(complaints(["pub fn turn() {", ""], "turn 1").contains("delete the line `turn 1`"));
-    for (name, is_bare) in
+    assert_eq!(compared(two, ""), ["", "functions called `at`: 2 now, 0 before"]);
+    assert_eq!(compared(two, "at 1"), ["at 1", "functions called `at`: 2 now, 1 before"]);
+    assert_eq!(compared(two, "at 2"), ["at 2", ""]);
+    assert_eq!(compared(two, "at 3"), ["at 2", ""]);
+    assert_eq!(compared(["", ""], "at 2"), ["", ""]);
+    assert_eq!(compared(["pub fn turn() {", ""], "turn 1"), ["", ""]);
+    for (name, expected) in
         [("told", true), ("one", true), ("put_in", true), ("from", false), ("with_play", false), ("rounded", false)]
     {
-        assert_eq!(!complaints([&format!("pub fn {name}() {{"), ""], "").is_empty(), is_bare, "{name}");
+        let [_, complaint] = compared([&format!("pub fn {name}() {{"), ""], "");
+        assert_eq!(!complaint.is_empty(), expected, "{name}");
     }
     for other in ["pub(crate) fn at() {", "fn at() {", "/// pub fn at() {"] {
-        assert_eq!(complaints([other, ""], ""), "", "{other}");
+        assert_eq!(compared([other, ""], ""), ["", ""], "{other}");
     }
 }
