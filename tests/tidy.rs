@@ -191,6 +191,7 @@ fn nothing_is_switched_off_or_left_unfinished() {
 #[test]
 fn no_printed_decimal_stands_outside_the_ledger() {
     for package in [
+        "crates/exact",
         "crates/kinematics",
         "crates/dynamics",
         "crates/mimic",
