@@ -13,8 +13,16 @@ const GIVEN_UP: &[(&str, &[&str], &str)] = &[
     ("preload", &["dynamics"], "constant drag torque"),
     ("stretch", &["exact", "kinematics", "dynamics", "figures"], "subinterval, or Jacobian"),
     ("half_station", &["exact", "kinematics", "dynamics", "evidence", "documents", "figures"], "half pitch angle"),
-    ("neat", &["exact", "kinematics", "dynamics", "figures", "evidence", "documents", "press", "chapters"], "what it does"),
-    ("had_been", &["exact", "kinematics", "dynamics", "figures", "evidence", "documents", "press", "chapters"], "what it is"),
+    (
+        "neat",
+        &["exact", "kinematics", "dynamics", "figures", "evidence", "documents", "press", "chapters"],
+        "what it does",
+    ),
+    (
+        "had_been",
+        &["exact", "kinematics", "dynamics", "figures", "evidence", "documents", "press", "chapters"],
+        "what it is",
+    ),
     ("shade", &["figures"], "colour"),
     ("lean", &["press", "chapters"], "minified"),
     ("house", &["press", "chapters", "geneva"], "architecture"),
