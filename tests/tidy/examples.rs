@@ -5,7 +5,7 @@
 //! they exist, that none is switched off, and that each asserts something.
 
 /// The crates whose comments are held to the rules.
-const PACKAGES: [&str; 3] = ["kinematics", "dynamics", "mimic"];
+const PACKAGES: [&str; 4] = ["exact", "kinematics", "dynamics", "mimic"];
 
 /// The examples of a comment, each with the word behind its opening fence, which is empty for one that runs.
 fn examples(comment: &[&str]) -> Vec<(String, String)> {

@@ -52,6 +52,6 @@ fn what_the_pages_for_contributors_name_is_there() {
             assert!(is_there(word, &known), "{page}: there is no {word}");
         }
     }
-    assert!(is_there("ledger/judge.rs", &known) && is_there("wheel/geometry.rs", &known));
-    assert!(!is_there("wheel/extremes.r", &known) && !is_there("ledger/statistics.rs", &known));
+    assert!(is_there("evidence/judge.rs", &known) && is_there("wheel/geometry.rs", &known));
+    assert!(!is_there("wheel/extremes.r", &known) && !is_there("evidence/statistics.rs", &known));
 }
