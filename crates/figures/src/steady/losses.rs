@@ -3,7 +3,7 @@
 use crate::chart::{Chart, ChartAxis, Panel, kind};
 use crate::number::{extent, significant, with_hyphens};
 use crate::svg::Label;
-use crate::{Figure, FigureError, Series, Words};
+use crate::{Figure, FigureError, ItemValue, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::joints::{Effect, Joints, Varied, series};
 use std::f64::consts::FRAC_PI_2;
@@ -14,7 +14,7 @@ const RADII: u32 = 8;
 /// What the x axis shows.
 const SIZE: &str = "radius of pin or journal in crank radii";
 /// The two panels: the title of each, and what it shows.
-const PANELS: [(&str, fn(&Effect) -> f64); 2] =
+const PANELS: [(&str, ItemValue<Effect>); 2] =
     [("mean speed over ideal mean speed", |effect| effect.mean_speed), ("multiplier", |effect| effect.multiplier)];
 
 /// Mean speed over that of the ideal mechanism, and multiplier, over the radius of the pin, of the driver's journal, and of the
@@ -78,7 +78,7 @@ pub fn losses(parameters: &Parameters, bearing_friction: f64, shown: &str) -> Re
 }
 
 /// The radii of a joint, and the value at each.
-fn points(line: &[Effect], value: fn(&Effect) -> f64) -> Vec<(f64, f64)> {
+fn points(line: &[Effect], value: ItemValue<Effect>) -> Vec<(f64, f64)> {
     line.iter().map(|effect| (effect.value, value(effect))).collect()
 }
 
