@@ -1,6 +1,6 @@
 //! The keys in double braces that this book adds to those of every book.
 
-use crate::{asked, computed, elsewhere, live, measurements, proofread, tables};
+use crate::{asked, elsewhere, live, measurements, proofread, tables};
 use geneva_press::book::Expansion::{Bare, Interactive, Numbered, Of};
 use geneva_press::book::PlaceholderKey;
 use geneva_press::html::escape;
@@ -12,7 +12,6 @@ pub const KEYS: &[PlaceholderKey] = &[
         "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits",
         Of(|_, number| asked::number(number)),
     ),
-    PlaceholderKey::new("computed", "a number of ours, by name", Of(|_, name| computed::by_name(name))),
     PlaceholderKey::new(
         "elsewhere",
         "every statement elsewhere that is wrong, in a fold",

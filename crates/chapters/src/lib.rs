@@ -45,6 +45,8 @@ pub static BOOK: Book = Book {
     pages: pages::PAGES,
     sections: pages::SECTIONS,
     keys: keys::KEYS,
+    own_numbers: computed::own_numbers,
+    own_words: computed::OWN_WORDS,
     figures: figures::on_a_page,
     tables: tables::TABLES,
     works: bibliography::WORKS,

@@ -5,7 +5,7 @@ use crate::html::Table;
 use crate::imprint::Imprint;
 use crate::pages::{LedgerSection, Page, PageRole};
 use anyhow::ensure;
-use geneva_evidence::{Document, Ledger, Slip};
+use geneva_evidence::{Document, Ledger, OwnNumber, Slip};
 
 /// What a book is made of. It is made once, as a `static`; [`build`](crate::build) turns it into pages.
 pub struct Book {
@@ -19,6 +19,10 @@ pub struct Book {
     pub sections: &'static [LedgerSection],
     /// The keys in double braces that it adds to those of every book.
     pub keys: &'static [PlaceholderKey],
+    /// The numbers of its own that its chapters state: those that no source prints.
+    pub own_numbers: fn() -> &'static [OwnNumber],
+    /// What its chapters state of its own and is no number, by name.
+    pub own_words: &'static [(&'static str, MakeText)],
     /// Draws the figure of a name. An unknown name is answered with those there are; see [`find_named`](crate::lookup::find_named).
     pub figures: fn(&str) -> anyhow::Result<PageFigure>,
     /// Tables of computed numbers, by name.
@@ -42,6 +46,9 @@ pub struct Book {
     /// The text of `CITATION.cff`, which is among its data.
     pub citation_file: &'static str,
 }
+
+/// Makes a text.
+pub type MakeText = fn() -> anyhow::Result<String>;
 
 /// Makes a table of computed numbers.
 pub type MakeTable = fn() -> anyhow::Result<Table>;

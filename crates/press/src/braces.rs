@@ -182,9 +182,9 @@ mod tests {
 
     #[test]
     fn a_number_cannot_be_put_into_a_formula() {
-        let faults = found("a\n\n$x = {{value:pin.radius}}$\n");
+        let faults = found("a\n\n$x = {{computed:pin.radius}}$\n");
         assert!(
-            faults.len() == 1 && faults[0].starts_with("line 3: `{{value:pin.radius}}` is in a formula"),
+            faults.len() == 1 && faults[0].starts_with("line 3: `{{computed:pin.radius}}` is in a formula"),
             "{faults:?}"
         );
     }

@@ -55,5 +55,6 @@ mod samples;
 
 pub use book::Book;
 pub use building::{build, test};
+pub use ledger_pages::own_numbers::computed as computed_number;
 pub use preprocessor::Press;
 pub use readings::readings;

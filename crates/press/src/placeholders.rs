@@ -7,7 +7,7 @@ use crate::book::{Book, Expansion, InteractiveFigure, PageFigure, PlaceholderKey
 use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::{Table, code, escape, plain};
-use crate::ledger_pages::{compare, errata, inline, lists, open, records};
+use crate::ledger_pages::{compare, errata, inline, lists, open, own_numbers, records};
 use crate::lookup::unknown;
 use crate::{address, citing, maths, nowrap_options, nowrap_units, works};
 use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of};
@@ -45,6 +45,11 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
         "how many slips there are, by what they do",
         Bare(|book| Ok(errata::consequences_table(book)?.html())),
     ),
+    PlaceholderKey::new(
+        "computed",
+        "a number that we compute: a claim's by its id, or one of our own by its name",
+        Of(own_numbers::computed),
+    ),
     PlaceholderKey::new("count", "a number of claims: of a source, or of all documents", Of(inline::claim_count)),
     PlaceholderKey::new("erratum", "one erratum", Of(errata::erratum_fold)),
     PlaceholderKey::new(
@@ -67,6 +72,11 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new("notation", "the letters of the whole book", Bare(|book| Ok(lists::notation(book)?.html()))),
     PlaceholderKey::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
     PlaceholderKey::new("open-count", "how many open claims a group has", Of(open::open_count)),
+    PlaceholderKey::new(
+        "own-numbers",
+        "the numbers of our own and how many routes they have, in a table",
+        Bare(|book| Ok(own_numbers::backing_table(book)?.html())),
+    ),
     PlaceholderKey::new("picture", "a figure without number and caption", Of(picture)).without_text(),
     PlaceholderKey::new("printed", "a claim's printed characters", Of(inline::printed)),
     PlaceholderKey::new(
@@ -89,7 +99,6 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     ),
     PlaceholderKey::new(TABLE, "a chapter's table of computed numbers, by name", Numbered(table_of_name)),
     PlaceholderKey::new("tolerances", "the table of tolerances", Bare(|book| Ok(lists::tolerances(book)?.html()))),
-    PlaceholderKey::new("value", "a claim's computed number", Of(inline::value)),
     PlaceholderKey::new("verdict", "a claim's mark", Marked(inline::mark)),
     PlaceholderKey::new(
         "verdicts",

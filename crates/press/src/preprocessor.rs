@@ -249,8 +249,7 @@ mod tests {
 
     #[test]
     fn every_fault_of_a_chapter_has_its_file_and_line() {
-        let text =
-            "# Only\n\n$x and\n\n{{clain:pin.radius}}\n\n{{#include no.md}}\n\n{{value:pin.radiuss}}\n\n\\\\(a\\\\)\n";
+        let text = "# Only\n\n$x and\n\n{{clain:pin.radius}}\n\n{{#include no.md}}\n\n{{computed:pin.radiuss}}\n\n\\\\(a\\\\)\n";
         let error = asked(text, PAGES, MDBOOK_VERSION).expect_err("five faults");
         let mut lines: Vec<_> =
             error.lines().map(|line| line.split(": ").take(2).collect::<Vec<_>>().join(" ")).collect();

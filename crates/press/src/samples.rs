@@ -115,6 +115,8 @@ pub static BOOK: Book = Book {
         Page::new("tests", "Programs", PagePlace::Behind).with_role(PageRole::Programs),
     ],
     sections: &[],
+    own_numbers: Default::default,
+    own_words: &[],
     keys: &[PlaceholderKey::new(
         "double",
         "a number twice",

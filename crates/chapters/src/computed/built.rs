@@ -2,7 +2,6 @@
 
 use super::kinds::{FORMULA, QUADRATURE};
 use super::most;
-use super::own_number::{Form, GIVEN, IntoNumbers, Numbers, OwnNumber};
 use super::second_routes::blow::Impact;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, steady};
@@ -12,6 +11,7 @@ use crate::rows::{number, number_with, numbers as of_rows, weakest as weakest_of
 use geneva_ask::escapement::{EscapementQuestion, Further};
 use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Form, GIVEN, IntoNumbers, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of these sections.

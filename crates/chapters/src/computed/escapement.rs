@@ -1,13 +1,13 @@
 //! Of the chapter on the escapement: what came of it, in a few numbers, over all rows of the thesis as the mechanisms are.
 
 use super::kinds::{FORMULA, QUADRATURE};
-use super::own_number::{Form, OwnNumber};
 use super::second_routes::contact::ContactModel;
 use super::second_routes::motion::SteppedEngagement;
 use super::second_routes::rise::SteppedRise;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, steady};
 use crate::rows::{NONE, numbers as of_rows};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Form, OwnNumber};
 
 /// The numbers of the chapter.
 pub fn numbers() -> Vec<OwnNumber> {

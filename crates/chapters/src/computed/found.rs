@@ -1,11 +1,11 @@
 //! Of what proofreading found: how many chains were checked, how many flags a person confirmed, and with what precision.
 
 use super::kinds::{INTERVAL, TRIALS};
-use super::own_number::{Numbers, OwnNumber, RECORD};
 use super::second_routes::interval::score_interval;
 use crate::found::{
     Answer, Contact, Flag, Judgement, Run, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
 };
+use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
 /// The numbers of the page.
 pub fn numbers() -> Vec<OwnNumber> {

@@ -1,7 +1,6 @@
 //! The first page: how many claims are right, how many rows describe no mechanism, how many cells are reproduced.
 
 use super::kinds::{COMPARISON, CRANK_STEPS, PROGRAM};
-use super::own_number::{Numbers, OwnNumber, RECORD};
 use super::second_routes::NEWTON;
 use super::second_routes::printed_rows::{count_near, rows_as_mechanisms, rows_as_run, rows_on_the_integrator};
 use crate::lookup::{judged, of_documents};
@@ -11,6 +10,7 @@ use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::data::inputs;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_evidence::{Consequence, Decimal, Judged, Kind, Truth};
+use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -115,12 +115,12 @@ fn claims(truth: Truth, by: impl Fn(Option<Consequence>) -> bool) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::computed::by_name;
+    use crate::computed::own_text;
 
     #[test]
     fn one_line_makes_more_wrong_claims_than_any_other_mistake_and_than_all_others_together() {
         let own = of_one_line(|_| true);
-        let count = |name: &str| by_name(name).expect("a number").parse::<usize>().expect("a count");
+        let count = |name: &str| own_text(name).expect("a number").parse::<usize>().expect("a count");
         let [numbers, statements] = ["claims.of-one-line.numbers", "claims.of-one-line.statements"].map(count);
         assert_eq!(numbers + statements, own);
         // One more number is reproduced in error: a peak that the print-out missed.

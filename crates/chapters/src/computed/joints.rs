@@ -1,7 +1,6 @@
 //! Of the chapter on pins of finite radius and friction in the bearings: per cents of the mean speed.
 
 use super::kinds::ANGLE_STEPS;
-use super::own_number::{Form, GIVEN, Numbers, OwnNumber};
 use super::second_routes::contact::ContactModel;
 use super::second_routes::{NEWTON_DIFFERENCE, mean_speed};
 use super::{least, most};
@@ -9,6 +8,7 @@ use crate::rows::{number, number_with, weakest};
 use crate::tables::joints::{CHANGE, effect};
 use geneva_ask::escapement::Further;
 use geneva_documents::meyer::runs::choice::comparable;
+use geneva_evidence::{Form, GIVEN, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 use geneva_press::numbers::fixed;
 

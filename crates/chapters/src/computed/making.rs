@@ -2,10 +2,10 @@
 
 use super::kinds::{FORMULA, OUTLINES, PROPORTION, SEARCH, STANDARD};
 use super::least;
-use super::own_number::{Numbers, OwnNumber};
 use super::second_routes::outline::Cut;
 use crate::asked::design;
 use anyhow::Context;
+use geneva_evidence::{Numbers, OwnNumber};
 use geneva_figures::stations;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel, play_of_h8_e8};

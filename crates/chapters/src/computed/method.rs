@@ -1,10 +1,10 @@
 //! Of how it is checked: the equations that are read, the misprints that were made, and what readings overturned.
 
-use super::own_number::OwnNumber;
 use crate::lookup::of_documents;
 use crate::tables::readings::{READINGS, SENTENCES};
 use anyhow::Context;
 use geneva_documents::LEDGER;
+use geneva_evidence::OwnNumber;
 use geneva_evidence::{Check, Evidence, Judged};
 use std::collections::BTreeMap;
 

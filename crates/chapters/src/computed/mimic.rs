@@ -1,8 +1,6 @@
 //! Of the language: what the escapement's deck gives of the thesis's tables.
 
-use super::Phrase;
 use super::kinds::PROGRAM;
-use super::own_number::OwnNumber;
 use super::second_routes::NEWTON;
 use super::second_routes::printed_rows::{count_near, rows_as_run};
 use anyhow::Context;
@@ -10,6 +8,8 @@ use geneva_case1973::{Column, Reset, within_one};
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::{AS_LISTED, by_deck};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::OwnNumber;
+use geneva_press::book::MakeText;
 use geneva_press::html::escape;
 
 /// The numbers of the page on the language.
@@ -23,7 +23,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 /// Options of the command line on the page.
-pub const WORDS: &[(&str, Phrase)] = &[("mimic.as-listed", || Ok(listed_settings()))];
+pub const WORDS: &[(&str, MakeText)] = &[("mimic.as-listed", || Ok(listed_settings()))];
 
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn listed_settings() -> String {

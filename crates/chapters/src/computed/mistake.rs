@@ -1,12 +1,12 @@
 //! Of the mistake to be made again: how many cells of the tables come within one unit with three settings of the figure.
 
 use super::kinds::{COMPARISON, PROGRAM};
-use super::own_number::OwnNumber;
 use super::second_routes::NEWTON;
 use super::second_routes::printed_rows::{count_near, rows_as_run, rows_on_the_integrator, rows_with_listed_lag};
 use crate::rows::score;
 use geneva_case1973::{EXPLAINED, Hypothesis, Reset, Score, rows_of};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::OwnNumber;
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the page.

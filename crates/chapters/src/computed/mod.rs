@@ -13,7 +13,6 @@ mod method;
 mod mimic;
 mod mistake;
 mod never_printed;
-mod own_number;
 mod pin;
 mod program;
 pub mod runs;
@@ -23,14 +22,10 @@ mod terminal_speed;
 pub mod timer;
 mod wild;
 
-pub use own_number::{Backing, Form, GIVEN, IntoNumbers, Numbers, OwnNumber, RECORD, RouteKind};
+use geneva_evidence::OwnNumber;
 
-use crate::lookup;
-use anyhow::anyhow;
+use geneva_press::book::MakeText;
 use std::sync::OnceLock;
-
-/// What a chapter says of ours and is no number: a list of names, or what somebody else reports.
-pub type Phrase = fn() -> anyhow::Result<String>;
 
 /// The numbers of our own, chapter by chapter.
 pub fn own_numbers() -> &'static [OwnNumber] {
@@ -61,28 +56,20 @@ pub fn own_numbers() -> &'static [OwnNumber] {
     })
 }
 
-/// What has no digits to be checked.
-const WORDS: &[&[(&str, Phrase)]] = &[mimic::WORDS, program::WORDS, timer::WORDS];
+/// What a chapter says of ours and is no number: lists of names, and what somebody else reports.
+pub const OWN_WORDS: &[(&str, MakeText)] =
+    &[mimic::WORDS[0], program::WORDS[0], timer::WORDS[0], timer::WORDS[1], timer::WORDS[2], timer::WORDS[3]];
 
 /// The names of all numbers and words; each is said in some chapter.
 pub fn names() -> impl Iterator<Item = &'static str> {
     let numbers = own_numbers().iter().map(|number| number.id);
-    numbers.chain(WORDS.iter().copied().flatten().map(|(name, _)| *name))
+    numbers.chain(OWN_WORDS.iter().map(|(name, _)| *name))
 }
 
-/// The number or the words of this name.
-pub fn by_name(name: &str) -> anyhow::Result<String> {
-    if let Some(number) = own_numbers().iter().find(|number| number.id == name) {
-        return number.show().map_err(|error| anyhow!(error));
-    }
-    let words = WORDS.iter().copied().flatten().find(|(known, _)| *known == name).map(|(_, words)| words);
-    words.ok_or_else(|| lookup::unknown("number", name, names()))?()
-}
-
-/// The ids of the numbers that are backed so, in the order of the chapters: with [`Backing::OneRoute`] those that one route alone
-/// gives.
-pub fn ids_with_backing(backing: Backing) -> Vec<&'static str> {
-    own_numbers().iter().filter(|number| number.backing() == backing).map(|number| number.id).collect()
+/// The characters of the number or the words of this name.
+#[cfg(test)]
+fn own_text(name: &str) -> anyhow::Result<String> {
+    geneva_press::computed_number(&crate::BOOK, name)
 }
 
 /// The least of some numbers.
@@ -98,6 +85,7 @@ fn most(all: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geneva_evidence::{Backing, ids_with_backing};
 
     #[test]
     fn two_routes_agree_and_would_not_with_one_of_them_off_by_a_hundredth() {
@@ -127,7 +115,7 @@ mod tests {
     #[test]
     fn few_numbers_have_one_route_and_no_name_is_given_twice() {
         // Each new one is a number that nothing else vouches for.
-        assert_eq!(ids_with_backing(Backing::OneRoute), leaned_on::ALONE);
+        assert_eq!(ids_with_backing(own_numbers(), Backing::OneRoute), leaned_on::ALONE);
         let mut known: Vec<_> = names().collect();
         let count = known.len();
         known.sort_unstable();

@@ -1,12 +1,12 @@
 //! Of the corrected tables: by how much the printed numbers are off.
 
 use super::kinds::{CRANK_STEPS, QUADRATURE};
-use super::own_number::{Form, Numbers, OwnNumber, RECORD};
 use super::second_routes::printed_rows::rows_as_mechanisms;
 use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Row, rows_of};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Form, Numbers, OwnNumber, RECORD};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the chapter on the corrected tables.

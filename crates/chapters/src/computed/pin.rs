@@ -1,10 +1,10 @@
 //! Of the pin in the slot: the wheel's acceleration at the instant of the problem, and the answers to the exercises.
 
 use super::kinds::{FORMULA, SERIES, TRIANGLE, VECTORS};
-use super::own_number::{Form, Numbers, OwnNumber};
 use super::second_routes::contact::{Stance, dot, moment};
 use anyhow::Context;
 use geneva_documents::pin::Instant;
+use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_triangle::TriangleSolution;
@@ -163,7 +163,7 @@ mod tests {
         // The problem counts its angle from the other side of the driver's axis.
         let row = figure.series.rows.iter().find(|row| (row[0] + 180.0 - LATER).abs() < 1e-9).expect("each degree");
         let shown = |number: f64, unit: &str| format!("{}&nbsp;{unit}", significant(number, 3));
-        let own = |name: &str| crate::computed::by_name(name).expect("a number");
+        let own = |name: &str| crate::computed::own_text(name).expect("a number");
         assert_eq!(shown(row[1], "rad/s"), own("pin.165.wheel-speed"));
         assert_eq!(shown(row[2], "rad/s²"), own("pin.165.acceleration"));
         assert_eq!(shown(row[3], "mm/s"), own("pin.165.sliding-speed"));

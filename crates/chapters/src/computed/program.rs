@@ -1,9 +1,7 @@
 //! Of the program: what it gives of the thesis's tables, and what its reset after a quarter of a turn does to six and to
 //! three pins.
 
-use super::Phrase;
 use super::kinds::{FORMULA, PRINTOUT, PROGRAM, QUADRATURE, VECTORS};
-use super::own_number::{Form, Numbers, OwnNumber};
 use super::second_routes::NEWTON;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::printed_rows::{count_near, rows_with_listed_lag};
@@ -13,8 +11,10 @@ use geneva_case1973::deck::{deck, listed_settings, longer_than_delay, turned_whe
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_documents::meyer::runs::study::by_deck;
 use geneva_documents::meyer::runs::table::{listing, rows};
+use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
+use geneva_press::book::MakeText;
 
 /// The numbers of the chapter on the program.
 pub fn numbers() -> Vec<OwnNumber> {
@@ -56,7 +56,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 /// The names of the loop.
-pub const WORDS: &[(&str, Phrase)] = &[("program.loop", || loop_without_delay(OLD_ACCELERATION))];
+pub const WORDS: &[(&str, MakeText)] = &[("program.loop", || loop_without_delay(OLD_ACCELERATION))];
 
 /// The old acceleration in the escapement's deck.
 const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";

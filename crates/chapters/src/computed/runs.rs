@@ -2,7 +2,6 @@
 
 use super::kinds::{DENSITIES, LEDGER, PRINTED, QUADRATURE, STUDY, TANGENTS};
 use super::most;
-use super::own_number::{Form, Numbers, OwnNumber};
 use super::second_routes::NEWTON;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::definitions;
@@ -29,6 +28,7 @@ use geneva_documents::meyer::runs::study::{explained, scores};
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::meyer::terms::MISSING;
 use geneva_evidence::{Decimal, Judged, Verdict, numbers_in};
+use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 use geneva_press::numbers::{fixed, significant};
 use std::sync::OnceLock;
@@ -347,13 +347,14 @@ fn bears_one_number(group: &TorqueGroup) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Backing, least};
+    use super::super::least;
     use super::*;
     use geneva_case1973::chance;
     use geneva_case1973::likelihood::LEAST_SPREAD;
     use geneva_case1973::weighing::margins_by_one_row_of_each;
     use geneva_case1973::witness::sampling;
     use geneva_documents::meyer::runs::statistics::{OTHERS, SHUFFLES, STATISTICS};
+    use geneva_evidence::Backing;
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {
@@ -366,7 +367,7 @@ mod tests {
     }
 
     fn number(name: &str) -> f64 {
-        crate::computed::by_name(name).expect("a number").parse().expect("digits alone")
+        crate::computed::own_text(name).expect("a number").parse().expect("digits alone")
     }
 
     #[test]

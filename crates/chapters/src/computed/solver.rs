@@ -1,9 +1,9 @@
 //! Of the chapter on the solver: what it takes, from the record.
 
-use super::own_number::{Numbers, OwnNumber, RECORD};
 use super::{least, most};
 use crate::measurements::{Measurement, integrators};
 use anyhow::Context;
+use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
 /// The numbers of the chapter.
 pub fn numbers() -> Vec<OwnNumber> {

@@ -2,7 +2,6 @@
 
 use super::kinds::{PRINTED, QUADRATURE};
 use super::most;
-use super::own_number::{Form, Numbers, OwnNumber};
 use super::second_routes::contact::ContactModel;
 use super::second_routes::motion::{SteppedEngagement, SteppedPassage};
 use super::second_routes::printed_rows::groups_obeying;
@@ -13,6 +12,7 @@ use anyhow::Context;
 use geneva_case1973::rise_times::is_steady_from_the_first_minimum;
 use geneva_case1973::{Column, obeys, rows_of, series};
 use geneva_documents::meyer::runs::table::rows;
+use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the chapter.

@@ -1,8 +1,6 @@
 //! Of the chapter on the timer's accuracy: seconds a day, powers, oil, accelerations, averages.
 
-use super::Phrase;
 use super::kinds::{ANGLE_STEPS, DIFFERENCE, FORMULA, QUADRATURE};
-use super::own_number::{Form, GIVEN, Numbers, OwnNumber, RECORD};
 use super::runs::own_reading;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::motion::SteppedEngagement;
@@ -20,7 +18,9 @@ use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::choice::comparable;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::meyer::terms::MISSING;
+use geneva_evidence::{Form, GIVEN, Numbers, OwnNumber, RECORD};
 use geneva_kinematics::Mechanism;
+use geneva_press::book::MakeText;
 use std::sync::OnceLock;
 
 /// The numbers of this chapter.
@@ -136,7 +136,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 /// What is reported of other timekeepers.
-pub const WORDS: &[(&str, Phrase)] = &[
+pub const WORDS: &[(&str, MakeText)] = &[
     ("timer.reported.foliot", || Ok(REPORTED[0].to_owned())),
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),

@@ -2,12 +2,12 @@
 //! are built, and by how much a formula is wrong.
 
 use super::kinds::{FORMULA, OUTLINES};
-use super::own_number::OwnNumber;
 use super::second_routes::outline::Cut;
 use super::{least, most};
 use crate::{figures, lookup};
 use anyhow::Context;
 use geneva_documents::{WILD, wild};
+use geneva_evidence::OwnNumber;
 use geneva_evidence::{Judged, Kind, Truth};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;

@@ -25,7 +25,7 @@ fn every_key_is_drawn_or_asks_for_its_argument() {
 
 #[test]
 fn an_unknown_id_is_named_with_its_line_and_a_neighbour() {
-    let error = expanded("one\n\n{{value:pin.radiuss}}").expect_err("no such claim").to_string();
+    let error = expanded("one\n\n{{computed:pin.radiuss}}").expect_err("no such claim").to_string();
     assert!(error.starts_with("line 3:") && error.contains("pin.radiuss") && error.contains("pin.radius`"), "{error}");
 }
 
@@ -65,7 +65,7 @@ fn a_misspelt_argument_of_any_key_is_answered_with_the_nearest_name() {
 
 #[test]
 fn an_error_has_the_line_that_its_author_wrote() {
-    let written = "one\n\n$$\na\n= b\n$$\n\n```rust\n// A program.\nf();\n```\n\n{{value:pin.radiuss}}\n";
+    let written = "one\n\n$$\na\n= b\n$$\n\n```rust\n// A program.\nf();\n```\n\n{{computed:pin.radiuss}}\n";
     let chapter = fences::fold(&maths::render(written).expect("a formula"));
     let error = expand(&chapter, ChapterContext { written, ..PAGE }, &[]).err().expect("no such claim").to_string();
     assert!(error.starts_with("line 13: "), "{error}");

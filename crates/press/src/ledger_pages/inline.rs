@@ -17,9 +17,8 @@ pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
 }
 
 /// The computed number with its unit.
-pub fn value(book: &Book, id: &str) -> anyhow::Result<String> {
-    let judged = lookup::verdict(book.ledger, id)?;
-    let number = computed(judged).ok_or_else(|| anyhow!("claim `{id}` computes no number"))?;
+pub fn computed_value(book: &Book, judged: &'static Judged) -> anyhow::Result<String> {
+    let number = computed(judged).ok_or_else(|| anyhow!("claim `{}` computes no number", judged.claim.id))?;
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &number, judged.claim.unit)?))
 }
 

@@ -8,4 +8,5 @@ pub mod inline;
 pub mod ledger;
 pub mod lists;
 pub mod open;
+pub mod own_numbers;
 pub mod records;

@@ -15,20 +15,33 @@ pub mod printed_rows;
 pub mod rise;
 pub mod spread;
 
-use super::own_number::{Numbers, RouteKind};
 use crate::rows::NONE;
 use contact::ContactModel;
+use geneva_evidence::{Agreement, Evidence, Numbers, Tolerance};
 use motion::{SteppedEngagement, SteppedPassage};
 
 /// Steps over which the friction changes its sign lose some digits.
-pub const NEWTON: RouteKind =
-    RouteKind { slug: "newton", meaning: "Newton's laws in vectors, in equal steps of the crank", tolerance: 1e-4 };
+pub const NEWTON: &Evidence = &Evidence {
+    slug: "newton",
+    name: "newton",
+    meaning: "Newton's laws in vectors, in equal steps of the crank",
+    agreement: Agreement::Within(&Tolerance {
+        name: "newton",
+        relative: 1e-4,
+        reason: "steps over which the friction changes its sign lose some digits",
+    }),
+};
 
 /// The difference of two motions that are nearly alike keeps fewer digits than each of them.
-pub const NEWTON_DIFFERENCE: RouteKind = RouteKind {
+pub const NEWTON_DIFFERENCE: &Evidence = &Evidence {
     slug: "newton-difference",
+    name: "newton difference",
     meaning: "the difference of two motions by Newton's laws, in equal steps of the crank",
-    tolerance: 2e-3,
+    agreement: Agreement::Within(&Tolerance {
+        name: "newton-difference",
+        relative: 2e-3,
+        reason: "the difference of two motions that are nearly alike keeps fewer digits than each of them",
+    }),
 };
 
 /// A measure of the motion of an escapement that repeats itself.

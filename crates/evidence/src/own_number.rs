@@ -3,32 +3,32 @@
 //! No source prints such a number, so nothing says what it should be and no verdict is passed on it. What is concluded from
 //! it must not hang on one program, though: [`OwnNumber::check`] holds the two routes against each other.
 
-use geneva_press::numbers::{fixed, signed, significant};
+use crate::number_format::{fixed, signed, significant};
+use crate::{Agreement, Evidence, Tolerance};
 use std::error::Error;
 
 /// What a route gives: numbers in the order in which the form shows them, or why there are none.
 pub type Numbers<N = Vec<f64>> = Result<N, Box<dyn Error + Send + Sync>>;
 
-/// A kind of route, and how far two routes may be apart if one of them is of this kind.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RouteKind {
-    /// Stable name.
-    pub slug: &'static str,
-    /// What such a route does, for readers.
-    pub meaning: &'static str,
-    /// Greatest difference relative to the larger number, dimensionless.
-    pub tolerance: f64,
-}
+/// Nothing may differ: what is counted or put in is the same or it is not.
+static EXACTLY: Tolerance =
+    Tolerance { name: "exactly", relative: 0.0, reason: "what is counted, or put in, is the same or it is not" };
 
 /// A tally of records, such as the verdicts or the printed rows: nothing but the records says what it is.
-pub const RECORD: RouteKind = RouteKind {
+pub const RECORD: &Evidence = &Evidence {
     slug: "record",
+    name: "a record",
     meaning: "taken from records: of verdicts, printed rows and measured times",
-    tolerance: 0.0,
+    agreement: Agreement::Within(&EXACTLY),
 };
 
 /// A number that is put in and not found: cited beside it, or chosen.
-pub const GIVEN: RouteKind = RouteKind { slug: "given", meaning: "cited, or chosen by us", tolerance: 0.0 };
+pub const GIVEN: &Evidence = &Evidence {
+    slug: "given",
+    name: "given",
+    meaning: "cited, or chosen by us",
+    agreement: Agreement::Within(&EXACTLY),
+};
 
 /// A number that no source prints, with how it is shown and the routes to it.
 pub struct OwnNumber {
@@ -45,11 +45,20 @@ pub struct OwnNumber {
 
 /// A way to the numbers that a form shows.
 struct OwnRoute {
-    kind: RouteKind,
+    kind: &'static Evidence,
     run: Box<dyn Fn() -> Numbers + Send + Sync>,
 }
 
 /// How numbers become characters.
+///
+/// ```
+/// use geneva_evidence::{Evidence, Form, OwnNumber};
+///
+/// let height = OwnNumber::new("drop.height", "{.1}&nbsp;m", Evidence::CLOSED_FORM, || Ok(9.81 / 2.0));
+/// assert_eq!(height.show().expect("a number"), "4.9&nbsp;m");
+/// let range = OwnNumber::new("drop.range", Form::Range("{.1}", " m"), Evidence::CLOSED_FORM, || Ok([3.0, 1.0]));
+/// assert_eq!(range.show().expect("numbers"), "1.0 to 3.0 m");
+/// ```
 #[derive(Clone, Copy)]
 pub enum Form {
     /// Text with a hole for each number: `{.2}` rounds to two decimals, `{+.2}` gives the sign too, `{2}` rounds to two digits
@@ -75,6 +84,26 @@ pub enum Backing {
     TwoRoutes,
 }
 
+impl Backing {
+    /// All kinds, the best backed first.
+    pub const ALL: [Self; 4] = [Self::TwoRoutes, Self::OneRoute, Self::Count, Self::Given];
+
+    /// What it means, for readers.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::TwoRoutes => "computed by two routes, which agree",
+            Self::OneRoute => "computed by one route only",
+            Self::Count => "counted in our own records",
+            Self::Given => "cited, or chosen by us",
+        }
+    }
+}
+
+/// The ids of the numbers that are backed so, in their order: with [`Backing::OneRoute`] those that one route alone gives.
+pub fn ids_with_backing(numbers: &[OwnNumber], backing: Backing) -> Vec<&'static str> {
+    numbers.iter().filter(|number| number.backing() == backing).map(|number| number.id).collect()
+}
+
 /// What a route may return: a number, or several in an array or a vector.
 pub trait IntoNumbers {
     /// The numbers in their order.
@@ -86,7 +115,7 @@ impl OwnNumber {
     pub fn new<N: IntoNumbers>(
         id: &'static str,
         form: impl Into<Form>,
-        kind: RouteKind,
+        kind: &'static Evidence,
         run: impl Fn() -> Numbers<N> + Send + Sync + 'static,
     ) -> Self {
         let first = OwnRoute::new(kind, run);
@@ -103,7 +132,7 @@ impl OwnNumber {
     pub fn with_second_route<N: IntoNumbers>(
         self,
         conclusion: &'static str,
-        kind: RouteKind,
+        kind: &'static Evidence,
         run: impl Fn() -> Numbers<N> + Send + Sync + 'static,
     ) -> Self {
         Self { conclusion, second: Some(OwnRoute::new(kind, run)), ..self }
@@ -135,7 +164,7 @@ impl OwnNumber {
     }
 
     /// The kinds of its routes, the first route's first.
-    pub fn kinds(&self) -> impl Iterator<Item = RouteKind> {
+    pub fn kinds(&self) -> impl Iterator<Item = &'static Evidence> {
         [Some(&self.first), self.second.as_ref()].into_iter().flatten().map(|route| route.kind)
     }
 
@@ -168,7 +197,7 @@ impl OwnNumber {
     ///
     /// What they disagree on, with the id.
     pub fn compare(&self, first: &[f64], second: &[f64]) -> Numbers<()> {
-        let tolerance = self.kinds().map(|kind| kind.tolerance).fold(0.0, f64::max);
+        let tolerance = self.kinds().filter_map(Evidence::tolerance).map(|kind| kind.relative).fold(0.0, f64::max);
         let agree = |(a, b): (&f64, &f64)| (a - b).abs() <= self.allowance + tolerance * a.abs().max(b.abs());
         if first.len() != second.len() || !first.iter().zip(second).all(agree) {
             return Err(format!("{}: {first:?} by one route and {second:?} by the other", self.id).into());
@@ -183,7 +212,7 @@ impl OwnNumber {
 }
 
 impl OwnRoute {
-    fn new<N: IntoNumbers>(kind: RouteKind, run: impl Fn() -> Numbers<N> + Send + Sync + 'static) -> Self {
+    fn new<N: IntoNumbers>(kind: &'static Evidence, run: impl Fn() -> Numbers<N> + Send + Sync + 'static) -> Self {
         Self { kind, run: Box::new(move || Ok(run()?.into_numbers())) }
     }
 }
@@ -283,10 +312,14 @@ impl<T: IntoNumbers, const N: usize> IntoNumbers for [T; N] {
 mod tests {
     use super::*;
 
-    const CLOSE: RouteKind = RouteKind { slug: "close", meaning: "a close route", tolerance: 1e-6 };
-    const FAR: RouteKind = RouteKind { slug: "far", meaning: "a rough route", tolerance: 0.02 };
+    static NEAR: Tolerance = Tolerance { name: "near", relative: 1e-6, reason: "made up" };
+    static ROUGH: Tolerance = Tolerance { name: "rough", relative: 0.02, reason: "made up" };
+    const CLOSE: &Evidence =
+        &Evidence { slug: "close", name: "close", meaning: "a close route", agreement: Agreement::Within(&NEAR) };
+    const FAR: &Evidence =
+        &Evidence { slug: "far", name: "far", meaning: "a rough route", agreement: Agreement::Within(&ROUGH) };
 
-    fn number(kind: RouteKind, second: f64) -> OwnNumber {
+    fn number(kind: &'static Evidence, second: f64) -> OwnNumber {
         OwnNumber::new("length", "{.1}&nbsp;mm", CLOSE, || Ok(2.04))
             .with_second_route("it fits", kind, move || Ok(second))
     }
