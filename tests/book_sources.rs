@@ -1,6 +1,6 @@
 //! Are the chapters written as chapters should be? Looks at the Markdown, before anything is drawn in.
 
-use geneva_chapters::{BOOK, asked, computed, figures, readme};
+use geneva_chapters::{BOOK, computed, figures, questions, readme};
 use geneva_documents::LEDGER;
 use geneva_evidence::{Consequence, Decimal, TracedSlip, Verdict, numeric_tokens};
 use geneva_press::pages::{Page, chapters_to_test};
@@ -133,11 +133,11 @@ fn every_number_of_the_lists_is_said_in_some_chapter() {
 #[test]
 fn every_question_is_asked_in_some_chapter_and_typed_as_it_is_asked() {
     let all: String = chapters().into_iter().map(|(_, text)| text).collect();
-    for name in asked::names() {
+    for name in questions::names() {
         let asks = [format!("{{{{ask:{name}."), format!("{{{{question:{name}}}}}")];
         assert!(asks.iter().any(|placeholder| all.contains(placeholder)), "{name} is stated and not asked");
     }
-    let worked = asked::question("worked").expect("a question");
+    let worked = questions::question("worked").expect("a question");
     let words = |text: &str| text.replace('\\', "").split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
     assert!(words(&all).contains(&words(&worked)), "no chapter has the command {worked}");
 }

@@ -145,7 +145,7 @@ fn ours(line: &str) -> Option<String> {
 fn misunderstood(asked: &str, folder: &Path) -> Option<String> {
     // A placeholder prints a question of the book.
     let asked = match asked.split_once("{{question:").and_then(|(_, rest)| rest.strip_suffix("}}")) {
-        Some(name) => match geneva_chapters::asked::question(name) {
+        Some(name) => match geneva_chapters::questions::question(name) {
             Ok(question) => question,
             Err(why) => return Some(why.to_string()),
         },

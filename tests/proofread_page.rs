@@ -400,7 +400,7 @@ fn the_module_is_not_too_heavy_and_no_other_page_loads_it() {
     }
     let book = crate::book_pages::book();
     let weight = std::fs::metadata(book.join("data/proofread-module.js")).expect("a module").len() as usize;
-    let most = geneva_chapters::proofread::HEAVIEST_MODULE;
+    let most = geneva_chapters::proofreading_form::HEAVIEST_MODULE;
     assert!((100_000..most).contains(&weight), "{weight} bytes; {most} are allowed");
     for page in crate::book_pages::names() {
         let text = std::fs::read_to_string(book.join(&page)).expect("a page");

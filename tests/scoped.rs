@@ -1,13 +1,13 @@
 //! Do sentences of the chapters hold as far as they say, and no farther?
 
-use geneva_chapters::asked;
+use geneva_chapters::questions;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::{Drive, LeverMotion, QuickReturn};
 use geneva_kinematics::wheel::{Choices, ContactPair, Scale, Sizes, Wheel};
 
 /// A number of the answer to a question.
 fn number(question: &str, key: &str) -> f64 {
-    asked::value(question, key).unwrap_or_else(|error| panic!("{question}: {error}"))
+    questions::value(question, key).unwrap_or_else(|error| panic!("{question}: {error}"))
 }
 
 #[test]

@@ -7,7 +7,7 @@
 use crate::book_sources::chapters;
 use geneva_case1973::likelihood::{LEAST_SPREAD, Law};
 use geneva_case1973::{Column, EXPLAINED, Hypothesis, Reset, Row, SixPin, Weighing, rows_of};
-use geneva_chapters::asked;
+use geneva_chapters::questions;
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::scores;
 use geneva_documents::meyer::runs::table::{listing, rows};
@@ -79,7 +79,7 @@ fn best(of: impl Fn(&Hypothesis) -> bool) -> Vec<f64> {
 
 /// A number that the question of this name gives behind a word, as in `--rpm 60`.
 fn given(question: &str, word: &str) -> f64 {
-    let typed = asked::question(question).expect("a question");
+    let typed = questions::question(question).expect("a question");
     let mut words = typed.split(' ').skip_while(|typed| *typed != word);
     let number = words.nth(1).unwrap_or_else(|| panic!("`{typed}` has no {word}"));
     number.parse().expect("a number")
@@ -87,7 +87,7 @@ fn given(question: &str, word: &str) -> f64 {
 
 /// A number of the answer to the question of this name.
 fn answered(question: &str, key: &str) -> f64 {
-    asked::value(&asked::question(question).expect("a question"), key).expect("a number")
+    questions::value(&questions::question(question).expect("a question"), key).expect("a number")
 }
 
 /// The number that a claim prints.

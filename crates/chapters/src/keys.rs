@@ -1,6 +1,6 @@
 //! The keys in double braces that this book adds to those of every book.
 
-use crate::{asked, elsewhere, live, measurements, proofread, tables};
+use crate::{elsewhere, live, measurements, proofreading_form, questions, tables};
 use geneva_press::book::Expansion::{Bare, Interactive, Numbered, Of};
 use geneva_press::book::PlaceholderKey;
 use geneva_press::html::escape;
@@ -10,7 +10,7 @@ pub const KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "ask",
         "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits",
-        Of(|_, number| asked::number(number)),
+        Of(|_, number| questions::number(number)),
     ),
     PlaceholderKey::new(
         "elsewhere",
@@ -40,14 +40,14 @@ pub const KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "proofread",
         "the form for a text of the reader's own, with an example",
-        Bare(|_| proofread::form()),
+        Bare(|_| proofreading_form::form()),
     )
     .without_text(),
-    PlaceholderKey::new("proofread-weight", "what that form loads at most", Bare(|_| Ok(proofread::weight()))),
+    PlaceholderKey::new("proofread-weight", "what that form loads at most", Bare(|_| Ok(proofreading_form::weight()))),
     PlaceholderKey::new(
         "question",
         "a question to a mechanism, as it is typed at the command line",
-        Of(|_, name| asked::question(name)),
+        Of(|_, name| questions::question(name)),
     ),
     PlaceholderKey::new(
         "recorded",

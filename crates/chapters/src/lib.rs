@@ -12,21 +12,21 @@ mod open_groups;
 pub mod pages;
 
 // What stands for a placeholder.
-pub mod asked;
 pub mod computed;
 pub mod elsewhere;
 pub mod figures;
 pub mod live;
-pub mod proofread;
+pub mod proofreading_form;
+pub mod questions;
 pub mod tables;
 
 // What stands in the project beside the book.
 pub mod readme;
 
 // What these need.
-mod found;
 mod lookup;
 mod measurements;
+mod proofreading_record;
 mod rows;
 
 #[cfg(test)]

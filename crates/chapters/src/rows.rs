@@ -1,6 +1,6 @@
 //! A row of the thesis's tables as an ideal escapement: what it is asked, and what it answers.
 
-use crate::asked;
+use crate::questions;
 use anyhow::Context;
 use geneva_ask::escapement::{EscapementQuestion, Further, UnitSystem};
 use geneva_case1973::{Hypothesis, Row, Score, rows_with_least_friction};
@@ -28,14 +28,14 @@ pub fn question(row: &Row) -> EscapementQuestion {
 
 /// A number of the answer about a row.
 pub fn number(row: &Row, key: &str) -> anyhow::Result<f64> {
-    asked::escapement_value(&question(row), key)
+    questions::escapement_value(&question(row), key)
 }
 
 /// A number of the answer about a row whose question is changed.
 pub fn number_with(row: &Row, change: impl FnOnce(&mut EscapementQuestion), key: &str) -> anyhow::Result<f64> {
     let mut question = question(row);
     change(&mut question);
-    asked::escapement_value(&question, key)
+    questions::escapement_value(&question, key)
 }
 
 /// A number of the answer about each row.

@@ -6,7 +6,7 @@ use super::second_routes::blow::Impact;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, steady};
 use super::timer::CLEAN_AND_DRY;
-use crate::asked::escapement_value;
+use crate::questions::escapement_value;
 use crate::rows::{number, number_with, numbers as of_rows, weakest as weakest_of};
 use geneva_ask::escapement::{EscapementQuestion, Further};
 use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};

@@ -2,8 +2,8 @@
 
 use super::kinds::{INTERVAL, TRIALS};
 use super::second_routes::interval::score_interval;
-use crate::found::{
-    Answer, Contact, Flag, Judgement, Run, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
+use crate::proofreading_record::{
+    Answer, Contact, Flag, Judgement, ToolRun, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
 };
 use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
@@ -266,7 +266,7 @@ fn flags_after_repairs(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(contacts()?.into_iter().filter(such).collect())
 }
 
-fn of_run(name: &str) -> anyhow::Result<Vec<Run>> {
+fn of_run(name: &str) -> anyhow::Result<Vec<ToolRun>> {
     Ok(runs()?.into_iter().filter(|run| run.run == name).collect())
 }
 
@@ -349,7 +349,7 @@ fn count_texts_with_fault(name: &str) -> anyhow::Result<usize> {
 }
 
 /// The run with the most flags of a round.
-fn richest(name: &str) -> anyhow::Result<Option<Run>> {
+fn richest(name: &str) -> anyhow::Result<Option<ToolRun>> {
     Ok(of_run(name)?.into_iter().max_by_key(|run| run.flags))
 }
 

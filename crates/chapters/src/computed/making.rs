@@ -3,7 +3,7 @@
 use super::kinds::{FORMULA, OUTLINES, PROPORTION, SEARCH, STANDARD};
 use super::least;
 use super::second_routes::outline::Cut;
-use crate::asked::design;
+use crate::questions::design;
 use anyhow::Context;
 use geneva_evidence::{Numbers, OwnNumber};
 use geneva_figures::stations;
@@ -141,7 +141,7 @@ fn last_in_fit_by_proportion(stations: u32) -> Numbers<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asked::{question, value};
+    use crate::questions::{question, value};
     use geneva_ask::ReportField;
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
     use geneva_kinematics::wheel::{EntryContact, Play};

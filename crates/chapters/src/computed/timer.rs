@@ -7,7 +7,7 @@ use super::second_routes::motion::SteppedEngagement;
 use super::second_routes::rise::SteppedRise;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, mean_speed, steady};
 use super::{least, most};
-use crate::asked::value;
+use crate::questions::value;
 use crate::rows::{NONE, example, number, number_with, numbers as of_rows, weakest as weakest_of};
 use crate::tables::joints::effect;
 use crate::tables::timer::{PARTS, lighter};

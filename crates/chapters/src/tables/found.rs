@@ -1,7 +1,7 @@
 //! What proofreading found: the texts of the first contact, and the misprints that still stand in a textbook.
 
 use crate::computed;
-use crate::found::{Answer, Contact, Judgement, Run, contacts, flags, runs, unit_flags};
+use crate::proofreading_record::{Answer, Contact, Judgement, ToolRun, contacts, flags, runs, unit_flags};
 use geneva_press::chain::{chain, words};
 use geneva_press::html::{Cells, Table, escape, table};
 
@@ -9,10 +9,10 @@ use geneva_press::html::{Cells, Table, escape, table};
 pub fn texts() -> anyhow::Result<Table> {
     let contacts = contacts()?;
     let runs = runs()?;
-    let row = |name: String, round: &str, format: &str, of: &[&Run]| {
+    let row = |name: String, round: &str, format: &str, of: &[&ToolRun]| {
         let such = |flag: &&Contact| flag.round == round && of.iter().any(|run| run.text == flag.text);
         let count = |judgement| contacts.iter().filter(such).filter(|flag| flag.judgement == judgement).count();
-        let sum = |what: fn(&Run) -> u32| of.iter().map(|run| what(run)).sum::<u32>();
+        let sum = |what: fn(&ToolRun) -> u32| of.iter().map(|run| what(run)).sum::<u32>();
         vec![
             escape(&name),
             escape(format),
@@ -23,7 +23,7 @@ pub fn texts() -> anyhow::Result<Table> {
             count(Judgement::Ours).to_string(),
         ]
     };
-    let of_round = |name: &str| runs.iter().filter(|run| run.run == name).collect::<Vec<&Run>>();
+    let of_round = |name: &str| runs.iter().filter(|run| run.run == name).collect::<Vec<&ToolRun>>();
     let mut rows = Vec::new();
     for (name, words) in [("first", "First round"), ("second", "Second round")] {
         let of = of_round(name);
@@ -42,7 +42,7 @@ pub fn texts() -> anyhow::Result<Table> {
         ("eleventh", "tenth"),
     ];
     for (name, words) in later {
-        let (with, without): (Vec<&Run>, Vec<&Run>) = of_round(name).into_iter().partition(|run| run.flags > 0);
+        let (with, without): (Vec<&ToolRun>, Vec<&ToolRun>) = of_round(name).into_iter().partition(|run| run.flags > 0);
         rows.extend(with.iter().map(|run| row(run.text.clone(), name, &run.format, &[run])));
         if !without.is_empty() {
             rows.push(row(format!("{} more texts of the {words} round", without.len()), name, "several", &without));

@@ -1,6 +1,6 @@
 //! The quick-return mechanism's vectors with their directions and senses, and what other readings would give.
 
-use crate::asked::{field, question, value};
+use crate::questions::{field, question, value};
 use anyhow::Context;
 use geneva_documents::quick_return::with_printed_angle;
 use geneva_press::html::{Cells, Table, table};

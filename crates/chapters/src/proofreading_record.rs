@@ -110,7 +110,7 @@ pub struct Contact {
 
 /// A mistake that the book's publisher corrected.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct Erratum {
+pub struct PublishedErratum {
     /// `number` or `unit`.
     pub kind: String,
     /// The list on which the program puts the place, or `no`.
@@ -119,7 +119,7 @@ pub struct Erratum {
 
 /// A run of the program over a text.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct Run {
+pub struct ToolRun {
     /// Its name.
     pub run: String,
     /// The text, by the name that the contacts use.
@@ -168,7 +168,7 @@ fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {
 }
 
 /// The run of this name.
-pub fn run(name: &str) -> anyhow::Result<Run> {
+pub fn run(name: &str) -> anyhow::Result<ToolRun> {
     runs()?.into_iter().find(|run| run.run == name).with_context(|| format!("no run is named `{name}`"))
 }
 
@@ -188,12 +188,12 @@ pub fn contacts() -> anyhow::Result<Vec<Contact>> {
 }
 
 /// The errata that arithmetic can see.
-pub fn errata() -> anyhow::Result<Vec<Erratum>> {
+pub fn errata() -> anyhow::Result<Vec<PublishedErratum>> {
     read(ERRATA)
 }
 
 /// The runs.
-pub fn runs() -> anyhow::Result<Vec<Run>> {
+pub fn runs() -> anyhow::Result<Vec<ToolRun>> {
     read(RUNS)
 }
 
@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn the_runs_count_the_flags_that_were_judged() {
         let contacts = contacts().expect("read");
-        let is_contact = |run: &&Run| !["old", "new", "again"].contains(&run.run.as_str());
+        let is_contact = |run: &&ToolRun| !["old", "new", "again"].contains(&run.run.as_str());
         for run in runs().expect("read").iter().filter(is_contact) {
             let judged = contacts.iter().filter(|flag| flag.round == run.run && flag.text == run.text).count();
             assert_eq!(judged, run.flags as usize, "{}", run.text);
