@@ -5,7 +5,7 @@
 //! four-slot wheel is a quarter turn, and the slot's angle follows from the pin's coordinates.
 
 use approx::assert_relative_eq;
-use geneva_documents::pin::Instant;
+use geneva_documents::pin::PinProblem;
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot, sliding_product, velocity_ratio};
 use geneva_kinematics::{Turn, pin_triangle, pin_vectors};
 use ode_solvers::dop_shared::OutputType;
@@ -15,7 +15,7 @@ use ode_solvers::{Dop853, Dopri5, System, Vector2};
 const ROUTES: f64 = 1e-11;
 
 fn mechanism() -> PinSlot {
-    Instant::printed().expect("a mechanism").mechanism
+    PinProblem::printed().expect("a mechanism").mechanism
 }
 
 /// Crank angles θ over the engagement, both ends left out.
@@ -26,7 +26,7 @@ fn engagement() -> impl Iterator<Item = f64> {
 
 #[test]
 fn the_triangle_and_the_vectors_agree() {
-    let (mechanism, speed) = (mechanism(), Instant::printed().expect("a mechanism").driver_speed);
+    let (mechanism, speed) = (mechanism(), PinProblem::printed().expect("a mechanism").driver_speed);
     let (radius, distance) = (mechanism.crank_radius(), mechanism.centre_distance());
     for theta in engagement() {
         let theta = Turn::from_radians(theta);

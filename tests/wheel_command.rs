@@ -95,22 +95,22 @@ fn keys_are_always_there_and_null_without_what_they_need() {
     let (table, friction) = (["--inertia", "0.1"], ["--friction-torque", "2"]);
     let (plate, density) = (["--thickness", "8"], ["--density", "7850"]);
     let materials = ["--pin-material", "steel", "--wheel-material", "acetal"];
-    let load = Needs::SPEED.and(Needs::INERTIA).and(Needs::TABLE_INERTIA);
-    let own = Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::INERTIA);
+    let load = Needs::SPEED.union(Needs::INERTIA).union(Needs::TABLE_INERTIA);
+    let own = Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY).union(Needs::INERTIA);
     for (options, given) in [
         (vec![], Needs::NONE),
         (speed.to_vec(), Needs::SPEED),
         (size.to_vec(), Needs::SIZE),
-        ([speed, size].concat(), Needs::SPEED.and(Needs::SIZE)),
+        ([speed, size].concat(), Needs::SPEED.union(Needs::SIZE)),
         (pins.to_vec(), Needs::SECOND_PIN),
-        ([pins, size].concat(), Needs::SECOND_PIN.and(Needs::SIZE)),
+        ([pins, size].concat(), Needs::SECOND_PIN.union(Needs::SIZE)),
         ([speed, table].concat(), load),
-        ([speed, table, friction, size].concat(), load.and(Needs::FRICTION_TORQUE).and(Needs::SIZE)),
+        ([speed, table, friction, size].concat(), load.union(Needs::FRICTION_TORQUE).union(Needs::SIZE)),
         ([size, plate, density].concat(), own),
-        ([size, plate, density, speed, table].concat(), own.and(load)),
+        ([size, plate, density, speed, table].concat(), own.union(load)),
         (
             [&[speed, table, size, plate].concat()[..], &materials].concat(),
-            load.and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS),
+            load.union(Needs::SIZE).union(Needs::THICKNESS).union(Needs::MATERIALS),
         ),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], &options[..]].concat());

@@ -55,7 +55,7 @@ impl Needs {
     pub const BEFORE_ENTRY: Self = Self(1 << 10);
 
     /// All of both.
-    pub const fn and(self, other: Self) -> Self {
+    pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
@@ -65,7 +65,7 @@ impl Needs {
     }
 
     /// These, but for others that are not given.
-    pub const fn without(self, others: Self) -> Self {
+    pub const fn difference(self, others: Self) -> Self {
         Self(self.0 & !others.0)
     }
 }

@@ -4,7 +4,7 @@ use crate::lookup;
 use anyhow::{Context, anyhow};
 use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
 use geneva_documents::meyer::runs::table::{listing, rows};
-use geneva_documents::quick_return::Instant as Lever;
+use geneva_documents::quick_return::LeverProblem;
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_live::{
@@ -225,7 +225,7 @@ fn at_first(live: &'static Live) -> anyhow::Result<LiveReply> {
 
 /// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
 fn lever() -> anyhow::Result<LiveArguments> {
-    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    let at = LeverProblem::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
     let rpm =
         geneva_documents::LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;

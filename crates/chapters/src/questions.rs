@@ -212,7 +212,7 @@ fn unit(field: &ReportField) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_documents::quick_return::Instant;
+    use geneva_documents::quick_return::LeverProblem;
     use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
     #[test]
@@ -280,10 +280,10 @@ mod tests {
 
     #[test]
     fn the_senses_that_the_solutions_tell_are_those_of_the_motion() {
-        let motion = |instant: Instant| instant.by_diagrams().expect("off the pivot");
-        let mut ten = Instant::printed().expect("a mechanism");
+        let motion = |instant: LeverProblem| instant.by_diagrams().expect("off the pivot");
+        let mut ten = LeverProblem::printed().expect("a mechanism");
         ten.position = ten.linkage.position_at_lever_degrees(10.0, Branch::Far).expect("reached");
-        let (ten, near) = (motion(ten), motion(Instant::on(Branch::Near).expect("a mechanism")));
+        let (ten, near) = (motion(ten), motion(LeverProblem::on(Branch::Near).expect("a mechanism")));
         // Of the lever's angular velocity and acceleration, of the sliding velocity: counter-clockwise, outwards.
         let senses = |of: &LeverMotion<f64>| {
             let outwards = of.velocities.sliding_velocity.dot(&of.velocities.position);

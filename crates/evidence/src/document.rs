@@ -2,8 +2,7 @@
 
 use crate::slugs::slugs;
 use crate::{
-    Check, Decimal, Erratum, Finding, InventoryFile, Line, Malformed, QuantityUnit, Symbol, Verdict, inventory_file,
-    numeric_tokens,
+    Check, Decimal, Erratum, Finding, InventoryFile, Line, Malformed, Symbol, Verdict, inventory_file, numeric_tokens,
 };
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
@@ -37,6 +36,11 @@ pub struct Document {
     /// What is made when it is first asked for.
     pub cache: Cache,
 }
+
+/// Words for a quantity, as the meaning of a claim has them, and the unit in which the document prints it; empty for none.
+///
+/// The words that come first in a claim's meaning count, and the longer ones of two that begin in the same place.
+pub type QuantityUnit = (&'static str, &'static str);
 
 /// What is made of a document when it is first asked for.
 #[derive(Default)]

@@ -1,11 +1,6 @@
 //! In which unit a document prints which quantity: what a claim says that it is decides its unit.
 
-use crate::{Claim, Kind};
-
-/// Words for a quantity, as the meaning of a claim has them, and the unit in which the document prints it; empty for none.
-///
-/// The words that come first in a claim's meaning count, and the longer ones of two that begin in the same place.
-pub type QuantityUnit = (&'static str, &'static str);
+use crate::document::{Claim, Kind, QuantityUnit};
 
 /// The unit of what a claim of a number is about; none if nothing is said of it.
 pub fn expected_unit(claim: &Claim) -> Option<QuantityUnit> {

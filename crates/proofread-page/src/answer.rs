@@ -1,5 +1,6 @@
 //! What is found in a text, with its places as a page counts them.
 
+use crate::fact::Fact;
 use crate::question::PageQuestion;
 use crate::words;
 use proofread::{ChainFinding, CheckOptions, LineIndex, ReportSection, TextFormat, proofread};
@@ -40,15 +41,6 @@ pub struct ShownFinding {
     pub chain: [String; 3],
     /// What is known about it.
     pub facts: Vec<Fact>,
-}
-
-/// Something known about a finding.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Fact {
-    /// What it is: printed, recomputed, hint and so on.
-    pub label: &'static str,
-    /// What is said.
-    pub text: String,
 }
 
 impl PageAnswer {

@@ -10,10 +10,12 @@ mod answer;
 #[cfg(target_family = "wasm")]
 #[path = "../../live/src/exports.rs"]
 mod exports;
+mod fact;
 mod question;
 mod words;
 
-pub use answer::{Fact, PageAnswer, ShownFinding};
+pub use answer::{PageAnswer, ShownFinding};
+pub use fact::Fact;
 pub use question::{MOST_BYTES, NamePolicyChoice, PageQuestion, too_long_message};
 pub use words::name_of_format;
 

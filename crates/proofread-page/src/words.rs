@@ -1,6 +1,6 @@
 //! What is said of a text and of a finding.
 
-use crate::answer::Fact;
+use crate::fact::Fact;
 use crate::question::PageQuestion;
 use proofread::summary::{
     describe_count, describe_doubts, describe_findings, describe_unchecked_chains, describe_unit_differences,

@@ -7,7 +7,7 @@ use geneva_dynamics::wheel_loads::{Peak, Peaks};
 use geneva_kinematics::indexing::Indexing;
 
 /// What a force on the pin needs.
-const FORCE: Needs = Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE);
+const FORCE: Needs = Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE);
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
 pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
@@ -42,10 +42,10 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
             .needing(Needs::INERTIA),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density")
-            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
+            .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY)),
         ReportField::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
             .line("", "part of the table and all else that turns with the wheel, as given")
-            .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA)),
+            .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY).union(Needs::TABLE_INERTIA)),
         ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included")
             .needing(Needs::FRICTION_TORQUE),
@@ -66,7 +66,9 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
-            .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS))
+            .needing(
+                Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE).union(Needs::THICKNESS).union(Needs::MATERIALS),
+            )
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
@@ -89,5 +91,5 @@ pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<
         from,
         ReportField::in_unit("braking_until_deg", reversal.map(|(_, until)| until.to_degrees()), "°"),
     ];
-    Ok(ReportField::all_needing(fields, Needs::SPEED.and(Needs::INERTIA)))
+    Ok(ReportField::all_needing(fields, Needs::SPEED.union(Needs::INERTIA)))
 }

@@ -44,16 +44,16 @@ impl WheelDesign {
                 .needing(Needs::SPEED),
             ReportField::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s")
                 .line("pin", "speed on the crank circle")
-                .needing(Needs::SIZE.and(Needs::SPEED)),
+                .needing(Needs::SIZE.union(Needs::SPEED)),
             ReportField::in_unit("thickness_mm", self.question.thickness, "mm")
                 .line("thickness", "of the wheel")
                 .needing(Needs::THICKNESS),
             ReportField::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
                 .line("wheel's inertia", "over the fourth power of the crank radius")
-                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY)),
+                .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY)),
             ReportField::new("wheel_inertia_share", share)
                 .line("", "over the table's inertia")
-                .needing(Needs::SIZE.and(Needs::THICKNESS).and(Needs::DENSITY).and(Needs::TABLE_INERTIA))
+                .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY).union(Needs::TABLE_INERTIA))
                 .rounded(Rounding::Percent(0)),
         ]
     }
@@ -75,7 +75,13 @@ impl WheelDesign {
                 .needing(Needs::MATERIALS),
             ReportField::in_unit("contact_width_um", width.map(|width| width * MICROMETRES), "µm")
                 .line("width of the contact", "at the peak pin force")
-                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::SIZE).and(Needs::THICKNESS).and(Needs::MATERIALS)),
+                .needing(
+                    Needs::SPEED
+                        .union(Needs::INERTIA)
+                        .union(Needs::SIZE)
+                        .union(Needs::THICKNESS)
+                        .union(Needs::MATERIALS),
+                ),
             ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
             ReportField::new("pin_friction", question.pin_friction)
@@ -83,10 +89,10 @@ impl WheelDesign {
                 .needing(Needs::PIN_FRICTION),
             ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
                 .line("peak crank torque", "with the pin's friction in the slot")
-                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
+                .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::PIN_FRICTION)),
             ReportField::in_unit("rubbing_mean_crank_torque_nm", mean, "N m")
                 .line("mean crank torque", "with the pin's friction in the slot")
-                .needing(Needs::SPEED.and(Needs::INERTIA).and(Needs::PIN_FRICTION)),
+                .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::PIN_FRICTION)),
         ])
     }
 
@@ -100,7 +106,7 @@ impl WheelDesign {
         Ok(vec![
             ReportField::in_unit("rms_crank_torque_share", share, "× peak crank torque")
                 .line("RMS crank torque", "over a turn of the driver")
-                .needing(Needs::SPEED.and(Needs::INERTIA)),
+                .needing(Needs::SPEED.union(Needs::INERTIA)),
             ReportField::in_unit("cam_acceleration_share", cam, "× peak acceleration")
                 .line("cam", "greatest acceleration by the modified-sine law, for the same index in the same time"),
         ])
@@ -129,7 +135,7 @@ impl WheelDesign {
             degrees("dwell_backlash_held_deg", held).line("", "of crank angle, in which that of mid-dwell holds"),
             degrees("backlash_before_entry_deg", before.map(|[forwards, _]| forwards))
                 .line("", "forwards, so far before a pin enters")
-                .needing(Needs::SIZE.and(Needs::BEFORE_ENTRY)),
+                .needing(Needs::SIZE.union(Needs::BEFORE_ENTRY)),
             mm("greatest_dwell_backlash_at_rim_mm", play.map(|play| play.greatest * sizes.wheel_radius))
                 .line("greatest backlash", "at the wheel radius"),
             ReportField::in_unit(
@@ -152,7 +158,7 @@ impl WheelDesign {
         let entry = sizes.entry(self.question.centre_error).zip(self.pin_speed());
         ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
-            .needing(Needs::SIZE.and(Needs::SPEED))
+            .needing(Needs::SIZE.union(Needs::SPEED))
             .rounded(Rounding::Significant(3))
     }
 }

@@ -412,14 +412,14 @@ mod tests {
         let all = fields(GIVEN.iter().map(|(argument, _)| *argument));
         let each = GIVEN.map(|(_, left_out)| left_out);
         // Without both there is no inertia at all.
-        let none = Needs::TABLE_INERTIA.and(Needs::DENSITY).and(Needs::INERTIA);
+        let none = Needs::TABLE_INERTIA.union(Needs::DENSITY).union(Needs::INERTIA);
         let mut lost = 0;
         for left_out in each.into_iter().chain([Needs::NONE, none]) {
             let given = GIVEN.iter().filter(|(_, gives)| !gives.are_met_by(left_out));
             let some = fields(given.map(|(argument, _)| *argument));
             for (key, field) in &all {
                 let value = some.get(key).map_or(&FieldValue::Missing, |field| &field.value);
-                let is_given = field.needs.without(left_out) == field.needs;
+                let is_given = field.needs.difference(left_out) == field.needs;
                 assert_eq!(*value != FieldValue::Missing, is_given, "{key} without {left_out:?}: {value:?}");
                 lost += usize::from(!is_given);
             }

@@ -92,7 +92,7 @@ pub fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("web of the disc", "least thickness between crescent and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
             .line("web between crescents", "least thickness of the disc between two of them")
-            .needing(Needs::SIZE.and(Needs::SECOND_PIN)),
+            .needing(Needs::SIZE.union(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
     ]
 }
@@ -136,7 +136,7 @@ pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let speed = |key, of: fn(&Knock) -> f64| {
         let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
         ReportField::in_unit(key, speed, "mm/s")
-            .needing(Needs::SIZE.and(Needs::SPEED))
+            .needing(Needs::SIZE.union(Needs::SPEED))
             .rounded(Rounding::Significant(3))
     };
     Ok(vec![

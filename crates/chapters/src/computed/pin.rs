@@ -3,7 +3,7 @@
 use super::kinds::{FORMULA, SERIES, TRIANGLE, VECTORS};
 use super::second_routes::contact::{Stance, dot, moment};
 use anyhow::Context;
-use geneva_documents::pin::Instant;
+use geneva_documents::pin::PinProblem;
 use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
@@ -18,21 +18,21 @@ pub fn numbers() -> Vec<OwnNumber> {
     let lengths = [Form::Text("{3}&nbsp;mm"), Form::Text("{3}&nbsp;mm/s")];
     let degrees = Form::Text("{.1}°");
     vec![
-        acceleration("pin.acceleration", Instant::printed),
+        acceleration("pin.acceleration", PinProblem::printed),
         OwnNumber::new("pin.peak-speed", speed, FORMULA, || {
-            Ok(Wheel::new(4)?.peak_velocity() * Instant::printed()?.driver_speed)
+            Ok(Wheel::new(4)?.peak_velocity() * PinProblem::printed()?.driver_speed)
         })
         .with_second_route("the wheel is more than twice as fast", VECTORS, || {
-            Ok(stance(4, 0.0).ratio * Instant::printed()?.driver_speed)
+            Ok(stance(4, 0.0).ratio * PinProblem::printed()?.driver_speed)
         }),
         OwnNumber::new("pin.peak-acceleration", ACCELERATION, FORMULA, || {
-            Ok(Wheel::new(4)?.acceleration_peak().ratio * Instant::printed()?.driver_speed.powi(2))
+            Ok(Wheel::new(4)?.acceleration_peak().ratio * PinProblem::printed()?.driver_speed.powi(2))
         })
         .with_second_route("later the acceleration is greater", VECTORS, || {
-            Ok(greatest_bend(4) * Instant::printed()?.driver_speed.powi(2))
+            Ok(greatest_bend(4) * PinProblem::printed()?.driver_speed.powi(2))
         }),
         acceleration("pin.entry-acceleration", || {
-            let half = Instant::printed()?.mechanism.engagement_half_angle();
+            let half = PinProblem::printed()?.mechanism.engagement_half_angle();
             wheel_at(4, 180.0 - half.to_degrees())
         }),
         later_measure("pin.165.radius", lengths[0], |of| of.slot_radius, |of| of[0]),
@@ -57,10 +57,10 @@ const ACCELERATION: &str = "{3}&nbsp;rad/s²";
 const LATER: f64 = 165.0;
 
 /// The wheel of so many stations with the crank and the driver of the problem, at a crank angle φ in degrees.
-fn wheel_at(stations: u32, crank: f64) -> Numbers<Instant> {
-    let printed = Instant::printed()?;
+fn wheel_at(stations: u32, crank: f64) -> Numbers<PinProblem> {
+    let printed = PinProblem::printed()?;
     let mechanism = Wheel::new(stations)?.pin_and_slot(printed.mechanism.crank_radius())?;
-    Ok(Instant { mechanism, crank: Turn::from_degrees(crank), driver_speed: printed.driver_speed })
+    Ok(PinProblem { mechanism, crank: Turn::from_degrees(crank), driver_speed: printed.driver_speed })
 }
 
 /// Crank and slot of a wheel of so many stations in vectors, at an angle in radians from the line of centres.
@@ -74,7 +74,7 @@ type Measures = [f64; 6];
 /// From vectors: the pin's distance from the wheel's axis, the angle there, and the angle between the pin's velocity and the slot,
 /// in degrees; the speeds of the slot's point and of the sliding; and the wheel's speed.
 fn measures(stations: u32, crank: f64) -> Numbers<Measures> {
-    let printed = Instant::printed()?;
+    let printed = PinProblem::printed()?;
     let (size, speed) = (printed.mechanism.crank_radius(), printed.driver_speed);
     let Stance { velocity, radius, along, across, ratio, .. } = stance(stations, (180.0 - crank).to_radians());
     let [sliding, of_slot] = [along, across].map(|way| dot(velocity, way).abs());
@@ -101,7 +101,7 @@ fn later_measure(
 
 /// The crank angle φ of the problem, in degrees.
 fn crank() -> Numbers<f64> {
-    Ok(Instant::printed()?.crank.degrees())
+    Ok(PinProblem::printed()?.crank.degrees())
 }
 
 /// A measure of the exercise with six stations.
@@ -120,7 +120,7 @@ fn six_station_measure(
 
 /// The wheel's angular acceleration at an instant, positive where it speeds up: by the formula, and from the pin's place
 /// differentiated twice.
-fn acceleration<E>(id: &'static str, instant: fn() -> Result<Instant, E>) -> OwnNumber
+fn acceleration<E>(id: &'static str, instant: fn() -> Result<PinProblem, E>) -> OwnNumber
 where
     Box<dyn std::error::Error + Send + Sync>: From<E>,
     E: 'static,
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn the_answers_of_the_exercises_are_on_the_series_of_the_figure() {
-        let printed = Instant::printed().expect("a mechanism");
+        let printed = PinProblem::printed().expect("a mechanism");
         let figure =
             geneva_figures::pin::over_the_engagement(&printed.mechanism, &printed.crank, printed.driver_speed, "mm");
         // The problem counts its angle from the other side of the driver's axis.

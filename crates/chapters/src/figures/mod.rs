@@ -11,7 +11,7 @@ use anyhow::Context;
 use geneva_ask::escapement::{EscapementDesign, EscapementDrawing};
 use geneva_case1973::{Hypothesis, weakest};
 use geneva_documents::meyer::runs::table::rows;
-use geneva_documents::{jazar, pin::Instant, quick_return::Instant as Lever};
+use geneva_documents::{jazar, pin::PinProblem, quick_return::LeverProblem};
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::internal_wheel::InternalWheel;
@@ -116,13 +116,13 @@ pub fn on_a_page(name: &str) -> anyhow::Result<PageFigure> {
 }
 
 /// A drawing of the pin in the slot at the printed instant.
-fn of_pin(draw: fn(&Instant) -> Figure) -> anyhow::Result<Figure> {
-    Ok(draw(&Instant::printed().context("the printed data make no mechanism")?))
+fn of_pin(draw: fn(&PinProblem) -> Figure) -> anyhow::Result<Figure> {
+    Ok(draw(&PinProblem::printed().context("the printed data make no mechanism")?))
 }
 
 /// A drawing of the quick-return mechanism at the printed instant, in metres.
 fn of_lever(draw: fn(&QuickReturn, &Position, &Drive<f64>, &str) -> Figure) -> anyhow::Result<Figure> {
-    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    let at = LeverProblem::printed().context("the printed data make no quick-return mechanism")?;
     Ok(draw(&at.linkage, &at.position, &at.drive, "m"))
 }
 

@@ -1,7 +1,7 @@
 //! The textbook problem: angular velocity of a four-slot wheel and velocity of the pin in its slot.
 //!
 //! The claims follow the order of the source, with a file for each stage: what is given, the position triangle, the
-//! velocity triangle. The instant itself, from the printed values, is [`Instant`]. How the lost drawing can have shown it
+//! velocity triangle. The instant itself, from the printed values, is [`PinProblem`]. How the lost drawing can have shown it
 //! is in a file of its own.
 
 pub(crate) mod continuation;
@@ -69,7 +69,7 @@ pub const ANSWERS: &[&str] = &["pin.follower-speed", "pin.sliding-speed", "pin.s
 
 /// The mechanism at the printed instant.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Instant {
+pub struct PinProblem {
     /// Crank and slot, lengths in the printed unit.
     pub mechanism: PinSlot,
     /// Crank angle from the direction O → B, counter-clockwise.
@@ -78,7 +78,7 @@ pub struct Instant {
     pub driver_speed: f64,
 }
 
-impl Instant {
+impl PinProblem {
     /// Builds the instant from the printed values: the four-station wheel, scaled to the printed crank radius. The crank's
     /// angle is counted counter-clockwise, as the page that continues the problem lets us conclude.
     pub fn printed() -> Result<Self, KinematicsError> {
@@ -134,23 +134,23 @@ pub fn claims() -> Vec<Claim> {
 
 /// A quantity of the triangle at the printed instant, whose sides and angles its mirror image has too.
 fn triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
-    Instant::placed(placement::BY_THE_PAGE).map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
+    PinProblem::placed(placement::BY_THE_PAGE).map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
 }
 
 /// A quantity of the vectors at the printed instant.
 fn vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
-    Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
+    PinProblem::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
 /// The finding at the printed instant, from the mechanism and its motion by vectors.
-fn at_the_instant(find: impl Fn(&Instant, &PinMotion<f64>) -> Finding) -> Finding {
-    let found = Instant::printed().ok().and_then(|instant| Some(find(&instant, &instant.by_vectors()?)));
+fn at_the_instant(find: impl Fn(&PinProblem, &PinMotion<f64>) -> Finding) -> Finding {
+    let found = PinProblem::printed().ok().and_then(|instant| Some(find(&instant, &instant.by_vectors()?)));
     found.unwrap_or_else(|| Finding::new(false, "there is no such position"))
 }
 
 /// The finding at the printed instant, from the pin's position by dual numbers.
 fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
-    let found = Instant::printed().map(|instant| find(&instant.by_duals()));
+    let found = PinProblem::printed().map(|instant| find(&instant.by_duals()));
     found.unwrap_or_else(|_| Finding::new(false, "there is no such position"))
 }
 

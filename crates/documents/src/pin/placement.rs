@@ -53,8 +53,8 @@ impl Placement {
 
     /// A quantity of the motion in this placement, by vectors with the first axis along OB; not a number if there is no
     /// such position.
-    pub fn by_vectors(self, quantity: impl Fn(&Instant, &PinMotion<f64>) -> f64) -> f64 {
-        let found = Instant::placed(self).ok().and_then(|at| Some(quantity(&at, &at.by_vectors()?)));
+    pub fn by_vectors(self, quantity: impl Fn(&PinProblem, &PinMotion<f64>) -> f64) -> f64 {
+        let found = PinProblem::placed(self).ok().and_then(|at| Some(quantity(&at, &at.by_vectors()?)));
         found.unwrap_or(f64::NAN)
     }
 }

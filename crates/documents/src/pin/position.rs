@@ -54,7 +54,7 @@ pub fn claims() -> Vec<Claim> {
             .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B")
             .first_route(Evidence::CLOSED_FORM, || 180.0 - PIN.printed_number("pin.crank-angle"))
             .second_route(Evidence::VECTORS, || {
-                Instant::printed().map_or(f64::NAN, |instant| {
+                PinProblem::printed().map_or(f64::NAN, |instant| {
                     let (to_pin, to_pivot) = (instant.crank.direction(), Vector2::new(-1.0, 0.0));
                     between(&to_pin, &to_pivot)
                 })

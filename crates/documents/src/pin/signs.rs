@@ -209,7 +209,7 @@ pub fn driver_sense() -> Claim {
         .statement("pin.driver-sense", "counterclockwise", "the driver turns counterclockwise")
         .first_route(Evidence::JET, move |stated| {
             as_on_the_page(move |placement| {
-                let at = Instant { driver_speed: speed(stated), ..Instant::placed(placement).ok()? };
+                let at = PinProblem { driver_speed: speed(stated), ..PinProblem::placed(placement).ok()? };
                 Some(at.by_vectors()?.follower_speed)
             })
         })

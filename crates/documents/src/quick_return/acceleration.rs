@@ -73,7 +73,7 @@ fn known() -> Vec<Claim> {
             .with_second_witness(Evidence::JET, || {
                 // Along the circle, the polar components of the whole acceleration cancel, and at no other speed.
                 let along = |acceleration: f64| {
-                    let mut at = Instant::printed().ok()?;
+                    let mut at = LeverProblem::printed().ok()?;
                     at.drive.acceleration = acceleration;
                     let whole = given::components(&at.by_series()?);
                     Some(quarter_turn(&at.arm()).normalize().dot(&whole) / whole.norm())
@@ -297,8 +297,8 @@ fn normal_by_diagrams(tex: &str) -> Option<bool> {
         let acceleration = quarter_turn(&velocity) * speed + quarter_turn(&place) * angular_acceleration;
         holds(chain, &normal(-place.normalize().dot(&acceleration), velocity.norm(), radius))
     };
-    let motion = Instant::printed().ok()?.by_diagrams()?;
-    let slot = Instant::printed().ok()?.position.lever.direction();
+    let motion = LeverProblem::printed().ok()?.by_diagrams()?;
+    let slot = LeverProblem::printed().ok()?.position.lever.direction();
     let across = slot.perp(&motion.accelerations.sliding_tangential);
     let straight = holds(tex, &normal(across, motion.velocities.sliding_velocity.norm(), f64::INFINITY));
     Some(curved(0.6)? && curved(3.0)? && straight?)
@@ -313,7 +313,7 @@ fn normal_by_duals(tex: &str) -> Option<bool> {
     let curved = |radius: f64| {
         on(chain, Crank { ground: 0.0, radius, angle: 0.4, speed: 2.3, acceleration: 1.9 }.pin_motion(), radius)
     };
-    let crank = Instant::printed().ok()?.by_duals();
+    let crank = LeverProblem::printed().ok()?.by_duals();
     let slot = crank.polar()[1][0];
     let seen = path(|t| turned(crank.pin(t), -(crank.slot(t) - slot)));
     Some(curved(0.7)? && curved(2.5)? && on(tex, seen, f64::INFINITY)?)

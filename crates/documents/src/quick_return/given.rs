@@ -119,7 +119,7 @@ const COUNTED: &str = "We count the terms in another motion, in which the crank 
                        that none of them is zero.";
 
 /// The instant with the crank turning counter-clockwise; or clockwise.
-fn driven(instant: &Instant, stated: Stated) -> Instant {
+fn driven(instant: &LeverProblem, stated: Stated) -> LeverProblem {
     let mut instant = instant.clone();
     instant.drive.speed *= stated.pick(1.0, -1.0);
     instant

@@ -1,7 +1,7 @@
 //! The examination problem: a quick-return mechanism, its velocity and acceleration diagrams, the Coriolis term.
 //!
 //! The claims follow the order of the source: what is given and asked, the position, the equations of the moving frame,
-//! the velocities, the accelerations. The instant itself, from the printed values, is [`Instant`].
+//! the velocities, the accelerations. The instant itself, from the printed values, is [`LeverProblem`].
 
 mod acceleration;
 mod coriolis;
@@ -81,7 +81,7 @@ pub const ANSWERS: &[&str] = &[
 
 /// The mechanism at the printed instant. Lengths in m, angles from the direction lever pivot → crank axis.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Instant {
+pub struct LeverProblem {
     /// Ground and crank.
     pub linkage: QuickReturn,
     /// Where crank and lever are.
@@ -90,7 +90,7 @@ pub struct Instant {
     pub drive: Drive<f64>,
 }
 
-impl Instant {
+impl LeverProblem {
     /// Builds the instant from the printed values, on the branch that the source takes. Tests also try its mirror image.
     pub fn printed() -> Result<Self, KinematicsError> {
         #[cfg(test)]
@@ -160,22 +160,22 @@ pub fn claims() -> Vec<Claim> {
 
 /// A quantity of the diagrams at the printed instant.
 fn diagram(quantity: fn(&LeverMotion<f64>) -> f64) -> f64 {
-    Instant::printed().ok().and_then(|instant| instant.by_diagrams()).map_or(f64::NAN, |motion| quantity(&motion))
+    LeverProblem::printed().ok().and_then(|instant| instant.by_diagrams()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
 /// A quantity of the differentiated loop closure at the printed instant.
 fn series(quantity: fn(&PolarRates<f64>) -> f64) -> f64 {
-    Instant::printed().ok().and_then(|instant| instant.by_series()).map_or(f64::NAN, |rates| quantity(&rates))
+    LeverProblem::printed().ok().and_then(|instant| instant.by_series()).map_or(f64::NAN, |rates| quantity(&rates))
 }
 
 /// What is found at the printed instant.
-fn at_the_instant(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
-    Instant::printed().ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere)
+fn at_the_instant(find: impl Fn(&LeverProblem) -> Option<Finding>) -> Finding {
+    LeverProblem::printed().ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere)
 }
 
 /// What is found at the printed instant and at its mirror image; it must hold at both.
-fn in_both_drawings(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
-    let [drawn, mirrored] = [Instant::printed(), Instant::mirrored()]
+fn in_both_drawings(find: impl Fn(&LeverProblem) -> Option<Finding>) -> Finding {
+    let [drawn, mirrored] = [LeverProblem::printed(), LeverProblem::mirrored()]
         .map(|instant| instant.ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere));
     Finding::new(drawn.holds && mirrored.holds, both_drawings(&drawn.how, &mirrored.how))
 }
@@ -210,7 +210,7 @@ fn alike(a: &Vector2<f64>, b: &Vector2<f64>) -> Finding {
 
 /// A quantity of the position at the printed instant.
 fn position_of(quantity: fn(&Position) -> f64) -> f64 {
-    Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.position))
+    LeverProblem::printed().map_or(f64::NAN, |instant| quantity(&instant.position))
 }
 
 /// r, the distance of the pin from the lever's pivot, by the differentiated loop closure.

@@ -92,7 +92,7 @@ pub fn claims() -> Vec<Claim> {
                  circle",
             )
             .first_route(Evidence::OTHER_PLACE_IN_SOURCE, |stated| {
-                let at = Instant::on(stated.pick(Branch::Far, Branch::Near));
+                let at = LeverProblem::on(stated.pick(Branch::Far, Branch::Near));
                 let length = at.map_or(f64::NAN, |at| at.position.pin_distance);
                 Finding::new(
                     QUICK_RETURN.prints_rounding_of("quick-return.lever-length", length),
@@ -148,7 +148,9 @@ pub fn claims() -> Vec<Claim> {
             }),
         SPEED
             .value("quick-return.driver-rate", "5.24", "rad/s", "angular velocity of the crank")
-            .first_route(Evidence::CLOSED_FORM, || Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed))
+            .first_route(Evidence::CLOSED_FORM, || {
+                LeverProblem::printed().map_or(f64::NAN, |instant| instant.drive.speed)
+            })
             .second_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
                 QUICK_RETURN.printed_number("quick-return.pin-speed")
                     / QUICK_RETURN.printed_number("quick-return.crank")

@@ -7,7 +7,7 @@
 use super::*;
 use crate::PIN;
 use crate::pin::continuation::{SLIDING_ARROW, WHEEL_ARROW};
-use crate::pin::{Arrow, Instant, Placement, heading, turns};
+use crate::pin::{Arrow, PinProblem, Placement, heading, turns};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::pin_vectors::PinMotion;
@@ -106,7 +106,7 @@ pub fn claims() -> Vec<Claim> {
         HOLOOLY
             .value("wild.holooly.pin-acceleration", "5000", "mm/s²", "acceleration of the pin")
             .first_route(Evidence::CLOSED_FORM, || {
-                Instant::printed().map_or(f64::NAN, |instant| {
+                PinProblem::printed().map_or(f64::NAN, |instant| {
                     instant.mechanism.crank_radius() * instant.driver_speed * instant.driver_speed
                 })
             })
@@ -124,7 +124,7 @@ pub fn claims() -> Vec<Claim> {
             )
             .first_route(Evidence::CLOSED_FORM, || 180.0 - PIN.printed_number("pin.crank-angle"))
             .second_route(Evidence::VECTORS, || {
-                let found = Instant::printed().ok().and_then(|at| Some(to_the_axis(&at, &at.by_vectors()?).normalize()));
+                let found = PinProblem::printed().ok().and_then(|at| Some(to_the_axis(&at, &at.by_vectors()?).normalize()));
                 found.map_or(f64::NAN, |towards| -Turn { cos: towards.x, sin: towards.y }.degrees())
             })
             .interpreted_as(
@@ -165,16 +165,16 @@ fn value(
 
 /// A quantity of the first problem's instant by its triangle; not a number if there is no such position.
 fn by_triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
-    Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
+    PinProblem::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
 }
 
 /// A quantity of the first problem's instant by vectors; not a number if there is no such position.
 fn by_vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
-    Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
+    PinProblem::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
 /// The vector from the pin to the driver's axis, along which a steady driver accelerates the pin.
-fn to_the_axis(at: &Instant, motion: &PinMotion<f64>) -> Vector2<f64> {
+fn to_the_axis(at: &PinProblem, motion: &PinMotion<f64>) -> Vector2<f64> {
     Vector2::new(at.mechanism.centre_distance(), 0.0) - motion.position
 }
 
