@@ -18,7 +18,7 @@ pub(crate) fn chapters() -> Vec<(String, String)> {
 }
 
 /// Writes a file anew if it stands otherwise, and says whether it stood so.
-fn stood_written(file: &str, text: &str) -> bool {
+pub(crate) fn stood_written(file: &str, text: &str) -> bool {
     let path = crate::path(file);
     let stood = std::fs::read_to_string(&path).is_ok_and(|standing| standing == text);
     if !stood {

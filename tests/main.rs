@@ -9,6 +9,7 @@ mod book_sources;
 mod browser;
 mod citing;
 mod coverage;
+mod crate_picture;
 mod displays;
 mod first_page;
 mod formula_font;
