@@ -84,6 +84,7 @@ mod tests {
             ]
         },
         answers: &[],
+        given: &[],
         conclusions: &[],
         symbols: &[],
         units: &[],

@@ -26,6 +26,8 @@ pub struct Document {
     pub claims: fn() -> Vec<Claim>,
     /// The claims that print the answers to what a problem asks for; none if the document asks for no numbers.
     pub answers: &'static [&'static str],
+    /// The claims that print what the document takes as given and computes with: both routes of its other numbers may use them.
+    pub given: &'static [&'static str],
     /// What the document concludes and a slip may make false: the claim, and what shows that it is a conclusion and no
     /// remark, its place or the words before it.
     pub conclusions: &'static [(&'static str, &'static str)],

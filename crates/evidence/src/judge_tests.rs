@@ -11,6 +11,7 @@ static MADE_UP: Document = Document {
     inventory: None,
     claims: Vec::new,
     answers: &[],
+    given: &[],
     conclusions: &[],
     symbols: &[],
     units: &[],

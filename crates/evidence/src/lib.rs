@@ -16,9 +16,10 @@
 //!     inventory: None,
 //!     claims,
 //!     answers: &["leaflet.time"],
+//!     given: &["leaflet.gravity"],
 //!     conclusions: &[],
 //!     symbols: &[],
-//!     units: &[("time", "s"), ("height", "m"), ("acceleration", "m/s²")],
+//!     units: &[("time", "s"), ("acceleration", "m/s²")],
 //!     cache: Cache::new(),
 //! };
 //!
@@ -47,6 +48,8 @@
 //! let judged = LEDGER.verdict("leaflet.time").expect("a claim of the leaflet");
 //! assert_eq!(judged.verdict, Verdict::Reproduced);
 //! assert!(judged.matches_record());
+//! // Would a wrong digit, a wrong route or another unit be noticed?
+//! geneva_evidence::testing::check(&LEDGER);
 //! ```
 //!
 //! This crate knows no subject: what the claims are about, which kinds of evidence a ledger uses and how exactly they must

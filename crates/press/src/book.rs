@@ -47,6 +47,15 @@ pub struct Book {
     pub citation_file: &'static str,
 }
 
+/// The figures of a book that has none.
+///
+/// # Errors
+///
+/// That there is no figure of this name.
+pub fn no_figures(name: &str) -> anyhow::Result<PageFigure> {
+    anyhow::bail!("no figure `{name}`: this book has no figures")
+}
+
 /// Makes a text.
 pub type MakeText = fn() -> anyhow::Result<String>;
 

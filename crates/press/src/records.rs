@@ -143,7 +143,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
     let works: Vec<_> = works::rows(book.works).collect();
     let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
     let versioned = |what, rows: &mut dyn Iterator<Item = DataRow>| versioned(book, what, edition, rows);
-    Ok(vec![
+    let mut files = vec![
         ("claims.json", versioned("claims", &mut claims.into_iter())?),
         ("errata.json", versioned("errata", &mut of_sources.map(slip))?),
         ("copies.json", versioned("copies", &mut copies.iter().cloned())?),
@@ -152,7 +152,10 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
         ("CITATION.cff", book.citation_file.to_owned()),
-    ])
+    ];
+    // A book that cites no work has no list of works, and so on.
+    files.retain(|(_, text)| !text.is_empty());
+    Ok(files)
 }
 
 /// Rows in a file that says what it belongs to, in which edition of the project.

@@ -41,6 +41,7 @@ pub static LEAFLET: Document = Document {
     }),
     claims,
     answers: &["leaflet.speed"],
+    given: &["leaflet.gravity"],
     conclusions: &[],
     symbols: &[Symbol { printed: "h", ours: "h", meaning: "height of the fall" }],
     units: &[],

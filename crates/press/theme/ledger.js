@@ -7,9 +7,9 @@
     const rows = lists.flatMap(list => [...list.children].map(row => {
         const [kind, verdict, copy] = row.classList;
         const truth = copy ?? form.elements.verdict.querySelector(`[value="${verdict}"]`).dataset.truth;
-        return { row, kind, verdict, truth, source: list.dataset.source, words: null };
+        return { row, kind, verdict, truth, source: list.dataset.source, isMirrored: 'mirrored' in list.dataset, words: null };
     }));
-    const isOfDocuments = ({ source }) => source !== 'wild';
+    const isOfDocuments = ({ isMirrored }) => isMirrored;
     const chosen = ['source', 'truth', 'verdict', 'kind'];
 
     // What stands in the address: of a filter the fields that are set, of a claim its id.
@@ -31,12 +31,12 @@
             list.hidden = isEmpty;
             list.previousElementSibling.hidden = isEmpty;
         }
-        // The totals of the book are of the four documents.
+        // The totals of the book are of the documents that it mirrors.
         const shown = rows.filter(of => !of.row.hidden), inDocuments = shown.filter(isOfDocuments).length;
         const count = shown.length === rows.length ? `All ${shown.length} claims` : `${shown.length} of ${rows.length} claims`;
         const isMixed = inDocuments > 0 && inDocuments < shown.length;
         form.querySelector('output').value = isMixed
-            ? `${count}: ${inDocuments} in the four documents, ${shown.length - inDocuments} elsewhere` : count;
+            ? `${count}: ${inDocuments} ${form.dataset.documents}, ${shown.length - inDocuments} elsewhere` : count;
     };
 
     /** Writes the filter into the address, so that it can be kept and sent. */

@@ -38,6 +38,7 @@ pub static LEAFLET: Document = Document {
     }),
     claims,
     answers: &["leaflet.fall-time", "leaflet.short-period", "leaflet.short-rate"],
+    given: &[],
     conclusions: &[],
     symbols: &[
         Symbol { printed: "g", ours: "g", meaning: "acceleration of a falling body" },

@@ -10,9 +10,8 @@ pub use leaflet::{BODIES, IN_STEPS, LEAFLET};
 
 use geneva_evidence::{Consequence, Evidence, Ledger};
 use geneva_press::Book;
-use geneva_press::book::Examples;
+use geneva_press::book::{Examples, no_figures};
 use geneva_press::imprint::Imprint;
-use geneva_press::lookup::unknown;
 use geneva_press::pages::{Page, PagePlace, PageRole};
 
 /// The leaflet with its verdicts.
@@ -54,7 +53,7 @@ pub static BOOK: Book = Book {
     keys: &[],
     own_numbers: Default::default,
     own_words: &[],
-    figures: |name| Err(unknown("figure", name, std::iter::empty())),
+    figures: no_figures,
     tables: &[],
     works: &[],
     open_groups: &[],

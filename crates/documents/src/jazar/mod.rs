@@ -48,6 +48,7 @@ pub static JAZAR: Document = Document {
     }),
     claims,
     answers: ANSWERS,
+    given: &[],
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

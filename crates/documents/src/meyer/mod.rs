@@ -76,6 +76,7 @@ pub static MEYER: Document = Document {
     }),
     claims,
     answers: &[],
+    given: &[],
     conclusions: CONCLUSIONS,
     symbols: SYMBOLS,
     units: &[

@@ -44,6 +44,7 @@ pub static PIN: Document = Document {
     }),
     claims,
     answers: ANSWERS,
+    given: &[],
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

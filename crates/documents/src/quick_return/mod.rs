@@ -43,6 +43,7 @@ pub static QUICK_RETURN: Document = Document {
     }),
     claims,
     answers: ANSWERS,
+    given: &[],
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

@@ -51,6 +51,7 @@ pub static WILD: Document = Document {
     inventory: None,
     claims,
     answers: &[],
+    given: &[],
     conclusions: &[],
     // Each page has letters of its own; what they stand for is told with each statement.
     symbols: &[],

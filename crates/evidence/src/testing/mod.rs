@@ -36,8 +36,7 @@ pub struct Guarded {
     /// Sentences that stay true with another number in them: the id of the claim, and why. An exception that is not needed any
     /// more is reported.
     pub free_numbers: &'static [(&'static str, &'static str)],
-    /// The claims that print what is given, not what is computed from it, beside those that only other places of the document
-    /// confirm: both routes of a number may use them.
+    /// Further claims that print what is given, if no list says which, beside [`Document::given`](crate::Document::given).
     pub given: fn() -> Vec<String>,
 }
 

@@ -19,6 +19,7 @@ mod value;
 
 pub use changed::changed_part;
 pub use exact::{Exact, decide, decide_joined, decide_multiple};
+pub use geneva_exact::Expression;
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment, by_name};
 pub use number::Number;

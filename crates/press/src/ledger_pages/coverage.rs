@@ -21,6 +21,9 @@ pub fn page(book: &Book) -> anyhow::Result<String> {
         format!("<a id=\"slip-{id}\" href=\"{}\">{id}</a>", book.address_of_claim(id))
     });
     let copies = copies.collect::<Vec<_>>().join(", ");
+    if copies.is_empty() {
+        return Ok(format!("{sums}\n"));
+    }
     Ok(format!(
         "{sums}\n\n## Characters of the copies {{#copies}}\n\nWe read the sources in copies that a machine has \
          made from paper. In the following claims, a character in the copy is wrong, and the context demands another. \
@@ -35,8 +38,8 @@ pub fn slips_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'sta
 
 /// The sums of a source.
 pub fn row(ledger: &'static Ledger, document: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
-    if let Some(line) = lines.iter().find(|line| line_gap(document, line).is_some()) {
-        bail!("line {} of {document} has numbers that nothing accounts for", line.number);
+    if let Some((line, gap)) = lines.iter().find_map(|line| Some((line, line_gap(document, line)?))) {
+        bail!("line {} of {document} has numbers that nothing accounts for: {gap}", line.number);
     }
     let entries = || lines.iter().flat_map(|line| &line.entries);
     let sums = [

@@ -75,8 +75,13 @@ pub fn filter(book: &Book) -> String {
         [Truth::Right, Truth::Wrong, Truth::Open].map(|truth| option(truth.slug(), "", truth.slug()));
     let truths = [right, wrong, option(MISCOPIED, "", "wrong only in the copy"), open].concat();
     let kinds = Kind::ALL.iter().map(|kind| option(kind.slug(), "", kind_name(*kind))).collect();
+    // By these words the script tells the documents that are mirrored from what is said elsewhere.
+    let documents = match book.ledger.mirrored().len() {
+        1 => "in the document".to_owned(),
+        count => format!("in the {} documents", in_words(count)),
+    };
     format!(
-        "<form class=\"filter\" role=\"search\" aria-label=\"Filter the claims\" hidden><label>Words <input type=\"search\" \
+        "<form class=\"filter\" role=\"search\" aria-label=\"Filter the claims\" data-documents=\"{documents}\" hidden><label>Words <input type=\"search\" \
          name=\"words\"></label>{}{}{}{}<p><output></output> <button type=\"reset\">Show all</button></p></form>",
         select("source", "Source", sources),
         select("truth", "Is it right?", truths),
@@ -100,7 +105,8 @@ fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
     let ids = section.ids(book.ledger).into_iter();
     let rows = ids.map(|id| row(book, lookup::verdict(book.ledger, id)?)).collect::<anyhow::Result<String>>()?;
     let (title, name, source) = (section.title, section.name, section.document);
-    Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\">\n{rows}</ul>\n\n"))
+    let mirrored = if source.is_mirrored() { " data-mirrored" } else { "" };
+    Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\"{mirrored}>\n{rows}</ul>\n\n"))
 }
 
 /// A claim: its id, our verdict, where it stands, what it says, what is printed, and what was found, in a line.
