@@ -102,9 +102,12 @@ const MORE_DIGITS: [(&str, &str, &str); 2] = [
 fn no_number_in_prose_has_more_digits_than_its_source_but_for_a_reason() {
     let mut found = Vec::new();
     for (file, text) in chapters() {
-        for rest in text.split("{{value:").skip(1) {
+        for rest in text.split("{{computed:").skip(1) {
             let id = rest.split("}}").next().expect("its end").to_owned();
-            found.push((file.clone(), id));
+            // What is no claim is a number of our own, which no source prints.
+            if LEDGER.claim(&id).is_some() {
+                found.push((file.clone(), id));
+            }
         }
     }
     let allowed = MORE_DIGITS.map(|(file, id, _)| (file.to_owned(), id.to_owned()));

@@ -105,7 +105,8 @@ fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
     let ids = section.ids(book.ledger).into_iter();
     let rows = ids.map(|id| row(book, lookup::verdict(book.ledger, id)?)).collect::<anyhow::Result<String>>()?;
     let (title, name, source) = (section.title, section.name, section.document);
-    let mirrored = if source.is_mirrored() { " data-mirrored" } else { "" };
+    let is_mirrored = book.ledger.document(source).is_some_and(|document| document.is_mirrored());
+    let mirrored = if is_mirrored { " data-mirrored" } else { "" };
     Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\"{mirrored}>\n{rows}</ul>\n\n"))
 }
 
