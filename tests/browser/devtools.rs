@@ -30,7 +30,7 @@ const NAMES: [&str; 5] =
 
 /// How a page is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Medium {
+pub(crate) enum Medium {
     Light,
     Dark,
     Paper,
@@ -38,7 +38,7 @@ pub enum Medium {
 
 /// How a browser sets letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Letters {
+pub(crate) enum Letters {
     /// As they are drawn, each as wide as the font's table of widths says.
     Exact,
     /// Put on whole pixels, each as wide as its drawing says. The browser does this on desktops that ask for it, and
@@ -60,7 +60,7 @@ struct Process {
 static IDLE: Mutex<Vec<Process>> = Mutex::new(Vec::new());
 
 /// One browser with one page. What it keeps is its own and goes with it: no other test sees it.
-pub struct Browser {
+pub(crate) struct Browser {
     /// None once another test may have it.
     process: Option<Process>,
     events: VecDeque<Value>,
@@ -83,12 +83,12 @@ fn program() -> Option<PathBuf> {
 
 impl Browser {
     /// A browser with an empty page. Where there is none, this says so and gives none; where one must be, it fails.
-    pub fn start() -> Option<Self> {
+    pub(crate) fn start() -> Option<Self> {
         Self::start_with(Letters::Exact)
     }
 
     /// A browser as [`Self::start`] gives it, which sets letters in this way.
-    pub fn start_with(letters: Letters) -> Option<Self> {
+    pub(crate) fn start_with(letters: Letters) -> Option<Self> {
         let started = match program() {
             None => Err(format!("none of {} is installed, and $CHROMIUM does not name one", NAMES.join(", "))),
             Some(_) if !cfg!(unix) => Err("its pipe is laid by a Unix shell".to_owned()),
@@ -181,17 +181,17 @@ impl Browser {
 
     /// What a command of the protocol gives.
     #[track_caller]
-    pub fn command(&mut self, method: &str, parameters: Value) -> Value {
+    pub(crate) fn command(&mut self, method: &str, parameters: Value) -> Value {
         self.ask(method, parameters).unwrap_or_else(|why| panic!("the browser: {why}"))
     }
 
     /// Shows pages from now on at this width, on this medium. The page that is open changes with it.
-    pub fn show(&mut self, width: u32, medium: Medium) {
+    pub(crate) fn show(&mut self, width: u32, medium: Medium) {
         self.show_in([width, HEIGHT], medium);
     }
 
     /// Shows pages from now on in a window of this width and height, on this medium.
-    pub fn show_in(&mut self, window: [u32; 2], medium: Medium) {
+    pub(crate) fn show_in(&mut self, window: [u32; 2], medium: Medium) {
         self.size(window);
         self.medium(medium);
         self.shown = Some((window, medium));
@@ -218,7 +218,7 @@ impl Browser {
 
     /// Shows the page that is open at this width, on this medium, and waits until its scripts know. Whatever changes has the
     /// browser look up all styles anew, so what stays is not told again.
-    pub fn turn(&mut self, width: u32, medium: Medium) {
+    pub(crate) fn turn(&mut self, width: u32, medium: Medium) {
         let window = [width, HEIGHT];
         let (is_new_size, is_new_medium) = self.shown.map_or((true, true), |(size, of)| (size != window, of != medium));
         if is_new_size {
@@ -241,13 +241,13 @@ impl Browser {
     }
 
     /// Whether the scripts of pages that are opened from now on run. Those of [`Self::evaluate`] do.
-    pub fn run_scripts(&mut self, run: bool) {
+    pub(crate) fn run_scripts(&mut self, run: bool) {
         self.command("Emulation.setScriptExecutionDisabled", json!({ "value": !run }));
     }
 
     /// Opens a page, and waits until it is loaded with its fonts.
     #[track_caller]
-    pub fn open(&mut self, address: &str) {
+    pub(crate) fn open(&mut self, address: &str) {
         let path = address.find("://").map_or(0, |at| at + 3);
         let end = address[path..].find('/').map_or(address.len(), |at| path + at);
         self.origins.insert(address[..end].to_owned());
@@ -267,7 +267,7 @@ impl Browser {
 
     /// The value of an expression in the page; of a promise, what it promises.
     #[track_caller]
-    pub fn evaluate(&mut self, expression: &str) -> Value {
+    pub(crate) fn evaluate(&mut self, expression: &str) -> Value {
         let asked = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
         let mut answer = self.command("Runtime.evaluate", asked);
         let wrong = &answer["exceptionDetails"];
@@ -277,7 +277,7 @@ impl Browser {
 
     /// The page that is open as a PDF, by the size and margins that its style asks for, with an outline of its headings.
     #[track_caller]
-    pub fn print(&mut self) -> Vec<u8> {
+    pub(crate) fn print(&mut self) -> Vec<u8> {
         let wanted = json!({
             "preferCSSPageSize": true, "printBackground": true, "generateDocumentOutline": true, "generateTaggedPDF": true,
         });
@@ -287,7 +287,7 @@ impl Browser {
 
     /// Waits until the browser is at an address that ends so.
     #[track_caller]
-    pub fn arrive(&mut self, ending: &str) {
+    pub(crate) fn arrive(&mut self, ending: &str) {
         let end = Instant::now() + PATIENCE;
         // Whatever changes the address after it has been asked for is told by a message.
         while !self.address().is_some_and(|address| address.ends_with(ending)) {
@@ -304,7 +304,7 @@ impl Browser {
     }
 
     /// Presses a key: its name, and its number on a keyboard.
-    pub fn press(&mut self, key: &str, number: u8) {
+    pub(crate) fn press(&mut self, key: &str, number: u8) {
         for kind in ["rawKeyDown", "keyUp"] {
             let event = json!({ "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": number });
             self.command("Input.dispatchKeyEvent", event);
@@ -312,7 +312,7 @@ impl Browser {
     }
 
     /// What has happened since the last call, as the protocol tells it.
-    pub fn events(&mut self) -> Vec<Value> {
+    pub(crate) fn events(&mut self) -> Vec<Value> {
         self.events.drain(..).collect()
     }
 }
@@ -347,7 +347,7 @@ impl Browser {
     }
 
     /// What the next test gets that has this process.
-    pub fn again(mut self) -> Option<Self> {
+    pub(crate) fn again(mut self) -> Option<Self> {
         self.leave().and_then(|process| Self::of(process).ok())
     }
 }

@@ -39,7 +39,7 @@ const UNDER_CONDITIONS: &[Condition] = &[
     ("escapement", r"\frac{\dot\varphi}{\dot\theta} = \cos", escapement::taking_over),
 ];
 
-pub fn entering(number: usize) -> Moment {
+pub(super) fn entering(number: usize) -> Moment {
     let ratio = 1.0 + 3.0 * super::spread(number, 4);
     pin(number, Some(ratio), Some(libm::acos(1.0 / ratio)))
 }
@@ -62,7 +62,7 @@ impl Printed {
 }
 
 /// The states in which what a chapter says of its mechanism must hold; none for a chapter without one.
-pub fn states_of(chapter: &str) -> Option<Vec<Moment>> {
+pub(super) fn states_of(chapter: &str) -> Option<Vec<Moment>> {
     let many = |state: fn(usize) -> Moment| Some((0..40).map(state).collect());
     match chapter {
         "pin" => many(|number| pin(number, None, None)),

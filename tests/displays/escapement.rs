@@ -10,12 +10,12 @@ use geneva_kinematics::escapement::{ContinuousEscapement, possible_pairs};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
-pub fn states() -> Vec<Moment> {
+pub(super) fn states() -> Vec<Moment> {
     (0..45).map(state).collect()
 }
 
 /// The escapement at many instants, with the square of the speed as a function of the angle: u' is twice the acceleration.
-pub fn over_the_angle() -> Vec<Moment> {
+pub(super) fn over_the_angle() -> Vec<Moment> {
     let squared = |state: Moment| {
         let [speed, angular_acceleration, follower] =
             ["theta'", "theta''", "varphi'"].map(|name| state.letters()[name]);
@@ -25,7 +25,7 @@ pub fn over_the_angle() -> Vec<Moment> {
 }
 
 /// Other numbers of pins and slots than those of the three mechanisms too, as one pin takes over from the next.
-pub fn taking_over(number: usize) -> Moment {
+pub(super) fn taking_over(number: usize) -> Moment {
     let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| ContinuousEscapement::new(pins, slots)));
     let pairs: Vec<ContinuousEscapement> = pairs.collect();
     let pair = pairs[number % pairs.len()];
@@ -37,7 +37,7 @@ pub fn taking_over(number: usize) -> Moment {
 }
 
 /// One of the three mechanisms as one pin takes over from the next: the angles, by the pin's place.
-pub fn at_the_hand_over(number: usize) -> Moment {
+pub(super) fn at_the_hand_over(number: usize) -> Moment {
     let mechanism = Mechanism::ALL[number % 3];
     let angle = mechanism.engagement_half_angle();
     let pin = pin_slot::pin_from_pivot(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));

@@ -108,7 +108,7 @@ fn wheel_entering(stations: u32, number: usize) -> Moment {
 
 /// The formulas in the lines of a text, with single blanks, degrees as TeX writes them, and no sign of equality that a number
 /// follows.
-pub fn formulas(text: &str) -> Vec<String> {
+pub(super) fn formulas(text: &str) -> Vec<String> {
     let prose: String = text.split("```").step_by(2).collect();
     // Displays have two signs at either end.
     let lines: String = prose.split("$$").step_by(2).collect();
@@ -131,7 +131,7 @@ fn inequality(tex: &str) -> Option<([&str; 2], Compares)> {
 }
 
 /// Whether a formula relates anything: by a sign that stands between two sides.
-pub fn relates(tex: &str) -> bool {
+pub(super) fn relates(tex: &str) -> bool {
     ["=", r"\approx"].iter().any(|sign| tex.contains(sign)) || inequality(tex).is_some()
 }
 

@@ -9,7 +9,7 @@ use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Turn, pin_slot};
 
 /// All three mechanisms, with many joints, on both flanks and with both senses of sliding.
-pub fn states() -> Vec<Moment> {
+pub(super) fn states() -> Vec<Moment> {
     (0..60).map(state).collect()
 }
 

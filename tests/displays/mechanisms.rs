@@ -21,7 +21,7 @@ fn between(number: usize, which: usize, least: f64, most: f64) -> f64 {
 
 /// A pin in a slot before the line of centres, where θ and φ are negative; at a given ratio of lengths or at many, and at
 /// a given size of θ or at many.
-pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
+pub(super) fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     let radius = between(number, 0, 0.5, 2.0);
     let ratio = ratio.unwrap_or(between(number, 1, 1.1, 4.0));
     let mechanism = pin_slot::PinSlot::new(radius, ratio * radius).expect("a mechanism");
@@ -54,7 +54,7 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
 }
 
 /// The quick-return mechanism on the branch of the source, its lever above the line of centres.
-pub fn quick_return(number: usize, acceleration: f64) -> Moment {
+pub(super) fn quick_return(number: usize, acceleration: f64) -> Moment {
     let (crank, speed) = (between(number, 0, 0.5, 2.0), between(number, 1, 0.5, 3.0));
     let ground = crank * between(number, 2, 1.2, 3.0);
     let linkage = QuickReturn::new(ground, crank).expect("a linkage");
@@ -102,7 +102,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
 
 /// When to look at a wheel.
 #[derive(Clone, Copy, PartialEq)]
-pub enum When {
+pub(super) enum When {
     /// Within the advance, the driver at constant speed.
     Steady,
     /// Within the advance, the driver speeding up or slowing down.
@@ -112,7 +112,7 @@ pub enum When {
 }
 
 /// A wheel of many numbers of stations, or of one.
-pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
+pub(super) fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
     let wheel = Wheel::new(stations.unwrap_or(3 + number as u32 % 16)).expect("a wheel");
     let half = wheel.engagement_half_angle();
     let angle = match when {
@@ -152,7 +152,7 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
 }
 
 /// A wheel with what it carries, its pin on the wall of its slot, and the blow with which that comes in.
-pub fn making(number: usize) -> Moment {
+pub(super) fn making(number: usize) -> Moment {
     // Before the line of centres, where the pin drives the wheel.
     let wheel = Wheel::with_pins(3 + number as u32 % 16, 1 + number as u32 % 2).expect("a wheel");
     let radius = between(number, 1, 20.0, 60.0);
@@ -182,7 +182,7 @@ pub fn making(number: usize) -> Moment {
 }
 
 /// One step of the integration, its four slopes as the program asks for them.
-pub fn step(number: usize) -> Moment {
+pub(super) fn step(number: usize) -> Moment {
     let slope: fn(f64, f64) -> f64 = |x, y| libm::sin(2.0 * x) + x * y - y * y / 3.0;
     let [x, y, h] = [between(number, 0, -1.0, 1.0), between(number, 1, -1.0, 1.0), between(number, 2, 0.1, 0.5)];
     let mut slopes = vec![slope(x, y)];

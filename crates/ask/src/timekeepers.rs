@@ -7,7 +7,7 @@ use geneva_dynamics::timer::runaway::{friction_power, governed_power};
 const MINUTES: f64 = 1440.0;
 
 /// A runaway escapement, of which friction takes a part of the torque and blows take the rest of the work: `--friction-share 0.2`.
-pub fn runaway(arguments: &str) -> Result<MechanismReport, Error> {
+pub(crate) fn runaway(arguments: &str) -> Result<MechanismReport, Error> {
     let share = only(arguments, "friction-share")?;
     let lost = ReportField::in_unit("friction_rate_min_a_day", 0.01 * MINUTES * friction_power(share)?, "min a day");
     let lost = lost.line("friction", "what the timer gains with one per cent more of it, to first order");
@@ -15,7 +15,7 @@ pub fn runaway(arguments: &str) -> Result<MechanismReport, Error> {
 }
 
 /// A train with a centrifugal brake, at so many times the speed at which the brake begins to touch: `--beyond 1.1`.
-pub fn governor(arguments: &str) -> Result<MechanismReport, Error> {
+pub(crate) fn governor(arguments: &str) -> Result<MechanismReport, Error> {
     let power = ReportField::new("torque_power", governed_power(only(arguments, "beyond")?)?);
     let power = power.line("power of the torque", "the speed is proportional to this power of the torque");
     Ok(answer("Governed train", power.rounded(Rounding::Decimals(2))))

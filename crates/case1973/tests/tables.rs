@@ -5,11 +5,11 @@ use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// A listing of no source.
-pub const LISTING: Listing =
+pub(crate) const LISTING: Listing =
     Listing { reset: 1.57, pi: 3.145, first_line: 0.0, interval: 0.0007, duration: 0.3, delay: 0.00007 };
 
 /// What is given for the runs of a mechanism; the heading of the six pins has the two inertias swapped.
-pub fn given(mechanism: Mechanism) -> Given {
+pub(crate) fn given(mechanism: Mechanism) -> Given {
     let drawn = match mechanism {
         Mechanism::SIX_PIN => [7e-6, 11e-6],
         Mechanism::FOUR_PIN => [4e-6, 46e-6],
@@ -20,13 +20,18 @@ pub fn given(mechanism: Mechanism) -> Given {
 }
 
 /// A row with these results of a run, rounded.
-pub fn printed(mechanism: Mechanism, friction: &str, torque: &str, [peak, minimum, rise, period]: [f64; 4]) -> Row {
+pub(crate) fn printed(
+    mechanism: Mechanism,
+    friction: &str,
+    torque: &str,
+    [peak, minimum, rise, period]: [f64; 4],
+) -> Row {
     let text = format!("{friction} {torque} {peak:.0} {minimum:.0} {rise:.3} {period:.3}");
     Row::read(mechanism, &text, given(mechanism)).expect("a row")
 }
 
 /// The tables as they were run.
-pub fn tables() -> &'static [Row] {
+pub(crate) fn tables() -> &'static [Row] {
     static TABLES: OnceLock<Vec<Row>> = OnceLock::new();
     TABLES.get_or_init(|| {
         let mut rows = Vec::new();

@@ -3,7 +3,7 @@
 use geneva_press::imprint::Imprint;
 
 /// Title, authors, version and licences.
-pub const IMPRINT: Imprint = Imprint {
+pub(crate) const IMPRINT: Imprint = Imprint {
     title: "Geneva, verified",
     subtitle: "Four texts on Geneva-type mechanisms, computed again",
     authors: "The authors of Geneva, verified",

@@ -6,7 +6,7 @@ use geneva_press::book::PlaceholderKey;
 use geneva_press::html::escape;
 
 /// Every key of this book, what it says or shows, and how that is made.
-pub const KEYS: &[PlaceholderKey] = &[
+pub(crate) const KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "ask",
         "a number of a mechanism's answer: QUESTION.KEY, and after a colon its digits",

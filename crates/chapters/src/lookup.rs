@@ -4,24 +4,24 @@ use geneva_documents::LEDGER;
 use geneva_evidence::{Claim, Document, Judged};
 use geneva_press::lookup;
 
-pub use geneva_press::lookup::{find_named, unknown};
+pub(crate) use geneva_press::lookup::{find_named, unknown};
 
 /// The claim with this id, without its verdict.
-pub fn claim(id: &str) -> anyhow::Result<&'static Claim> {
+pub(crate) fn claim(id: &str) -> anyhow::Result<&'static Claim> {
     lookup::claim(&LEDGER, id)
 }
 
 /// The judged claim with this id.
-pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
+pub(crate) fn judged(id: &str) -> anyhow::Result<&'static Judged> {
     lookup::verdict(&LEDGER, id)
 }
 
 /// The judged claims of a source.
-pub fn of_work(work: &'static Document) -> impl Iterator<Item = &'static Judged> {
+pub(crate) fn of_work(work: &'static Document) -> impl Iterator<Item = &'static Judged> {
     lookup::verdicts_of(&LEDGER, work)
 }
 
 /// The judged claims of the documents: without what is said elsewhere.
-pub fn of_documents() -> impl Iterator<Item = &'static Judged> {
+pub(crate) fn of_documents() -> impl Iterator<Item = &'static Judged> {
     lookup::verdicts_of_documents(&LEDGER)
 }

@@ -8,7 +8,7 @@ const INTEGRATORS: &str = include_str!("../../../book/records/integrators.csv");
 
 /// A contestant at one tolerance, or a map.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize)]
-pub struct Measurement {
+pub(crate) struct Measurement {
     /// Who it is; see the README of the records.
     pub contestant: String,
     /// What was asked for, as written.
@@ -28,13 +28,13 @@ pub struct Measurement {
 }
 
 /// All measurements, in the order of the record.
-pub fn integrators() -> anyhow::Result<Vec<Measurement>> {
+pub(crate) fn integrators() -> anyhow::Result<Vec<Measurement>> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(INTEGRATORS.as_bytes());
     reader.deserialize().map(|line| line.context("the record of the integrators")).collect()
 }
 
 /// What the record says of its making: processor, cores, compiler, date and so on.
-pub fn condition(name: &str) -> anyhow::Result<&'static str> {
+pub(crate) fn condition(name: &str) -> anyhow::Result<&'static str> {
     let lines = INTEGRATORS.lines().filter_map(|line| line.strip_prefix("# ")?.split_once(": "));
     lines
         .clone()

@@ -3,7 +3,7 @@
 use geneva_press::book::PageModule;
 
 /// All modules.
-pub const MODULES: &[PageModule] = &[
+pub(crate) const MODULES: &[PageModule] = &[
     PageModule {
         attributes: &["data-live", "data-given"],
         name: "live",

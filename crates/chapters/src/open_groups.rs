@@ -3,7 +3,7 @@
 use geneva_press::book::OpenGroup;
 
 /// All groups. The page of open questions says of each what we tried and what would settle it.
-pub const OPEN_GROUPS: &[OpenGroup] = &[
+pub(crate) const OPEN_GROUPS: &[OpenGroup] = &[
     OpenGroup {
         name: "rise-times",
         title: "What is a rise time?",

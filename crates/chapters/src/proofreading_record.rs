@@ -13,7 +13,7 @@ const SUMS: &str = include_str!("../../proofread/judged/sums.csv");
 /// What a person who read a flag in its context says of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Judgement {
+pub(crate) enum Judgement {
     /// The text is wrong as printed.
     Real,
     /// The author rounded on the way or cut digits off.
@@ -27,7 +27,7 @@ pub enum Judgement {
 /// Whether something is so, as the records write it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Answer {
+pub(crate) enum Answer {
     /// It is.
     Yes,
     /// It isn't.
@@ -36,7 +36,7 @@ pub enum Answer {
 
 /// A flag in the textbook on which the program was tuned.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct Flag {
+pub(crate) struct Flag {
     /// The module of the book.
     pub module: String,
     /// The element in the module's file, by its id.
@@ -65,7 +65,7 @@ pub struct Flag {
 
 /// A flag on the unit in the newest state of the textbook.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct UnitFlag {
+pub(crate) struct UnitFlag {
     /// The module of the book.
     pub module: String,
     /// The element in the module's file, by its id.
@@ -80,7 +80,7 @@ pub struct UnitFlag {
 
 /// A flag at first contact with a text.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct Contact {
+pub(crate) struct Contact {
     /// `first` to `eleventh`; `again` if only a run after repairs raised it, `publisher` in another book by the publisher of the tuning
     /// text.
     pub round: String,
@@ -110,7 +110,7 @@ pub struct Contact {
 
 /// A mistake that the book's publisher corrected.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct PublishedErratum {
+pub(crate) struct PublishedErratum {
     /// `number` or `unit`.
     pub kind: String,
     /// The list on which the program puts the place, or `no`.
@@ -119,7 +119,7 @@ pub struct PublishedErratum {
 
 /// A run of the program over a text.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct ToolRun {
+pub(crate) struct ToolRun {
     /// Its name.
     pub run: String,
     /// The text, by the name that the contacts use.
@@ -150,7 +150,7 @@ pub struct ToolRun {
 
 /// Signs of a sum in some texts.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub struct Sums {
+pub(crate) struct Sums {
     /// How many there are.
     pub signs: u32,
     /// How many have a summand of numbers and a printed result.
@@ -158,7 +158,7 @@ pub struct Sums {
 }
 
 /// The signs of a sum that were counted.
-pub fn sums() -> anyhow::Result<Vec<Sums>> {
+pub(crate) fn sums() -> anyhow::Result<Vec<Sums>> {
     read(SUMS)
 }
 
@@ -168,37 +168,37 @@ fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {
 }
 
 /// The run of this name.
-pub fn run(name: &str) -> anyhow::Result<ToolRun> {
+pub(crate) fn run(name: &str) -> anyhow::Result<ToolRun> {
     runs()?.into_iter().find(|run| run.run == name).with_context(|| format!("no run is named `{name}`"))
 }
 
 /// The flags on a number in the tuning text.
-pub fn flags() -> anyhow::Result<Vec<Flag>> {
+pub(crate) fn flags() -> anyhow::Result<Vec<Flag>> {
     read(UNIVERSITY_PHYSICS)
 }
 
 /// The flags on a unit in its newest state.
-pub fn unit_flags() -> anyhow::Result<Vec<UnitFlag>> {
+pub(crate) fn unit_flags() -> anyhow::Result<Vec<UnitFlag>> {
     read(UNITS)
 }
 
 /// The flags at first contact.
-pub fn contacts() -> anyhow::Result<Vec<Contact>> {
+pub(crate) fn contacts() -> anyhow::Result<Vec<Contact>> {
     read(CONTACT)
 }
 
 /// The errata that arithmetic can see.
-pub fn errata() -> anyhow::Result<Vec<PublishedErratum>> {
+pub(crate) fn errata() -> anyhow::Result<Vec<PublishedErratum>> {
     read(ERRATA)
 }
 
 /// The runs.
-pub fn runs() -> anyhow::Result<Vec<ToolRun>> {
+pub(crate) fn runs() -> anyhow::Result<Vec<ToolRun>> {
     read(RUNS)
 }
 
 /// The 95 % interval of Wilson for a share of `all`, as fractions.
-pub fn wilson(part: usize, all: usize) -> (f64, f64) {
+pub(crate) fn wilson(part: usize, all: usize) -> (f64, f64) {
     const Z: f64 = 1.959_963_984_540_054;
     let n = all as f64;
     if all == 0 {

@@ -9,10 +9,10 @@ use geneva_documents::meyer::runs::table::rows;
 use geneva_kinematics::Mechanism;
 
 /// Why a row has no such motion.
-pub const NONE: &str = "a run's data make no escapement";
+pub(crate) const NONE: &str = "a run's data make no escapement";
 
 /// The question about the escapement of a row.
-pub fn question(row: &Row) -> EscapementQuestion {
+pub(crate) fn question(row: &Row) -> EscapementQuestion {
     let [driver_inertia, follower_inertia] = Hypothesis::IDEAL.inertias(row);
     EscapementQuestion {
         slots: row.mechanism.slots(),
@@ -27,34 +27,34 @@ pub fn question(row: &Row) -> EscapementQuestion {
 }
 
 /// A number of the answer about a row.
-pub fn number(row: &Row, key: &str) -> anyhow::Result<f64> {
+pub(crate) fn number(row: &Row, key: &str) -> anyhow::Result<f64> {
     questions::escapement_value(&question(row), key)
 }
 
 /// A number of the answer about a row whose question is changed.
-pub fn number_with(row: &Row, change: impl FnOnce(&mut EscapementQuestion), key: &str) -> anyhow::Result<f64> {
+pub(crate) fn number_with(row: &Row, change: impl FnOnce(&mut EscapementQuestion), key: &str) -> anyhow::Result<f64> {
     let mut question = question(row);
     change(&mut question);
     questions::escapement_value(&question, key)
 }
 
 /// A number of the answer about each row.
-pub fn numbers<'a>(rows: impl Iterator<Item = &'a Row>, key: &str) -> anyhow::Result<Vec<f64>> {
+pub(crate) fn numbers<'a>(rows: impl Iterator<Item = &'a Row>, key: &str) -> anyhow::Result<Vec<f64>> {
     rows.map(|row| number(row, key)).collect()
 }
 
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.
-pub fn example() -> anyhow::Result<&'static Row> {
+pub(crate) fn example() -> anyhow::Result<&'static Row> {
     weakest(rows_with_least_friction(rows(), Mechanism::FOUR_PIN))
 }
 
 /// The score of a hypothesis among those compared.
-pub fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score<'static>> {
+pub(crate) fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score<'static>> {
     scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 
 /// The row with the weakest spring, of rows by rising torque.
-pub fn weakest(rows: Option<&'static [Row]>) -> anyhow::Result<&'static Row> {
+pub(crate) fn weakest(rows: Option<&'static [Row]>) -> anyhow::Result<&'static Row> {
     rows.and_then(<[Row]>::first).context("no such run in the tables")
 }
 

@@ -27,42 +27,42 @@ pub(crate) struct Crank {
 
 impl Crank {
     /// Where the pin is.
-    pub fn pin(&self, t: Time) -> [Time; 2] {
+    pub(crate) fn pin(&self, t: Time) -> [Time; 2] {
         let angle = advance(self.speed, self.acceleration, t) + self.angle;
         let (sine, cosine) = sine_and_cosine(angle);
         [cosine * self.radius + self.ground, sine * self.radius]
     }
 
     /// The angle of the slot, from the direction pivot to crank's axis, in radians.
-    pub fn slot(&self, t: Time) -> Time {
+    pub(crate) fn slot(&self, t: Time) -> Time {
         direction(self.pin(t))
     }
 
     /// The distance of the pin from the follower's pivot.
-    pub fn distance(&self, t: Time) -> Time {
+    pub(crate) fn distance(&self, t: Time) -> Time {
         let [x, y] = self.pin(t);
         (x * x + y * y).sqrt()
     }
 
     /// Where the follower's point is that lies under the pin at time zero.
-    pub fn point_under_the_pin(&self, t: Time) -> [Time; 2] {
+    pub(crate) fn point_under_the_pin(&self, t: Time) -> [Time; 2] {
         let (slot, distance) = (self.slot(t), self.distance(Time::from_re(0.0)).re);
         let (sine, cosine) = sine_and_cosine(slot);
         [cosine * distance, sine * distance]
     }
 
     /// Distance and slot angle at time zero, each with its two rates.
-    pub fn polar(&self) -> [[f64; 3]; 2] {
+    pub(crate) fn polar(&self) -> [[f64; 3]; 2] {
         second_derivative(|t| [self.distance(t), self.slot(t)], 0.0).map(<[f64; 3]>::from)
     }
 
     /// Place, velocity and acceleration of the pin at time zero.
-    pub fn pin_motion(&self) -> [Vector2<f64>; 3] {
+    pub(crate) fn pin_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.pin(t))
     }
 
     /// Place, velocity and acceleration at time zero of the follower's point under the pin.
-    pub fn point_motion(&self) -> [Vector2<f64>; 3] {
+    pub(crate) fn point_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.point_under_the_pin(t))
     }
 }

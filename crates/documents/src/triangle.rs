@@ -23,7 +23,7 @@ pub(crate) struct Triangle {
 impl Triangle {
     /// With r u = e + R d for u along the slot, d along the crank and e from axis to axis, each length comes from the cross
     /// product of the equation with the direction of the other.
-    pub fn new(distance: Expression, theta: Turn<Expression>, phi: Turn<Expression>) -> Self {
+    pub(crate) fn new(distance: Expression, theta: Turn<Expression>, phi: Turn<Expression>) -> Self {
         let axis = Vector2::new(distance, Expression::ZERO);
         let (along_slot, along_crank) = (phi.direction(), theta.supplement().direction());
         let opening = along_slot.perp(&along_crank);
@@ -33,7 +33,7 @@ impl Triangle {
     }
 
     /// Takes the angles by the tangents of their halves.
-    pub fn by_halves(distance: Expression, halves: [Expression; 2]) -> Self {
+    pub(crate) fn by_halves(distance: Expression, halves: [Expression; 2]) -> Self {
         let [theta, phi] = halves.map(|half| Turn::from_half_tangent(&half));
         Self::new(distance, theta, phi)
     }

@@ -7,18 +7,18 @@ use roxmltree::{Document, Node};
 use std::f64::consts::PI;
 
 /// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
-pub const PIXELS: f64 = 0.02;
+pub(crate) const PIXELS: f64 = 0.02;
 /// Most bytes of a figure; of one that moves; of one with a mark for every run under every hypothesis.
 const HEAVIEST: usize = 25_000;
 const HEAVIEST_MOVING: usize = 32_000;
 const HEAVIEST_OF_ALL_RUNS: usize = 40_000;
 
 /// A figure as it is written, for tests that read it back.
-pub struct ParsedDrawing<'a>(Document<'a>);
+pub(crate) struct ParsedDrawing<'a>(Document<'a>);
 
 /// The values of these columns, row by row.
 #[track_caller]
-pub fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N]> {
+pub(crate) fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N]> {
     let place = |name: &str| {
         let place = series.columns.iter().position(|column| column.name == name);
         place.unwrap_or_else(|| panic!("no column {name:?} among {:?}", series.columns))
@@ -30,80 +30,80 @@ pub fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N
 impl<'a> ParsedDrawing<'a> {
     /// Reads a figure.
     #[track_caller]
-    pub fn parse(figure: &'a Figure) -> Self {
+    pub(crate) fn parse(figure: &'a Figure) -> Self {
         Self(Document::parse(&figure.svg).expect("well-formed"))
     }
 
     /// The elements of a class.
-    pub fn elements(&self, class: &str) -> Vec<Node<'_, 'a>> {
+    pub(crate) fn elements(&self, class: &str) -> Vec<Node<'_, 'a>> {
         self.0.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
     }
 
     /// How many elements a class has.
-    pub fn count(&self, class: &str) -> usize {
+    pub(crate) fn count(&self, class: &str) -> usize {
         self.elements(class).len()
     }
 
     /// An attribute of the first element of a class, as a number.
     #[track_caller]
-    pub fn number(&self, class: &str, attribute: &str) -> f64 {
+    pub(crate) fn number(&self, class: &str, attribute: &str) -> f64 {
         number(&self.elements(class)[0], attribute)
     }
 
     /// The centre of the first circle of a class.
     #[track_caller]
-    pub fn centre(&self, class: &str) -> Vector2<f64> {
+    pub(crate) fn centre(&self, class: &str) -> Vector2<f64> {
         Vector2::new(self.number(class, "cx"), self.number(class, "cy"))
     }
 
     /// The corners of the path of this number of a class: see [`corners`].
     #[track_caller]
-    pub fn path(&self, class: &str, number: usize) -> Vec<Vector2<f64>> {
+    pub(crate) fn path(&self, class: &str, number: usize) -> Vec<Vector2<f64>> {
         corners(self.elements(class)[number].attribute("d").expect("a path"), 0.1)
     }
 
     /// The ends of the first line of a class.
     #[track_caller]
-    pub fn line(&self, class: &str) -> [Vector2<f64>; 2] {
+    pub(crate) fn line(&self, class: &str) -> [Vector2<f64>; 2] {
         [["x1", "y1"], ["x2", "y2"]].map(|[x, y]| Vector2::new(self.number(class, x), self.number(class, y)))
     }
 
     /// The length of the first line of a class.
     #[track_caller]
-    pub fn length(&self, class: &str) -> f64 {
+    pub(crate) fn length(&self, class: &str) -> f64 {
         let [from, to] = self.line(class);
         (to - from).norm()
     }
 
     /// Tail and tip of an arrow: shaft and head have the class of its name.
-    pub fn arrow(&self, name: &str) -> Option<[Vector2<f64>; 2]> {
+    pub(crate) fn arrow(&self, name: &str) -> Option<[Vector2<f64>; 2]> {
         let parts = self.elements(name);
         (parts.len() == 2).then(|| [self.path(name, 0)[0], self.path(name, 1)[0]])
     }
 
     /// The base line of the first text that says this.
     #[track_caller]
-    pub fn base_line(&self, text: &str) -> f64 {
+    pub(crate) fn base_line(&self, text: &str) -> f64 {
         let is_text = |node: &Node<'_, '_>| node.tag_name().name() == "text" && words(node) == text;
         number(&self.0.descendants().find(is_text).expect("there"), "y")
     }
 
     /// All texts.
-    pub fn texts(&self) -> Vec<String> {
+    pub(crate) fn texts(&self) -> Vec<String> {
         self.0.descendants().filter(|node| node.tag_name().name() == "text").map(|node| words(&node)).collect()
     }
 }
 
 /// The value of an attribute.
 #[track_caller]
-pub fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
+pub(crate) fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
     node.attribute(attribute).expect("there").parse().expect("a number")
 }
 
 /// All that is asked of a figure as a reader is shown it: that it is drawn ([`assert_drawn`]), that no labels overlap or lie outside,
 /// and that it is light.
 #[track_caller]
-pub fn assert_sound(figure: &Figure) {
+pub(crate) fn assert_sound(figure: &Figure) {
     for line in figure.svg.lines().filter(|line| line.contains("linecap=\"square\"")) {
         assert!(!line.contains("h0"), "{}: a mark without a length has no square ends on paper", figure.id);
     }
@@ -114,7 +114,7 @@ pub fn assert_sound(figure: &Figure) {
 
 /// What is asked of a figure of anything that can be drawn: well-formed, in true numbers, and light.
 #[track_caller]
-pub fn assert_drawn(figure: &Figure) {
+pub(crate) fn assert_drawn(figure: &Figure) {
     well_formed(figure);
     only_numbers(figure);
     let most = match figure.id.as_str() {
@@ -166,7 +166,7 @@ fn only_numbers(figure: &Figure) {
 }
 
 /// The corners of a path of lines and circular arcs; arcs are cut into steps of at most `step` radians.
-pub fn corners(data: &str, step: f64) -> Vec<Vector2<f64>> {
+pub(crate) fn corners(data: &str, step: f64) -> Vec<Vector2<f64>> {
     let mut points: Vec<Vector2<f64>> = Vec::new();
     for part in data.split(" L") {
         for (k, piece) in part.split(" A").enumerate() {
@@ -210,7 +210,7 @@ fn arc(
 }
 
 /// How deep a point lies inside a closed outline: its distance from the outline, negative outside.
-pub fn depth(point: &Vector2<f64>, outline: &[Vector2<f64>]) -> f64 {
+pub(crate) fn depth(point: &Vector2<f64>, outline: &[Vector2<f64>]) -> f64 {
     // Plain numbers: this runs millions of times in unoptimised tests.
     let (mut inside, mut near) = (false, f64::INFINITY);
     let (x, y) = (point.x, point.y);
@@ -255,7 +255,7 @@ fn text_area(node: &Node<'_, '_>) -> Option<[Vector2<f64>; 2]> {
 
 /// Every label lies within the image, but for some pixels of the guess at its letters.
 #[track_caller]
-pub fn labels_inside(figure: &Figure) {
+pub(crate) fn labels_inside(figure: &Figure) {
     let document = Document::parse(&figure.svg).expect("well-formed");
     let view = document.root_element().attribute("viewBox").expect("there").to_owned();
     let size: Vec<f64> = view.split(' ').map(|value| value.parse().expect("a number")).collect();

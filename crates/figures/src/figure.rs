@@ -85,7 +85,7 @@ pub(crate) struct Words {
 impl Words {
     /// A figure's name, title, description and caption, written in the file that draws it.
     #[track_caller]
-    pub fn new(
+    pub(crate) fn new(
         id: impl Into<String>,
         title: impl Into<String>,
         description: impl Into<String>,
@@ -97,7 +97,7 @@ impl Words {
     }
 
     /// The figure that these words, this canvas and these numbers make.
-    pub fn figure(self, canvas: Canvas, kind: DrawingKind, series: Series) -> Figure {
+    pub(crate) fn figure(self, canvas: Canvas, kind: DrawingKind, series: Series) -> Figure {
         let svg = canvas.finish(kind, &self.id, &self.title, &self.description);
         let Self { id, title, description, caption, source } = self;
         Figure { id, title, description, caption, svg, series, source }

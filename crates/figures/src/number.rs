@@ -3,7 +3,7 @@
 use geneva_dynamics::Parameters;
 
 /// `value` with so many digits after the point; a value that rounds to zero has no sign.
-pub fn format_fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn format_fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|b| b == b'0' || b == b'.') => digits.to_owned(),
@@ -12,13 +12,13 @@ pub fn format_fixed(value: f64, decimals: usize) -> String {
 }
 
 /// `value` rounded to so many digits after the point, written without trailing zeros: coordinates and angles.
-pub fn format_trimmed(value: f64, decimals: usize) -> String {
+pub(crate) fn format_trimmed(value: f64, decimals: usize) -> String {
     let text = format_fixed(value, decimals);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// `value` rounded to so many significant digits (at least one), trailing zeros kept.
-pub fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     let after_first = digits.saturating_sub(1);
     let rounded = format!("{value:.after_first$e}").parse().unwrap_or(value);
     let decimals = usize::try_from(after_first as i32 - exponent(rounded)).unwrap_or(0);
@@ -26,7 +26,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// A number of pins as a word.
-pub fn count_word(pins: u32) -> &'static str {
+pub(crate) fn count_word(pins: u32) -> &'static str {
     match pins {
         3 => "three",
         4 => "four",
@@ -35,7 +35,7 @@ pub fn count_word(pins: u32) -> &'static str {
 }
 
 /// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
-pub fn describe_parameters(parameters: &Parameters) -> String {
+pub(crate) fn describe_parameters(parameters: &Parameters) -> String {
     format!(
         "Shown: {} pins and {} slots, friction μ = {}, ratio of the driver's moment of inertia to the follower's: {}.",
         parameters.mechanism().pins(),
@@ -46,7 +46,7 @@ pub fn describe_parameters(parameters: &Parameters) -> String {
 }
 
 /// `value`, or zero where it is nothing but rounding error beside a value of the size of `scale`.
-pub fn without_noise(value: f64, scale: f64) -> f64 {
+pub(crate) fn without_noise(value: f64, scale: f64) -> f64 {
     if value.abs() <= 1e-12 * scale.abs() { 0.0 } else { value }
 }
 
@@ -56,17 +56,17 @@ pub fn with_minus_sign(text: &str) -> String {
 }
 
 /// Puts the typographic hyphen, which a label does not take for a minus sign, in place of each hyphen of a text.
-pub fn with_hyphens(text: &str) -> String {
+pub(crate) fn with_hyphens(text: &str) -> String {
     text.replace('-', "\u{2010}")
 }
 
 /// An angle given in radians, as text: degrees to a tenth, with their sign.
-pub fn degrees(radians: f64) -> String {
+pub(crate) fn degrees(radians: f64) -> String {
     with_minus_sign(&format!("{}°", format_trimmed(radians.to_degrees(), 1)))
 }
 
 /// A number to so many significant digits, with a power of ten if it is very small or large; zero is 0.
-pub fn short(value: f64, digits: usize) -> String {
+pub(crate) fn short(value: f64, digits: usize) -> String {
     let text = match value.abs() {
         0.0 => "0".to_owned(),
         size if (1e-3..1e6).contains(&size) => significant(value, digits),
@@ -81,7 +81,7 @@ pub fn short(value: f64, digits: usize) -> String {
 }
 
 /// A number with all its digits, with a power of ten if it is very small or large.
-pub fn whole(value: f64) -> String {
+pub(crate) fn whole(value: f64) -> String {
     let text = match value.abs() {
         size if size == 0.0 || (1e-3..1e6).contains(&size) => (value + 0.0).to_string(),
         size => {
@@ -94,17 +94,17 @@ pub fn whole(value: f64) -> String {
 }
 
 /// The exponent of the power of ten not above the size of a number; 0 for zero.
-pub fn exponent(value: f64) -> i32 {
+pub(crate) fn exponent(value: f64) -> i32 {
     format!("{value:e}").split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
 /// A power of ten.
-pub fn power(exponent: i32) -> f64 {
+pub(crate) fn power(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 
 /// The power of ten not above a positive value: 10⁻³.
-pub fn power_of_ten(value: f64) -> String {
+pub(crate) fn power_of_ten(value: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let scientific = format!("{value:e}");
     let exponent = scientific.split_once('e').map_or("0", |(_, exponent)| exponent);
@@ -113,14 +113,14 @@ pub fn power_of_ten(value: f64) -> String {
 }
 
 /// The least and the greatest of some numbers; without any, infinity and its negative.
-pub fn extent(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values
         .into_iter()
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
 }
 
 /// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`; 1 if `least` is no positive number.
-pub fn round_step(least: f64) -> f64 {
+pub(crate) fn round_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
         return 1.0;
     }

@@ -14,21 +14,21 @@ const HEAD: f64 = 11.0;
 /// Lines shorter than this (pixels) get no head.
 const SHORTEST: f64 = 1.0;
 /// Width of a drawing of a mechanism, in pixels.
-pub const WIDTH: f64 = 640.0;
+pub(crate) const WIDTH: f64 = 640.0;
 /// How far labels may stand from what they name, in pixels.
-pub const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
+pub(crate) const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
 /// Half the length of the arrow of a sense, in pixels, and from the arrow to its label.
 const HALF_SENSE: f64 = 34.0;
 const TO_LABEL: f64 = 7.0;
 
 /// Draws the part of the drawing that a letter of the book stands for: a page finds it by the letter and lights it up.
 /// The label that names it is a [`Label::part`].
-pub fn part(canvas: &mut Canvas, letter: &str, draw: impl FnOnce(&mut Canvas)) {
+pub(crate) fn part(canvas: &mut Canvas, letter: &str, draw: impl FnOnce(&mut Canvas)) {
     canvas.group(&format!("data-letter=\"{letter}\""), draw);
 }
 
 /// Draws the part that a label names, if it names one.
-pub fn of_label(canvas: &mut Canvas, label: &Label, draw: impl FnOnce(&mut Canvas)) {
+pub(crate) fn of_label(canvas: &mut Canvas, label: &Label, draw: impl FnOnce(&mut Canvas)) {
     match label.names() {
         Some(letter) => part(canvas, letter, draw),
         None => draw(canvas),
@@ -38,7 +38,7 @@ pub fn of_label(canvas: &mut Canvas, label: &Label, draw: impl FnOnce(&mut Canva
 /// A straight arrow whose tip is exactly at `to`: a shaft and a head, both of the class `name`.
 ///
 /// The shaft's path begins at the tail, the head's at the tip.
-pub fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour, width: f64, name: &str) {
+pub(crate) fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour, width: f64, name: &str) {
     let along = to - from;
     if along.norm() < SHORTEST {
         return;
@@ -50,7 +50,7 @@ pub fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, colour: Colour, wi
 
 /// A vector with its label, in the label's colour: both are kept clear of by later labels. The label stands beside the
 /// vector's outer part.
-pub fn vector(
+pub(crate) fn vector(
     canvas: &mut Canvas,
     placing: &mut Placing,
     from: &Pixels,
@@ -65,7 +65,15 @@ pub fn vector(
 }
 
 /// An arc about `centre` from one angle to another, with an arrow head at its end.
-pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
+pub(crate) fn arc_arrow(
+    canvas: &mut Canvas,
+    centre: &Pixels,
+    radius: f64,
+    from: f64,
+    to: f64,
+    colour: Colour,
+    width: f64,
+) {
     let sense = Sense::from_rate(to - from);
     let covered = head_length(width) / radius * sense.sign();
     arc(canvas, centre, radius, from, to - 0.8 * covered, colour, width);
@@ -75,7 +83,7 @@ pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, t
 }
 
 /// An arc about `centre` from one angle to another: the mark of an angle.
-pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
+pub(crate) fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, colour: Colour, width: f64) {
     let end = centre + heading(to) * radius;
     let path = Path::start(&(centre + heading(from) * radius));
     canvas.draw(
@@ -84,7 +92,7 @@ pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64
 }
 
 /// The mark of a right angle at `corner` between two directions (offsets of any length), with sides of `size` pixels.
-pub fn right_angle(canvas: &mut Canvas, corner: &Pixels, one: &Pixels, other: &Pixels, size: f64) {
+pub(crate) fn right_angle(canvas: &mut Canvas, corner: &Pixels, one: &Pixels, other: &Pixels, size: f64) {
     if let (Some(one), Some(other)) = (one.try_normalize(SHORTEST), other.try_normalize(SHORTEST)) {
         let (a, b) = (one * size, other * size);
         let path = Path::start(&(corner + a)).line_to(&(corner + a + b)).line_to(&(corner + b));
@@ -95,13 +103,13 @@ pub fn right_angle(canvas: &mut Canvas, corner: &Pixels, one: &Pixels, other: &P
 /// A dimension line beside the distance from one point to another, `offset` away from both, with extension lines.
 ///
 /// Gives the middle of the dimension line, for its label.
-pub fn dimension(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) -> Pixels {
+pub(crate) fn dimension(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) -> Pixels {
     extension_lines(canvas, from, to, offset);
     dimension_line(canvas, &(from + offset), &(to + offset))
 }
 
 /// The lines from two points to a dimension line `offset` away from both, and a little beyond.
-pub fn extension_lines(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) {
+pub(crate) fn extension_lines(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) {
     let beyond = offset * (1.0 + 7.0 / offset.norm().max(1.0));
     for end in [from, to] {
         canvas.draw(Shape::line(end, &(end + beyond)).stroke(GRID, 1.0));
@@ -109,7 +117,7 @@ pub fn extension_lines(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: 
 }
 
 /// A line with a head at each end. Gives its middle.
-pub fn dimension_line(canvas: &mut Canvas, a: &Pixels, b: &Pixels) -> Pixels {
+pub(crate) fn dimension_line(canvas: &mut Canvas, a: &Pixels, b: &Pixels) -> Pixels {
     canvas.draw(Shape::line(a, b).stroke(INK, 1.2));
     canvas.draw(head(b, angle_of(&(b - a)), 1.0, INK));
     canvas.draw(head(a, angle_of(&(a - b)), 1.0, INK));
@@ -117,7 +125,7 @@ pub fn dimension_line(canvas: &mut Canvas, a: &Pixels, b: &Pixels) -> Pixels {
 }
 
 /// A pivot on the ground: a pin joint, and below it (`down` = 1) or above it (−1) its hatched support.
-pub fn fixed_pivot(canvas: &mut Canvas, at: &Pixels, down: f64) {
+pub(crate) fn fixed_pivot(canvas: &mut Canvas, at: &Pixels, down: f64) {
     let (half, height) = (15.0, 24.0);
     let corner = |x: f64, y: f64| at + Vector2::new(x, y * down);
     let support = Path::start(at).line_to(&corner(-half, height)).line_to(&corner(half, height)).close();
@@ -142,27 +150,27 @@ fn head(tip: &Pixels, angle: f64, width: f64, colour: Colour) -> Shape {
 }
 
 /// The mark of an axis.
-pub fn axis(canvas: &mut Canvas, at: &Pixels, colour: Colour) {
+pub(crate) fn axis(canvas: &mut Canvas, at: &Pixels, colour: Colour) {
     canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(colour, 2.0));
 }
 
 /// A pin in its place.
-pub fn pin(canvas: &mut Canvas, at: &Pixels, radius: f64) {
+pub(crate) fn pin(canvas: &mut Canvas, at: &Pixels, radius: f64) {
     canvas.draw(Shape::circle(at, radius).fill(PAPER).stroke(INK, 2.0).class("pin"));
 }
 
 /// The circle of a crank's pin about its axis.
-pub fn pin_circle(canvas: &mut Canvas, axis: &Pixels, radius: f64) {
+pub(crate) fn pin_circle(canvas: &mut Canvas, axis: &Pixels, radius: f64) {
     canvas.draw(Shape::circle(axis, radius).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
 }
 
 /// A dashed line of construction.
-pub fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str) {
+pub(crate) fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str) {
     canvas.draw(Shape::line(from, to).stroke(INK, 1.2).dashed(DASHED).class(class));
 }
 
 /// The sides of a triangle, each from one point to another, in a colour, by the letter of its length.
-pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Colour, &str); N]) {
+pub(crate) fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Colour, &str); N]) {
     for (from, to, colour, letter) in sides {
         let side = Shape::line(from, to).stroke(colour, 3.0).attribute("stroke-linecap", "round");
         canvas.draw(side.class(&format!("side-{letter}")).attribute("data-letter", letter));
@@ -170,7 +178,7 @@ pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Col
 }
 
 /// The outline of a link with round ends.
-pub fn link(from: &Pixels, to: &Pixels, half_width: f64) -> Path {
+pub(crate) fn link(from: &Pixels, to: &Pixels, half_width: f64) -> Path {
     let along = to - from;
     let angle = if along.norm() > 0.0 { angle_of(&along) } else { 0.0 };
     let aside = heading(angle + FRAC_PI_2) * half_width;
@@ -183,7 +191,7 @@ pub fn link(from: &Pixels, to: &Pixels, half_width: f64) -> Path {
 
 /// Which way a body turns: an arrow about its axis, at an angle, and its symbol beyond it. `sense` is that of the
 /// rate; at rest there is none.
-pub fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense: f64, label: &Label) {
+pub(crate) fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense: f64, label: &Label) {
     if sense != 0.0 {
         let half = HALF_SENSE / radius * sense.signum();
         of_label(canvas, label, |canvas| {
@@ -194,7 +202,7 @@ pub fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense
 }
 
 /// Places for the label of an angle between two directions, along its arc.
-pub fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances: &[f64]) -> Vec<LabelPosition> {
+pub(crate) fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances: &[f64]) -> Vec<LabelPosition> {
     let at = |share: f64, distance: f64| {
         let towards = heading(from + share * (to - from));
         LabelPosition { point: corner + towards * radius, towards, distance }
@@ -204,7 +212,7 @@ pub fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances
 }
 
 /// The mark of an angle at a corner, with its label within or beyond; nothing if it is too narrow.
-pub fn angle(
+pub(crate) fn angle(
     canvas: &mut Canvas,
     placing: &mut Placing,
     corner: &Pixels,
@@ -226,13 +234,13 @@ pub fn angle(
 }
 
 /// A symbol with its angle, which is given in radians.
-pub fn angle_label(symbol: &str, radians: f64) -> Label {
+pub(crate) fn angle_label(symbol: &str, radians: f64) -> Label {
     Label::symbol(symbol).and(&format!(" = {}", degrees(radians)))
 }
 
 /// A bar of a round value of at least so many pixels, from `start` to the right or, if `leftwards`, to the left: with
 /// its value, unit and further words at its end.
-pub fn scale_bar(canvas: &mut Canvas, start: &Pixels, scale: f64, leftwards: bool, unit: &str) {
+pub(crate) fn scale_bar(canvas: &mut Canvas, start: &Pixels, scale: f64, leftwards: bool, unit: &str) {
     let value = round_step(60.0 / scale);
     let side = if leftwards { -1.0 } else { 1.0 };
     let end = start + Vector2::new(side * value * scale, 0.0);
@@ -246,7 +254,7 @@ pub fn scale_bar(canvas: &mut Canvas, start: &Pixels, scale: f64, leftwards: boo
 }
 
 /// The number of a step or a part of a drawing, in a circle.
-pub fn draw_number(canvas: &mut Canvas, at: &Pixels, number: usize) {
+pub(crate) fn draw_number(canvas: &mut Canvas, at: &Pixels, number: usize) {
     canvas.draw(Shape::circle(at, 14.0).stroke(INK, 1.5));
     canvas.label(at, &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
 }

@@ -10,7 +10,7 @@ use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 /// Half the width of a slot where only one pin is looked at, in crank radii.
-pub const SLOT_HALF_WIDTH: f64 = 0.07;
+pub(crate) const SLOT_HALF_WIDTH: f64 = 0.07;
 /// Radius of the locking arcs there, in crank radii.
 const LOCKING_RADIUS: f64 = 0.66;
 /// Half the width of a slot of a whole wheel, in crank radii.
@@ -22,7 +22,7 @@ const STATION_TOLERANCE: f64 = 1e-6;
 
 /// Lengths of a slotted wheel, all in one unit.
 #[derive(Clone, Copy, Debug)]
-pub struct Star {
+pub(crate) struct Star {
     /// How many slots.
     pub slots: u32,
     /// Radius of the rim.
@@ -40,7 +40,7 @@ pub struct Star {
 impl Star {
     /// The wheel that belongs to a pin in a slot: with locking arcs where its lengths are those of whole stations,
     /// a disk with one slot where they are not.
-    pub fn of_pin_slot(mechanism: &PinSlot) -> Self {
+    pub(crate) fn of_pin_slot(mechanism: &PinSlot) -> Self {
         let (stations, unit) = (stations(mechanism), mechanism.crank_radius());
         Self {
             slots: stations.unwrap_or(1),
@@ -57,7 +57,7 @@ impl Star {
     /// The radius of the locking arcs is free. The slot's centre line passes the driver's axis at one crank radius
     /// while the wheel is locked, for any number of stations; so the wall between slot and locking arc is
     /// 1 − half width − locking radius thick at its thinnest, and is made as thick as the slot is wide.
-    pub fn of_wheel(wheel: &Wheel) -> Self {
+    pub(crate) fn of_wheel(wheel: &Wheel) -> Self {
         let ratio = wheel.centre_distance_ratio();
         let wall = 2.0 * HALF_WIDTH;
         Self {
@@ -71,7 +71,7 @@ impl Star {
     }
 
     /// Outline about the plane's origin, one slot turned to `slot_angle` (radians).
-    pub fn outline(&self, slot_angle: f64, view: &View) -> Path {
+    pub(crate) fn outline(&self, slot_angle: f64, view: &View) -> Path {
         let step = 2.0 * PI / f64::from(self.slots);
         let Self { rim, bottom, half_width, .. } = *self;
         let tip = (rim * rim - half_width * half_width).sqrt();
@@ -102,13 +102,13 @@ impl Star {
     }
 
     /// The wheel as a body, its outline so many pixels wide.
-    pub fn body(&self, slot_angle: f64, view: &View, width: f64) -> Shape {
+    pub(crate) fn body(&self, slot_angle: f64, view: &View, width: f64) -> Shape {
         let outline = Shape::path(self.outline(slot_angle, view)).fill(FILL).stroke(FOLLOWER, width);
         outline.attribute("stroke-linejoin", "round")
     }
 
     /// Half the angle that a locking arc takes as seen from its centre, in radians; zero without locking arcs.
-    pub fn locking_half_angle(&self) -> f64 {
+    pub(crate) fn locking_half_angle(&self) -> f64 {
         self.locking.map_or(0.0, |radius| {
             let (x, y) = rim_meets_circle(self.rim, self.centre, radius);
             libm::atan2(y, self.centre - x)
@@ -117,7 +117,7 @@ impl Star {
 }
 
 /// Distance of a wheel's rim from its pivot: where the pin enters and leaves the slot, √(l² − R²).
-pub fn rim_radius(mechanism: &PinSlot) -> f64 {
+pub(crate) fn rim_radius(mechanism: &PinSlot) -> f64 {
     let (l, r) = (mechanism.centre_distance(), mechanism.crank_radius());
     ((l - r) * (l + r)).sqrt()
 }
@@ -125,7 +125,7 @@ pub fn rim_radius(mechanism: &PinSlot) -> f64 {
 /// The number of slots of the wheel that the pin turns by whole stations: sin(π / n) = R / l.
 ///
 /// `None` where no whole number of slots belongs to these lengths.
-pub fn stations(mechanism: &PinSlot) -> Option<u32> {
+pub(crate) fn stations(mechanism: &PinSlot) -> Option<u32> {
     let count = PI / libm::asin(mechanism.ratio().recip());
     let whole = libm::round(count);
     ((count - whole).abs() < STATION_TOLERANCE * count).then_some(whole as u32)

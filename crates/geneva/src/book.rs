@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// Options of `geneva book`.
 #[derive(Args, Debug)]
-pub struct BookArguments {
+pub(crate) struct BookArguments {
     /// What to do with the book; without it, build.
     #[command(subcommand)]
     pub action: Option<BookAction>,
@@ -22,7 +22,7 @@ pub struct BookArguments {
 
 /// Actions of `geneva book`.
 #[derive(Debug, Subcommand)]
-pub enum BookAction {
+pub(crate) enum BookAction {
     /// Build the book; this is what `geneva book` does
     #[command(after_help = "\
 Example:
@@ -45,7 +45,7 @@ Example:
 
 /// Options of `geneva book build`.
 #[derive(Args, Debug, Default)]
-pub struct BuildArguments {
+pub(crate) struct BuildArguments {
     /// Build into this directory; a book already there is replaced once the new one is complete
     /// [default: target/book in the workspace]
     #[arg(long, value_name = "DIR", alias = "out")]
@@ -56,7 +56,7 @@ pub struct BuildArguments {
 }
 
 /// Builds the book or tests its chapters.
-pub fn run(wanted: BookArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
+pub(crate) fn run(wanted: BookArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     match wanted.action {
         None => build(&wanted.build, streams)?,
         Some(BookAction::Build(wanted)) => build(&wanted, streams)?,
@@ -67,7 +67,7 @@ pub fn run(wanted: BookArguments, streams: &mut dyn OutputStreams) -> anyhow::Re
 }
 
 /// Builds the book, says where it is and how to open it, and opens it on request.
-pub fn build(wanted: &BuildArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
+pub(crate) fn build(wanted: &BuildArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
     let BuiltBook { first_page, kept } = {
@@ -94,7 +94,7 @@ pub fn build(wanted: &BuildArguments, streams: &mut dyn OutputStreams) -> anyhow
 }
 
 /// What is said once the chapters have been tested.
-pub const TESTED: &str = "Every Rust block of the book compiles and runs.\n";
+pub(crate) const TESTED: &str = "Every Rust block of the book compiles and runs.\n";
 
 fn test(streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     {

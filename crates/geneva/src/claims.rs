@@ -12,7 +12,7 @@ use geneva_press::records;
 
 /// Options of `geneva claims`.
 #[derive(Args, Debug)]
-pub struct ClaimsArguments {
+pub(crate) struct ClaimsArguments {
     /// List only the claims of this source
     #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
@@ -32,7 +32,7 @@ pub struct ClaimsArguments {
 }
 
 /// The claims that are wanted, in the format that is wanted.
-pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
     let rows: Vec<_> = wanted_verdicts(wanted).into_iter().filter(of_verdict).collect();
     let row = |judged| records::claim(BOOK.ledger, judged);
@@ -47,7 +47,7 @@ pub fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Stri
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn wanted_verdicts(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
+pub(crate) fn wanted_verdicts(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 
@@ -115,7 +115,7 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
 }
 
 /// The printed characters, or what should stand in their place, with the claim's unit.
-pub fn with_unit(characters: &str, unit: &str) -> String {
+pub(crate) fn with_unit(characters: &str, unit: &str) -> String {
     let space = if unit.is_empty() || unit.starts_with('°') { "" } else { " " };
     format!("{characters}{space}{unit}")
 }

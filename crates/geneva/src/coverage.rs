@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva coverage`.
 #[derive(Args, Debug)]
-pub struct CoverageArguments {
+pub(crate) struct CoverageArguments {
     /// Show only this source
     #[arg(long, value_parser = typed::value_named(LEDGER.mirrored(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
@@ -30,7 +30,7 @@ pub struct CoverageArguments {
 const LONGEST_LINE: usize = 100_000;
 
 /// The coverage that is wanted, and whether a line differs.
-pub fn page(wanted: &CoverageArguments, layout: TextLayout) -> anyhow::Result<(String, Outcome)> {
+pub(crate) fn page(wanted: &CoverageArguments, layout: TextLayout) -> anyhow::Result<(String, Outcome)> {
     if let (Some(source), Some(file)) = (wanted.source, &wanted.against) {
         return Ok(compare(source.lines()?, &copy(source, "--against", file)?, layout));
     }

@@ -7,15 +7,15 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// What is asked for instead of a file.
-pub const STANDARD_OUTPUT: &str = "-";
+pub(crate) const STANDARD_OUTPUT: &str = "-";
 
 /// The message if standard output takes nothing.
-pub const UNWRITABLE: &str = "cannot write to standard output";
+pub(crate) const UNWRITABLE: &str = "cannot write to standard output";
 
 const OPTION: OutputOption = OutputOption { name: "--output", instead: ", or - for standard output" };
 
 /// Where the output is written.
-pub enum Destination {
+pub(crate) enum Destination {
     /// Standard output.
     Output,
     /// A file.
@@ -24,7 +24,7 @@ pub enum Destination {
 
 impl Destination {
     /// What was asked for: a path, or `-`.
-    pub fn new(asked: &str) -> anyhow::Result<Self> {
+    pub(crate) fn new(asked: &str) -> anyhow::Result<Self> {
         if asked == STANDARD_OUTPUT {
             return Ok(Self::Output);
         }
@@ -32,7 +32,7 @@ impl Destination {
     }
 
     /// Adds bytes. Whether any more are wanted: a reader that has seen enough closes the pipe.
-    pub fn add(&mut self, bytes: &[u8]) -> anyhow::Result<bool> {
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> anyhow::Result<bool> {
         match self {
             Self::Output => match io::stdout().lock().write_all(bytes) {
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
@@ -43,7 +43,7 @@ impl Destination {
     }
 
     /// Puts the file in its place, if there is one: says which.
-    pub fn finish(self) -> anyhow::Result<Option<PathBuf>> {
+    pub(crate) fn finish(self) -> anyhow::Result<Option<PathBuf>> {
         match self {
             Self::Output => match io::stdout().lock().flush() {
                 Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context(UNWRITABLE),
@@ -55,7 +55,7 @@ impl Destination {
 }
 
 /// Refuses to write the output over one of the files that are read.
-pub fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
+pub(crate) fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
     let Some(target) = fs::canonicalize(asked).ok().filter(|_| asked != STANDARD_OUTPUT) else { return Ok(()) };
     let own = inputs.into_iter().find(|input| is_one_file(input, &target));
     match own {

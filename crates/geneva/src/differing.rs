@@ -8,7 +8,7 @@ use geneva_evidence::Judged;
 const MOST: usize = 10;
 
 /// Names on standard error the claims that no longer match the record, if there are any.
-pub fn report_differing<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn OutputStreams) {
+pub(crate) fn report_differing<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn OutputStreams) {
     let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.matches_record()).collect();
     if !differing.is_empty() {
         streams.write_stderr(&page(&differing));

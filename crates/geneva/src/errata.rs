@@ -13,7 +13,7 @@ use std::slice;
 
 /// Options of `geneva errata`.
 #[derive(Args, Debug)]
-pub struct ErrataArguments {
+pub(crate) struct ErrataArguments {
     /// List only the mistakes in this source [default: all sources but wild]
     #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
@@ -37,7 +37,7 @@ pub struct ErrataArguments {
 }
 
 /// The mistakes that are wanted, in the format that is wanted.
-pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_source = |places: &TracedSlip| {
         wanted.source.map_or(places.is_mirrored(), |source| places.main().claim.document == source)
     };
@@ -64,7 +64,7 @@ pub fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Result<Stri
 }
 
 /// The verdicts on the claims of the source that is wanted, or on all.
-pub fn wanted_verdicts(wanted: &ErrataArguments) -> Vec<&'static Judged> {
+pub(crate) fn wanted_verdicts(wanted: &ErrataArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 

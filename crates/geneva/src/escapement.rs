@@ -8,7 +8,7 @@ use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQues
 
 /// Options of `geneva escapement`.
 #[derive(Args, Debug)]
-pub struct EscapementArguments {
+pub(crate) struct EscapementArguments {
     /// Number of slots of the follower: 3, 4 or 6; the driver then has 6, 4 or 3 pins
     #[arg(long, value_name = "N", value_parser = typed::slots, allow_negative_numbers = true)]
     pub slots: u32,
@@ -59,7 +59,7 @@ pub struct EscapementArguments {
 
 /// Coherent systems of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum UnitsName {
+pub(crate) enum UnitsName {
     /// Inch, pound-force and second: torque in in lb, inertias in in lb s²
     InLbS,
     /// Metre, kilogram and second: torque in N m, inertias in kg m²
@@ -68,7 +68,7 @@ pub enum UnitsName {
 
 /// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum EscapementFigureName {
+pub(crate) enum EscapementFigureName {
     /// The mechanism, to scale
     #[default]
     Mechanism,
@@ -99,7 +99,7 @@ impl EscapementArguments {
 }
 
 /// The escapement that is wanted, in the format that is wanted.
-pub fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<String> {
     OutputFormat::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
     OutputFormat::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
     OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;

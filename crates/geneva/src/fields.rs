@@ -4,7 +4,7 @@
 use crate::output::{TextLayout, heading};
 use geneva_ask::{FieldValue, MechanismReport, ReportField, SheetNumber};
 
-pub use geneva_press::fields::{DataRow, csv, json};
+pub(crate) use geneva_press::fields::{DataRow, csv, json};
 
 /// A line as it is written.
 struct Written<'a> {
@@ -28,7 +28,7 @@ impl<'a> Written<'a> {
 }
 
 /// An answer as a sheet for reading, with the numbers under one another.
-pub fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
+pub(crate) fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
     let items = answer.list.iter().flat_map(|(_, items)| items).map(|item| (item.heading, &item.fields));
     let sections = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items);
     let sections: Vec<(_, Vec<_>)> =
@@ -66,7 +66,7 @@ pub fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
 ///
 /// The keys are those of the JSON, also of values that are missing. A vector has a row for each of its parts. Where a sheet leaves out
 /// the name because the line above has it, the row has it too.
-pub fn table(answer: &MechanismReport) -> anyhow::Result<String> {
+pub(crate) fn table(answer: &MechanismReport) -> anyhow::Result<String> {
     let mut above = ("", "");
     let rows = answer.fields().flat_map(|field| {
         let (name, meaning) = field.line.as_ref().map_or(("", ""), |line| {

@@ -1,7 +1,7 @@
 //! What a user's text files are: a deck, its data, the copy of a source.
 
 /// The name that stands for standard input.
-pub const STANDARD_INPUT: &str = "-";
+pub(crate) const STANDARD_INPUT: &str = "-";
 
 /// Most bytes of a file or of standard input.
-pub const MOST_BYTES: u64 = 16_000_000;
+pub(crate) const MOST_BYTES: u64 = 16_000_000;

@@ -14,8 +14,8 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-pub use geneva_ask::number_format::count;
-pub use geneva_host::layout::TextLayout;
+pub(crate) use geneva_ask::number_format::count;
+pub(crate) use geneva_host::layout::TextLayout;
 
 /// What a command found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +52,7 @@ impl From<Outcome> for ExitCode {
 }
 
 /// Where the words of a command go.
-pub trait OutputStreams {
+pub(crate) trait OutputStreams {
     /// Takes text for standard output.
     fn print(&mut self, text: &str) -> anyhow::Result<()>;
 
@@ -64,7 +64,7 @@ pub trait OutputStreams {
 }
 
 /// The streams of this process.
-pub struct ProcessStreams;
+pub(crate) struct ProcessStreams;
 
 // A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in
 // its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
@@ -109,12 +109,12 @@ impl OutputStreams for CommandOutput {
 }
 
 /// How the text of an answer is laid out that goes where it was asked for: to standard output, or to a file.
-pub fn layout_for(asked: &str, streams: &dyn OutputStreams) -> TextLayout {
+pub(crate) fn layout_for(asked: &str, streams: &dyn OutputStreams) -> TextLayout {
     if asked == STANDARD_OUTPUT { streams.layout() } else { TextLayout::default() }
 }
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
-pub fn write_output(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
+pub(crate) fn write_output(text: &str, asked: &str, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
         return streams.print(text);
     }
@@ -127,13 +127,13 @@ pub fn write_output(text: &str, asked: &str, streams: &mut dyn OutputStreams) ->
 }
 
 /// Writes an error and its causes to standard error.
-pub fn complain(error: &anyhow::Error, streams: &mut dyn OutputStreams) {
+pub(crate) fn complain(error: &anyhow::Error, streams: &mut dyn OutputStreams) {
     let red = AnsiColor::Red.on_default().bold();
     streams.write_stderr(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
 }
 
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
-pub fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
+pub(crate) fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if error.kind() == ErrorKind::DisplayVersion {
         streams.print(&streams.layout().folded(&version::page()))?;
         return Ok(Outcome::AsRecorded);
@@ -148,7 +148,7 @@ pub fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> anyhow::
 }
 
 /// How a verdict is coloured; the colour repeats what the word says.
-pub fn style(verdict: Verdict) -> Style {
+pub(crate) fn style(verdict: Verdict) -> Style {
     let colour = match verdict {
         Verdict::Reproduced => AnsiColor::Green,
         Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => AnsiColor::Yellow,
@@ -160,17 +160,17 @@ pub fn style(verdict: Verdict) -> Style {
 }
 
 /// The style of headings.
-pub fn heading() -> Style {
+pub(crate) fn heading() -> Style {
     Style::new().bold()
 }
 
 /// A name and its text, which is broken into lines under one another.
-pub fn field(name: &str, text: &str, layout: TextLayout) -> String {
+pub(crate) fn field(name: &str, text: &str, layout: TextLayout) -> String {
     layout.wrapped(&format!("  {name:<14}"), text)
 }
 
 /// `text` in `width` columns, cut with an ellipsis if it is longer.
-pub fn truncate_to_width(text: &str, width: usize) -> String {
+pub(crate) fn truncate_to_width(text: &str, width: usize) -> String {
     if columns(text) <= width {
         return format!("{text}{}", " ".repeat(width - columns(text)));
     }

@@ -15,7 +15,7 @@ const TESTS: &str = "test";
 
 /// Options of `geneva preprocess`, as mdBook gives them.
 #[derive(Args, Debug)]
-pub struct PreprocessArguments {
+pub(crate) struct PreprocessArguments {
     /// A question instead of a book.
     #[command(subcommand)]
     pub question: Option<PreprocessorQuestion>,
@@ -23,7 +23,7 @@ pub struct PreprocessArguments {
 
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
-pub enum PreprocessorQuestion {
+pub(crate) enum PreprocessorQuestion {
     /// Exit with 0: every renderer gets an answer, if only in words
     Supports {
         /// mdBook's name for the renderer
@@ -33,7 +33,7 @@ pub enum PreprocessorQuestion {
 }
 
 /// Answers the question, or processes the book on standard input.
-pub fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
+pub(crate) fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if let Some(PreprocessorQuestion::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Press(&BOOK).supports_renderer(&renderer)?));
     }

@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 
 /// Options of `geneva book print`.
 #[derive(Args, Debug, Default)]
-pub struct PrintArguments {
+pub(crate) struct PrintArguments {
     /// Write this file; one that is there is replaced once the new one is complete
     /// [default: target/geneva-verified.pdf in the workspace]
     #[arg(long, value_name = "FILE")]
@@ -27,7 +27,7 @@ const PRINTS: usize = 4;
 
 /// Prints the book: builds it in a folder of its own, has a browser print the document, puts the numbers of the pages into
 /// its contents, and has it printed again.
-pub fn run(wanted: &PrintArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
+pub(crate) fn run(wanted: &PrintArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<()> {
     let browser = browser()?;
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("geneva-verified.pdf"));

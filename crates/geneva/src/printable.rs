@@ -1,11 +1,11 @@
 //! Text that others wrote, made harmless for a terminal, and errors in one line.
 
-pub use geneva_host::printable::{escape_and_shorten, escaped, escaped_lines, in_words, shown_path};
+pub(crate) use geneva_host::printable::{escape_and_shorten, escaped, escaped_lines, in_words, shown_path};
 
 use std::io;
 
 /// An error and its causes in one line, each once, and the system's words without their number.
-pub fn chain(error: &anyhow::Error) -> String {
+pub(crate) fn chain(error: &anyhow::Error) -> String {
     let mut said = Vec::new();
     for cause in error.chain() {
         match cause.downcast_ref::<io::Error>() {

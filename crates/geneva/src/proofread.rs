@@ -21,7 +21,7 @@ impl cli::CommandStreams for Through<'_> {
 }
 
 /// Runs the command, which says all there is to say.
-pub fn run(arguments: &ProofreadArguments, streams: &mut dyn OutputStreams) -> Outcome {
+pub(crate) fn run(arguments: &ProofreadArguments, streams: &mut dyn OutputStreams) -> Outcome {
     match cli::run(arguments, &mut Through(streams)) {
         0 => Outcome::AsRecorded,
         1 => Outcome::Differs,

@@ -9,7 +9,7 @@ use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
 #[derive(Args, Debug)]
-pub struct QuickReturnArguments {
+pub(crate) struct QuickReturnArguments {
     /// Distance from the lever's pivot to the crank's axis, in metres, above zero
     #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
     pub ground: f64,
@@ -46,7 +46,7 @@ pub struct QuickReturnArguments {
 /// Where the mechanism is, by one of its two angles.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
-pub struct AngleArguments {
+pub(crate) struct AngleArguments {
     /// Direction from the crank's axis to the pin, in degrees counter-clockwise from the direction that points from
     /// the lever's pivot to the crank's axis; give this or --lever-angle
     #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
@@ -59,7 +59,7 @@ pub struct AngleArguments {
 
 /// Where the pin is on the lever's ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum BranchName {
+pub(crate) enum BranchName {
     /// The point nearer to the lever's pivot: the lever is on its fast stroke
     Near,
     /// The point farther from the lever's pivot: the lever is on its slow stroke
@@ -69,7 +69,7 @@ pub enum BranchName {
 
 /// The drawings of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum QuickReturnFigureName {
+pub(crate) enum QuickReturnFigureName {
     /// The mechanism
     #[default]
     Mechanism,
@@ -95,7 +95,7 @@ impl QuickReturnArguments {
 }
 
 /// The mechanism that is wanted, in the format that is wanted.
-pub fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
     OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let design = QuickReturnDesign::new(&wanted.question())?;
     let answer = design.answer()?;

@@ -4,7 +4,7 @@
 ///
 /// A signal that the program was told to ignore, as `nohup` does, stays ignored.
 #[cfg(unix)]
-pub fn clear_up_first() -> anyhow::Result<()> {
+pub(crate) fn clear_up_first() -> anyhow::Result<()> {
     use anyhow::Context;
     use geneva_press::building;
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};

@@ -7,7 +7,7 @@ use geneva_evidence::Document;
 use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
 
 /// The verdicts of the documents by source, and each claim, also on pages elsewhere, that no longer matches the record.
-pub fn page(verdicts: &[&Judged], layout: TextLayout) -> String {
+pub(crate) fn page(verdicts: &[&Judged], layout: TextLayout) -> String {
     table(verdicts, layout) + "\n" + &differences(verdicts, layout)
 }
 

@@ -14,7 +14,7 @@ const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// A number of threads, and what said so.
 #[derive(Clone, Copy, Debug)]
-pub struct Threads {
+pub(crate) struct Threads {
     pub number: usize,
     given: Given,
 }
@@ -29,7 +29,7 @@ enum Given {
 impl Threads {
     /// What the option says, or else the variable, or else the machine. Zero in the variable is as good as no variable:
     /// so it is to all programs that read it.
-    pub fn new(option: Option<NonZeroUsize>) -> anyhow::Result<Self> {
+    pub(crate) fn new(option: Option<NonZeroUsize>) -> anyhow::Result<Self> {
         let machine = || available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
         if let Some(number) = option {
             return Ok(Self { number: number.get(), given: Given::Option });
@@ -57,7 +57,7 @@ impl Threads {
     /// # Errors
     ///
     /// The system has no room for so many.
-    pub fn pool(self) -> anyhow::Result<ThreadPool> {
+    pub(crate) fn pool(self) -> anyhow::Result<ThreadPool> {
         let Self { number, given } = self;
         let built = ThreadPoolBuilder::new().num_threads(number).build();
         built.map_err(|error| {

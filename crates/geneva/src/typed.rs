@@ -13,7 +13,7 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-pub use geneva_ask::number_format::{as_typed, rounded};
+pub(crate) use geneva_ask::number_format::{as_typed, rounded};
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -25,25 +25,25 @@ const MOST_DEGREES: f64 = 1e9;
 const MOST_PINS: u32 = 6;
 
 /// Most threads that may be asked for.
-pub const MOST_THREADS: usize = 1024;
+pub(crate) const MOST_THREADS: usize = 1024;
 
 /// A number above zero.
-pub fn positive(text: &str) -> Result<f64, String> {
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
     above_zero(text, "number")
 }
 
 /// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
-pub fn metres(text: &str) -> Result<f64, String> {
+pub(crate) fn metres(text: &str) -> Result<f64, String> {
     above_zero(text, "length in metres")
 }
 
 /// A length in millimetres, above zero: the unit of all lengths of a wheel.
-pub fn millimetres(text: &str) -> Result<f64, String> {
+pub(crate) fn millimetres(text: &str) -> Result<f64, String> {
     above_zero(text, "length in millimetres")
 }
 
 /// A number that is zero or more.
-pub fn zero_or_more(text: &str) -> Result<f64, String> {
+pub(crate) fn zero_or_more(text: &str) -> Result<f64, String> {
     let most = COMPUTABLE.end();
     let value = number(text).ok_or_else(|| {
         format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
@@ -58,7 +58,7 @@ pub fn zero_or_more(text: &str) -> Result<f64, String> {
 }
 
 /// Turns a minute in either sense, counter-clockwise above zero.
-pub fn turns_a_minute(text: &str) -> Result<f64, String> {
+pub(crate) fn turns_a_minute(text: &str) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     let value = number(text).ok_or_else(|| {
         format!(
@@ -75,14 +75,14 @@ pub fn turns_a_minute(text: &str) -> Result<f64, String> {
 }
 
 /// An angle in degrees. Which are possible, the mechanism says.
-pub fn degrees(text: &str) -> Result<f64, String> {
+pub(crate) fn degrees(text: &str) -> Result<f64, String> {
     number(text).ok_or_else(|| {
         format!("not an angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}, with a decimal point, not a comma")
     })
 }
 
 /// An angle in degrees, of which every finite one is possible.
-pub fn finite_degrees(text: &str) -> Result<f64, String> {
+pub(crate) fn finite_degrees(text: &str) -> Result<f64, String> {
     let value = degrees(text)?;
     if value.abs() <= MOST_DEGREES {
         Ok(value)
@@ -95,22 +95,22 @@ pub fn finite_degrees(text: &str) -> Result<f64, String> {
 }
 
 /// A number of a follower's slots. Which are possible, the library says.
-pub fn slots(text: &str) -> Result<u32, String> {
+pub(crate) fn slots(text: &str) -> Result<u32, String> {
     whole(text, "slots", "3, 4 or 6")
 }
 
 /// A number of a wheel's stations. Which are possible, the library says.
-pub fn stations(text: &str) -> Result<u32, String> {
+pub(crate) fn stations(text: &str) -> Result<u32, String> {
     whole(text, "stations", &format!("an integer from {} to {}", STATIONS.start(), STATIONS.end()))
 }
 
 /// A number of a driver's pins. Which are possible, the library says.
-pub fn pins(text: &str) -> Result<u32, String> {
+pub(crate) fn pins(text: &str) -> Result<u32, String> {
     whole(text, "pins", &format!("an integer from 1 to {MOST_PINS}"))
 }
 
 /// A number of threads.
-pub fn threads(text: &str) -> Result<NonZeroUsize, String> {
+pub(crate) fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let possible = format!("an integer from 1 to {MOST_THREADS}");
     let threads: NonZeroUsize = whole(text, "threads", &possible)?;
     if threads.get() > MOST_THREADS { Err(format!("too many threads; give {possible}")) } else { Ok(threads) }
@@ -121,12 +121,12 @@ fn whole<T: FromStr>(text: &str, things: &str, possible: &str) -> Result<T, Stri
 }
 
 /// A number, with either of the signs for minus: the sheet has the typographer's. A zero has none.
-pub fn number(text: &str) -> Option<f64> {
+pub(crate) fn number(text: &str) -> Option<f64> {
     text.trim().replace('−', "-").parse::<f64>().ok().map(|value| value + 0.0)
 }
 
 /// One of the values in a list, by its name; help says what each means.
-pub fn value_named<T: Copy + Send + Sync + 'static>(
+pub(crate) fn value_named<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     slug: fn(T) -> &'static str,
     meaning: fn(T) -> &'static str,
@@ -163,7 +163,7 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
 
 /// Where the output goes.
 #[derive(Args, Debug)]
-pub struct Output {
+pub(crate) struct Output {
     /// Write to this file, or to standard output (-); an existing file is replaced once the new one is complete
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub output: String,
@@ -171,7 +171,7 @@ pub struct Output {
 
 /// Output formats. A word means the same to every command that knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OutputFormat {
+pub(crate) enum OutputFormat {
     /// Readable text.
     Text,
     /// Text as a line printer wrote it.
@@ -196,7 +196,7 @@ pub enum OutputFormat {
 
 impl OutputFormat {
     /// Its name at the command line.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Text => "text",
             Self::Print => "print",
@@ -212,7 +212,7 @@ impl OutputFormat {
     }
 
     /// Refuses an option that applies to this format only, if another is wanted; `what` is what it applies to.
-    pub fn only_with(self, wanted: Self, option: &str, typed: Option<String>, what: &str) -> anyhow::Result<()> {
+    pub(crate) fn only_with(self, wanted: Self, option: &str, typed: Option<String>, what: &str) -> anyhow::Result<()> {
         match typed {
             Some(typed) if wanted != self => {
                 bail!("{option} {typed} applies only to {what}; give --format {} with it, or leave it out", self.name())
@@ -223,7 +223,7 @@ impl OutputFormat {
 }
 
 /// The formats of a command, each with its help. A command without a series says what to use instead of CSV.
-pub fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValueParser<Value = OutputFormat> {
+pub(crate) fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValueParser<Value = OutputFormat> {
     let has_series = known.iter().any(|(format, _)| *format == OutputFormat::Csv);
     let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
     let refused = (!has_series).then(|| PossibleValue::new(OutputFormat::Csv.name()).hide(true));
@@ -237,7 +237,7 @@ pub fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValu
 }
 
 /// The name of a value as it is typed.
-pub fn name_of(value: impl ValueEnum) -> Option<String> {
+pub(crate) fn name_of(value: impl ValueEnum) -> Option<String> {
     Some(value.to_possible_value()?.get_name().to_owned())
 }
 

@@ -6,7 +6,7 @@ use geneva_press::edition::Edition;
 use std::path::Path;
 
 /// Version and commit of the program, and the commit of the project's folder if the current directory is in one.
-pub fn page() -> String {
+pub(crate) fn page() -> String {
     let project = workspace::root().ok();
     let folder = project.as_deref().map(|root| (root, Edition::detect(&root.join("book"), &BOOK.imprint)));
     page_of(&Edition::compiled(&BOOK.imprint), folder.as_ref().map(|(root, edition)| (*root, edition)))

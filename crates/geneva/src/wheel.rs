@@ -16,7 +16,7 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
-pub struct WheelArguments {
+pub(crate) struct WheelArguments {
     /// What is asked of the wheel.
     #[command(flatten)]
     pub asked: WheelOptions,
@@ -46,7 +46,7 @@ pub struct WheelArguments {
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
 #[derive(Clone, Debug)]
-pub struct WheelOptions(WheelQuestion);
+pub(crate) struct WheelOptions(WheelQuestion);
 
 impl Args for WheelOptions {
     fn augment_args(command: Command) -> Command {
@@ -128,7 +128,7 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 }
 
 /// The wheel that is wanted, in the format that is wanted.
-pub fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
         reject_with_times(&question, format)?;

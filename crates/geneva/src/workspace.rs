@@ -4,7 +4,7 @@ use anyhow::Context;
 use std::path::{Path, PathBuf};
 
 /// The workspace around the current directory.
-pub fn root() -> anyhow::Result<PathBuf> {
+pub(crate) fn root() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir().context("the current directory doesn't exist; change to one that does")?;
     find(&here).map(Path::to_owned).with_context(|| {
         format!(

@@ -5,7 +5,7 @@ use geneva_mimic::{SolverParameters, StepSolution, integrate};
 use nalgebra::Vector2;
 
 /// The grid, compiled here by itself: a run of so many points would take too long.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../src/print_times.rs"]
 mod source;
 

@@ -6,11 +6,12 @@ use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
 
 /// The values of a step that a run can go on with.
-pub const KEPT: [StepSolution; 3] = [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated];
+pub(crate) const KEPT: [StepSolution; 3] =
+    [StepSolution::FullStep, StepSolution::TwoHalfSteps, StepSolution::Extrapolated];
 
 /// Two equations, their solution and how far to follow it from time 0.
 #[derive(Clone, Copy)]
-pub struct Problem {
+pub(crate) struct Problem {
     pub name: &'static str,
     pub rate: fn(f64, &Vector2<f64>) -> Vector2<f64>,
     pub exact: fn(f64) -> Vector2<f64>,
@@ -18,7 +19,7 @@ pub struct Problem {
 }
 
 /// x'' = −x.
-pub const SPRING: Problem = Problem {
+pub(crate) const SPRING: Problem = Problem {
     name: "spring",
     rate: |_, state| Vector2::new(state[1], -state[0]),
     exact: |time| Vector2::new(libm::cos(time), -libm::sin(time)),
@@ -26,7 +27,7 @@ pub const SPRING: Problem = Problem {
 };
 
 /// x' = x (1 − x) and y' = −y².
-pub const LOGISTIC: Problem = Problem {
+pub(crate) const LOGISTIC: Problem = Problem {
     name: "logistic",
     rate: |_, state| Vector2::new(state[0] * (1.0 - state[0]), -state[1] * state[1]),
     exact: |time| Vector2::new(1.0 / (1.0 + 3.0 * libm::exp(-time)), 1.0 / (1.0 + time)),
@@ -34,7 +35,7 @@ pub const LOGISTIC: Problem = Problem {
 };
 
 /// All: besides these two x' = x with y' = −y, and one with time on the right, x' = −2 t x with y' = y cos t.
-pub const SMOOTH: [Problem; 4] = [
+pub(crate) const SMOOTH: [Problem; 4] = [
     Problem {
         name: "exponentials",
         rate: |_, state| Vector2::new(state[0], -state[1]),
@@ -52,11 +53,11 @@ pub const SMOOTH: [Problem; 4] = [
 ];
 
 /// Times and states.
-pub type Points = Vec<(f64, Vector2<f64>)>;
+pub(crate) type Points = Vec<(f64, Vector2<f64>)>;
 
 /// The largest error at any point, over the size of the component or over one.
 #[track_caller]
-pub fn largest_error(problem: &Problem, points: &Points) -> f64 {
+pub(crate) fn largest_error(problem: &Problem, points: &Points) -> f64 {
     let reached = points.last().expect("no point").0;
     assert!((reached - problem.run_length).abs() < 1e-9, "{} ends at {reached}", problem.name);
     let error = |(time, state): &(f64, Vector2<f64>)| {
@@ -68,7 +69,7 @@ pub fn largest_error(problem: &Problem, points: &Points) -> f64 {
 
 /// A run of a problem, with its printed points.
 #[track_caller]
-pub fn run(problem: &Problem, parameters: &SolverParameters) -> (Points, Solution<2>) {
+pub(crate) fn run(problem: &Problem, parameters: &SolverParameters) -> (Points, Solution<2>) {
     let mut rate = problem.rate;
     let mut points = Vec::new();
     let end = integrate(&mut rate, (problem.exact)(0.0), parameters, |point| points.push((point.time, point.state)));
@@ -88,7 +89,7 @@ impl System<f64, Vector3<f64>> for Autonomous {
 macro_rules! by_dormand_and_prince {
     ($name:ident, $solver:ident, $order:literal) => {
         #[doc = concat!("Dormand and Prince, order ", $order, ", at its own steps.")]
-        pub fn $name(problem: &Problem, tolerance: f64) -> Points {
+        pub(crate) fn $name(problem: &Problem, tolerance: f64) -> Points {
             let (start, end) = ((problem.exact)(0.0), problem.run_length);
             let start = Vector3::new(start[0], start[1], 0.0);
             let mut solver = $solver::new(Autonomous(*problem), 0.0, end, end, start, tolerance, tolerance);

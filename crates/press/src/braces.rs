@@ -29,7 +29,7 @@ enum BracePlace {
 
 /// What is wrong with the double braces of a chapter, each with its line. Files are looked for from `folder`, in which the
 /// chapter is.
-pub fn faults(book: &Book, chapter: &str, folder: &Path) -> Vec<String> {
+pub(crate) fn faults(book: &Book, chapter: &str, folder: &Path) -> Vec<String> {
     let places = places(chapter);
     let mut faults = Vec::new();
     let mut from = 0;

@@ -9,7 +9,7 @@ const HEADING: &str = "## The tests behind this chapter";
 const PLACE: &str = "{{tests}}";
 /// Takes the programs out of a chapter, by its name and title, and leaves a link to the page with all of them. What is taken is
 /// their section of that page.
-pub fn take_programs(page: &str, name: &str, title: &str, content: &mut String) -> String {
+pub(crate) fn take_programs(page: &str, name: &str, title: &str, content: &mut String) -> String {
     let Some(at) = content.find(&format!("\n{HEADING}\n")) else { return String::new() };
     let behind = at + 1 + HEADING.len();
     let tests = content[behind..].trim();
@@ -26,7 +26,7 @@ pub fn take_programs(page: &str, name: &str, title: &str, content: &mut String) 
 }
 
 /// Puts the sections where they belong on the page of the programs.
-pub fn insert_programs(sections: &str, content: &mut String) {
+pub(crate) fn insert_programs(sections: &str, content: &mut String) {
     *content = content.replace(PLACE, sections.trim_end());
 }
 

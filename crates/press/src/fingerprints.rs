@@ -18,7 +18,7 @@ type Names = BTreeMap<String, String>;
 
 /// Gives each file of a built book whose name has a fingerprint the one of its content, and says so wherever the file is
 /// named. The pages must not have their policies yet.
-pub fn renew(book: &Path) -> anyhow::Result<()> {
+pub(crate) fn renew(book: &Path) -> anyhow::Result<()> {
     let mut all = Vec::new();
     collect(book, &mut all)?;
     let (mut waiting, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|path| parts(&name(path)).is_some());

@@ -10,7 +10,7 @@ use std::process::Command;
 use anyhow::{Context, ensure};
 
 /// Fills `target/book-libs` with the libraries of one build of a package, and no others.
-pub fn link(root: &Path, package: &str) -> anyhow::Result<PathBuf> {
+pub(crate) fn link(root: &Path, package: &str) -> anyhow::Result<PathBuf> {
     let folder = root.join("target").join("book-libs");
     let trouble = || format!("cannot write {}", folder.display());
     if folder.exists() {

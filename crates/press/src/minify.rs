@@ -4,7 +4,7 @@
 //! are nearly forty kilobytes heavier.
 
 /// Without comments, indentation and line ends; a comment that opens the file, where a licence stands, is kept.
-pub fn style(css: &str) -> String {
+pub(crate) fn style(css: &str) -> String {
     let (opening, mut rest) = match css.find("*/") {
         Some(end) if css.starts_with("/*") => css.split_at(end + 2),
         _ => ("", css),
@@ -27,7 +27,7 @@ pub fn style(css: &str) -> String {
 }
 
 /// Without indentation, empty lines and lines that are comments; a comment that opens the file is kept.
-pub fn script(js: &str) -> String {
+pub(crate) fn script(js: &str) -> String {
     let opening = js.lines().take_while(|line| line.starts_with("//")).count();
     let kept = js.lines().enumerate().filter(|(at, line)| {
         let line = line.trim_start();
@@ -37,7 +37,7 @@ pub fn script(js: &str) -> String {
 }
 
 /// Without indentation, empty lines and comments around the text of the chapter.
-pub fn page(html: &str) -> String {
+pub(crate) fn page(html: &str) -> String {
     match (html.find("<main>"), html.rfind("</main>")) {
         (Some(start), Some(end)) if start < end => {
             format!("{}{}{}", frame(&html[..start]), &html[start..end], frame(&html[end..]))

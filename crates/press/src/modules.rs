@@ -17,12 +17,12 @@ const THREAD: &str = include_str!("../theme/thread.js");
 const LEVEL: u8 = 10;
 
 /// The style sheets of all modules of a book, from a page.
-pub fn styles(book: &Book) -> impl Iterator<Item = String> {
+pub(crate) fn styles(book: &Book) -> impl Iterator<Item = String> {
     book.modules.iter().map(style_path)
 }
 
 /// Whether an attribute is one by which a module of a book finds and asks its element.
-pub fn is_own_attribute(book: &Book, name: &str) -> bool {
+pub(crate) fn is_own_attribute(book: &Book, name: &str) -> bool {
     book.modules.iter().flat_map(|module| module.attributes).any(|own| name.starts_with(own))
 }
 
@@ -30,7 +30,7 @@ pub fn is_own_attribute(book: &Book, name: &str) -> bool {
 /// made from the workspace `root`.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
-pub fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<PageFile> {
+pub(crate) fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<PageFile> {
     let mut pages: Vec<&mut String> = pages.collect();
     let mut files = Vec::new();
     for module in book.modules {

@@ -5,7 +5,7 @@ use crate::maths::apply;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 /// A page in Markdown and HTML, in the code of which no line breaks within an option of a command.
-pub fn in_one_piece(page: &str) -> String {
+pub(crate) fn in_one_piece(page: &str) -> String {
     let mut edits = Vec::new();
     let mut command = None;
     for (event, range) in Parser::new_ext(page, Options::ENABLE_TABLES | Options::ENABLE_GFM).into_offset_iter() {

@@ -63,12 +63,12 @@ const SAYS: &str = "<span class=\"says\"";
 
 /// A page in Markdown or HTML, with a space that breaks no line between each number and its unit, and with the numbers of
 /// equations in one piece.
-pub fn tied(page: &str) -> String {
+pub(crate) fn tied(page: &str) -> String {
     tie(page, true)
 }
 
 /// A page as [`tied`] has it, but without a tag around the numbers of equations, of which the ledger has too many.
-pub fn tied_without_tags(page: &str) -> String {
+pub(crate) fn tied_without_tags(page: &str) -> String {
     tie(page, false)
 }
 

@@ -7,7 +7,7 @@ use crate::html::{escape, plain};
 const TABLE: &str = "<div class=\"table-wrapper\">";
 
 /// A page with labels in the cells of its tables.
-pub fn labelled(page: &str) -> String {
+pub(crate) fn labelled(page: &str) -> String {
     let mut parts = page.split(TABLE);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {

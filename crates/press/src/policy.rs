@@ -21,7 +21,7 @@ use crate::book::PageModule;
 const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
 
 /// A page with its policy, which is the first thing that a browser reads. These modules may answer it.
-pub fn guarded(page: &str, modules: &[PageModule]) -> anyhow::Result<String> {
+pub(crate) fn guarded(page: &str, modules: &[PageModule]) -> anyhow::Result<String> {
     let split = BEFORE.iter().find_map(|before| page.split_once(before).map(|(head, rest)| (head, before, rest)));
     let (head, before, rest) = split.with_context(|| format!("it has no `{}`", BEFORE[0]))?;
     ensure!(!head.contains("<script"), "a script stands before `{before}`");

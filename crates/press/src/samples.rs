@@ -10,7 +10,7 @@ use geneva_evidence::{
 };
 
 /// What the book says of itself.
-pub const IMPRINT: Imprint = Imprint {
+pub(crate) const IMPRINT: Imprint = Imprint {
     title: "A sample",
     subtitle: "For tests",
     authors: "Nobody",
@@ -30,7 +30,7 @@ pub const IMPRINT: Imprint = Imprint {
 };
 
 /// The leaflet: acceleration and height of a fall, its time, and its speed at the end, which is wrong.
-pub static LEAFLET: Document = Document {
+pub(crate) static LEAFLET: Document = Document {
     slug: "leaflet",
     title: "leaflet",
     citation: "A leaflet on falling bodies",
@@ -86,7 +86,7 @@ fn claims() -> Vec<Claim> {
 const HEIGHT: f64 = 20.0;
 
 /// The leaflet with its verdicts.
-pub static LEDGER: Ledger = Ledger::new(&[&LEAFLET], &[Evidence::CLOSED_FORM, Evidence::LIMIT_CASE]);
+pub(crate) static LEDGER: Ledger = Ledger::new(&[&LEAFLET], &[Evidence::CLOSED_FORM, Evidence::LIMIT_CASE]);
 
 const fn work(key: &'static str, short: &'static str) -> CitedWork {
     CitedWork {
@@ -103,7 +103,7 @@ const fn work(key: &'static str, short: &'static str) -> CitedWork {
 }
 
 /// The book.
-pub static BOOK: Book = Book {
+pub(crate) static BOOK: Book = Book {
     imprint: IMPRINT,
     ledger: &LEDGER,
     pages: &[

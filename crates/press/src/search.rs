@@ -29,7 +29,7 @@ const OPENING: &str = "window.search = Object.assign(window.search, JSON.parse('
 const CLOSING: &str = "'));";
 
 /// Makes the index of a book that is built in a folder anew. One without an index, which its settings may want, is left alone.
-pub fn index(book: &Book, folder: &Path) -> anyhow::Result<()> {
+pub(crate) fn index(book: &Book, folder: &Path) -> anyhow::Result<()> {
     let Some(file) = file(folder)? else { return Ok(()) };
     let cannot = || format!("cannot read the search index {}", file.display());
     let text = fs::read_to_string(&file).with_context(cannot)?;

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 impl Evaluator<'_> {
     /// A printed number with its power of ten and its unit.
-    pub fn number(&mut self, text: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn number(&mut self, text: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         cursor.at += 1;
         let unreadable = Obstacle::Unclear("a number with too many digits");
         let mut printed = PrintedNumber::read(text).ok_or(unreadable)?;
@@ -107,7 +107,7 @@ impl Evaluator<'_> {
     }
 
     /// A letter with a value, π, a power of e, or a unit alone.
-    pub fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn name(&mut self, token: &Token, name: &str, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let power = match cursor.tokens.get(cursor.at + 1) {
             Some(Token { kind: TokenKind::Power(exponent), .. }) => plain_exponent(exponent).ok(),
             _ => None,

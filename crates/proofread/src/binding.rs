@@ -52,7 +52,7 @@ const MOST: usize = 20_000;
 
 impl KnownNames {
     /// Notes what a chain assigns, before anything is compared.
-    pub fn count_assignment(&mut self, chain: &Chain) {
+    pub(crate) fn count_assignment(&mut self, chain: &Chain) {
         let Some((name, value)) = assignment(chain) else { return };
         if self.once.len() >= MOST {
             return;
@@ -69,7 +69,7 @@ impl KnownNames {
     }
 
     /// Notes what a chain assigns, for what follows in its scope.
-    pub fn learn(&mut self, chain: &Chain, scope: u32, name_policy: NamePolicy) {
+    pub(crate) fn learn(&mut self, chain: &Chain, scope: u32, name_policy: NamePolicy) {
         let Some((name, value)) = assignment(chain) else { return };
         let value = match name_policy {
             NamePolicy::Never => return,
@@ -88,7 +88,7 @@ impl KnownNames {
     }
 
     /// The values to use in a scope.
-    pub fn in_scope(&self, scope: u32) -> Option<&NameValues> {
+    pub(crate) fn in_scope(&self, scope: u32) -> Option<&NameValues> {
         self.scopes.get(&scope).filter(|known| !known.is_empty())
     }
 }

@@ -6,7 +6,7 @@ use crate::unit::{is_percent, unit};
 
 /// How a side relates to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
+pub(crate) enum Relation {
     /// `=`
     Equal,
     /// `≈` and its relatives.
@@ -17,7 +17,7 @@ pub enum Relation {
 
 /// A side of a chain.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ChainSide {
+pub(crate) struct ChainSide {
     /// The relation before it; none for the first side.
     pub relation: Option<Relation>,
     /// Its tokens, joined.
@@ -28,7 +28,7 @@ pub struct ChainSide {
 
 /// How a chain is parted from what stands before it in its row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ChainSeparation {
+pub(crate) enum ChainSeparation {
     /// Not at all, or by words.
     #[default]
     Not,
@@ -40,7 +40,7 @@ pub enum ChainSeparation {
 
 /// Sides with relations between them; at least two.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chain {
+pub(crate) struct Chain {
     /// The sides in their order.
     pub sides: Vec<ChainSide>,
     /// Whether a question mark follows: whether it holds is asked, not said.
@@ -135,7 +135,7 @@ fn is_item(tokens: &[Token], at: usize) -> bool {
 }
 
 /// The chains of a formula.
-pub fn split_chains(formula: &[Token]) -> Vec<Chain> {
+pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
     let tokens = join_tokens(formula);
     let mut splitter = Splitter { at_row: true, ..Splitter::default() };
     let mut depth = 0usize;

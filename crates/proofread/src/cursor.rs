@@ -12,17 +12,17 @@ pub(crate) struct Cursor<'t> {
 }
 
 impl<'t> Cursor<'t> {
-    pub fn new(tokens: &'t [Token]) -> Self {
+    pub(crate) fn new(tokens: &'t [Token]) -> Self {
         Self { tokens, at: 0 }
     }
 
     /// The next token that is no space, which is skipped.
-    pub fn peek(&mut self) -> Option<&'t Token> {
+    pub(crate) fn peek(&mut self) -> Option<&'t Token> {
         self.at = self.behind_space(self.at);
         self.tokens.get(self.at)
     }
 
-    pub fn behind_space(&self, mut at: usize) -> usize {
+    pub(crate) fn behind_space(&self, mut at: usize) -> usize {
         while self.tokens.get(at).is_some_and(Token::is_space) {
             at += 1;
         }
@@ -30,29 +30,29 @@ impl<'t> Cursor<'t> {
     }
 
     /// The next token that is no space from a place on, and its own place.
-    pub fn token_from(&self, at: usize) -> (Option<&'t Token>, usize) {
+    pub(crate) fn token_from(&self, at: usize) -> (Option<&'t Token>, usize) {
         let at = self.behind_space(at);
         (self.tokens.get(at), at)
     }
 
     /// The next token, space or not.
-    pub fn current(&self) -> Option<&'t Token> {
+    pub(crate) fn current(&self) -> Option<&'t Token> {
         self.tokens.get(self.at)
     }
 
     /// The token before this one that is no space.
-    pub fn previous(&self) -> Option<&'t Token> {
+    pub(crate) fn previous(&self) -> Option<&'t Token> {
         self.tokens[..self.at.min(self.tokens.len())].iter().rev().find(|token| !token.is_space())
     }
 
-    pub fn take(&mut self, sign: char) -> bool {
+    pub(crate) fn take(&mut self, sign: char) -> bool {
         let found = self.peek().is_some_and(|token| token.is_sign(sign));
         self.at += usize::from(found);
         found
     }
 
     /// The tokens inside the brackets that open here.
-    pub fn take_group(&mut self) -> Evaluated<&'t [Token]> {
+    pub(crate) fn take_group(&mut self) -> Evaluated<&'t [Token]> {
         let mut depth = 0usize;
         for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
             effort::count_steps(1);

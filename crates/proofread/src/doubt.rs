@@ -75,7 +75,7 @@ pub(crate) struct PlacedPair<'t> {
 
 impl PlacedPair<'_> {
     /// The first reason to set the difference aside.
-    pub fn doubt(&self, judgement: &PairJudgement) -> Option<Doubt> {
+    pub(crate) fn doubt(&self, judgement: &PairJudgement) -> Option<Doubt> {
         if self.is_cut(judgement) {
             return Some(Doubt::Cut);
         }
@@ -346,7 +346,7 @@ const HABIT: usize = 3;
 
 impl Factors {
     /// Notes the factor between the sides of a finding, unless they are so near that it says nothing.
-    pub fn record(&mut self, finding: usize, formula: Span, judgement: &PairJudgement, sides: [&str; 2]) {
+    pub(crate) fn record(&mut self, finding: usize, formula: Span, judgement: &PairJudgement, sides: [&str; 2]) {
         let Some((left, right)) = &judgement.values else { return };
         let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
         let factor = left.point / right.point;
@@ -358,7 +358,7 @@ impl Factors {
     }
 
     /// The findings whose factor at least [`HABIT`] different formulas share.
-    pub fn habits(&self) -> Vec<usize> {
+    pub(crate) fn habits(&self) -> Vec<usize> {
         let mut sorted: Vec<&Factor> = self.0.iter().collect();
         sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
         let mut out = Vec::new();

@@ -36,7 +36,7 @@ pub(crate) struct Evaluator<'b> {
 }
 
 impl<'b> Evaluator<'b> {
-    pub fn new(mode: Mode, reading: ReadingChoices, bindings: Option<&'b NameValues>) -> Self {
+    pub(crate) fn new(mode: Mode, reading: ReadingChoices, bindings: Option<&'b NameValues>) -> Self {
         Self {
             mode,
             reading,
@@ -50,12 +50,12 @@ impl<'b> Evaluator<'b> {
         }
     }
 
-    pub fn is_chosen(&self, choice: ReadingChoices) -> bool {
+    pub(crate) fn is_chosen(&self, choice: ReadingChoices) -> bool {
         self.reading.contains(choice)
     }
 
     /// The value of a side, behind which prose may follow.
-    pub fn evaluate_side(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
+    pub(crate) fn evaluate_side(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
         if !has_number(tokens) && self.bindings.is_none() {
             return Err(Obstacle::NoNumber);
         }
@@ -147,7 +147,7 @@ impl<'b> Evaluator<'b> {
     }
 
     /// The value of all tokens.
-    pub fn evaluate_all(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
+    pub(crate) fn evaluate_all(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
         let mut cursor = Cursor::new(tokens);
         let value = self.sum(&mut cursor)?;
         match cursor.peek() {
@@ -407,13 +407,13 @@ impl<'b> Evaluator<'b> {
         value.number()
     }
 
-    pub fn raise(&mut self, value: &SideValue, exponent: &[Token]) -> Evaluated<SideValue> {
+    pub(crate) fn raise(&mut self, value: &SideValue, exponent: &[Token]) -> Evaluated<SideValue> {
         let exponent = self.exponent(exponent)?;
         value.power(exponent)
     }
 
     /// Exponents and factorials behind a value.
-    pub fn with_powers(&mut self, mut value: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn with_powers(&mut self, mut value: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         while let Some(token) = cursor.current() {
             if let TokenKind::Power(exponent) = &token.kind {
                 cursor.at += 1;
@@ -432,7 +432,7 @@ impl<'b> Evaluator<'b> {
     }
 
     /// One factor, for the argument of a function.
-    pub fn evaluate_factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn evaluate_factor(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         self.factor(cursor)
     }
 

@@ -79,7 +79,7 @@ pub(crate) fn agrees(judgement: &PairJudgement) -> bool {
 
 impl DifferingPair<'_> {
     /// How the sides compare once the explanations have been tried.
-    pub fn explain(mut self) -> PairJudgement {
+    pub(crate) fn explain(mut self) -> PairJudgement {
         for explanation in &EXPLANATIONS {
             let Some(judgement) = (explanation.judge)(&self) else { continue };
             self.judgement = PairJudgement { explanation: Some(explanation.name), ..judgement };

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 impl Evaluator<'_> {
     /// The value of a function, whose name is the next token.
-    pub fn function(&mut self, function: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn function(&mut self, function: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         cursor.at += 1;
         let (mut function, mut power) = (function, None);
         if let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current() {

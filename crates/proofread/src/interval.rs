@@ -2,7 +2,7 @@
 
 /// The least, the printed and the greatest value; `low <= point <= high` where they are finite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Interval {
+pub(crate) struct Interval {
     /// The least value, in any unit.
     pub low: f64,
     /// The value of the printed digits, in the same unit.
@@ -16,53 +16,53 @@ pub(crate) const SLACK: f64 = 1e-9;
 
 impl Interval {
     /// An exact number.
-    pub fn exact(value: f64) -> Self {
+    pub(crate) fn exact(value: f64) -> Self {
         Self { low: value, point: value, high: value }
     }
 
     /// A number known to within `half` either way.
-    pub fn with_half_width(value: f64, half: f64) -> Self {
+    pub(crate) fn with_half_width(value: f64, half: f64) -> Self {
         Self { low: value - half, point: value, high: value + half }
     }
 
     /// Whether it is exactly zero.
-    pub fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 
     /// Whether all three values are finite.
-    pub fn is_finite(self) -> bool {
+    pub(crate) fn is_finite(self) -> bool {
         self.low.is_finite() && self.point.is_finite() && self.high.is_finite()
     }
 
     /// Each value times a number.
     #[must_use]
-    pub fn scaled(self, by: f64) -> Self {
+    pub(crate) fn scaled(self, by: f64) -> Self {
         self * Self::exact(by)
     }
 
     /// Each value through a function that rises or falls all along the interval.
     #[must_use]
-    pub fn map_monotone(self, function: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn map_monotone(self, function: impl Fn(f64) -> f64) -> Self {
         let (a, b) = (function(self.low), function(self.high));
         Self { low: a.min(b), point: function(self.point), high: a.max(b) }
     }
 
     /// Each value moved by a number.
     #[must_use]
-    pub fn shifted(self, by: f64) -> Self {
+    pub(crate) fn shifted(self, by: f64) -> Self {
         self + Self::exact(by)
     }
 
     /// One over each value, unless zero is among them.
     #[must_use]
-    pub fn inverse(self) -> Option<Self> {
+    pub(crate) fn inverse(self) -> Option<Self> {
         (self.low > 0.0 || self.high < 0.0).then(|| self.map_monotone(|x| 1.0 / x))
     }
 
     /// The sizes of the values.
     #[must_use]
-    pub fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         if self.low >= 0.0 {
             self
         } else if self.high <= 0.0 {
@@ -73,19 +73,19 @@ impl Interval {
     }
 
     /// Half of the width, in the interval's own unit.
-    pub fn half_width(self) -> f64 {
+    pub(crate) fn half_width(self) -> f64 {
         (self.high - self.low) / 2.0
     }
 
     /// Whether two intervals meet if each is widened by `width` times the larger of their points.
-    pub fn meets(self, other: Self, width: f64) -> bool {
+    pub(crate) fn meets(self, other: Self, width: f64) -> bool {
         let size = self.point.abs().max(other.point.abs());
         let slack = (SLACK + width) * size + 1e-300;
         self.high >= other.low - slack && other.high >= self.low - slack
     }
 
     /// Each value to a power, if that is a number for all of them.
-    pub fn power(self, exponent: Self) -> Option<Self> {
+    pub(crate) fn power(self, exponent: Self) -> Option<Self> {
         let e = exponent.point;
         let whole = exponent.low == exponent.high && e.fract().abs() < 1e-12 && e.abs() < 1e6;
         let result = if whole {

@@ -12,7 +12,7 @@ pub(crate) struct Numeral {
 
 impl Numeral {
     /// Whether it was printed with more decimals than another one, to which it rounds.
-    pub fn rounds_to(&self, other: &Self) -> bool {
+    pub(crate) fn rounds_to(&self, other: &Self) -> bool {
         let decimals = |of: &Self| of.digits.split_once('.').map_or(0, |(_, behind)| behind.len());
         let fewer = decimals(other);
         let half = 0.5 * power_of_ten(-(fewer as f64));

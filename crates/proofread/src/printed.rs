@@ -15,7 +15,7 @@ pub(crate) enum Mode {
 
 /// A number as printed, without its sign.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PrintedNumber {
+pub(crate) struct PrintedNumber {
     /// The value of the digits, dimensionless.
     pub value: f64,
     /// Digits behind the point; none if there is no point.
@@ -26,7 +26,7 @@ pub struct PrintedNumber {
 
 impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
-    pub fn read(text: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str) -> Option<Self> {
         let plain: String = text.chars().filter(|c| *c != ',').collect();
         let allowed = |c: char| c.is_ascii_digit() || c == '.';
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {

@@ -2,72 +2,72 @@
 
 /// A set of choices. Without any, a formula is read in the commonest way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct ReadingChoices(u32);
+pub(crate) struct ReadingChoices(u32);
 
 impl ReadingChoices {
     /// The commonest way.
-    pub const USUAL: Self = Self(0);
+    pub(crate) const USUAL: Self = Self(0);
     /// A bare argument of a trigonometric function is in degrees.
-    pub const DEGREES: Self = Self(1);
+    pub(crate) const DEGREES: Self = Self(1);
     /// A revolution counts as one, not as 2π.
-    pub const TURNS: Self = Self(1 << 1);
+    pub(crate) const TURNS: Self = Self(1 << 1);
     /// Degrees Celsius and Fahrenheit are points of the scale, not differences.
-    pub const POINTS: Self = Self(1 << 2);
+    pub(crate) const POINTS: Self = Self(1 << 2);
     /// A number before a fraction is a mixed number, not a product.
-    pub const MIXED: Self = Self(1 << 3);
+    pub(crate) const MIXED: Self = Self(1 << 3);
     /// Of ± the minus is meant.
-    pub const MINUS: Self = Self(1 << 4);
+    pub(crate) const MINUS: Self = Self(1 << 4);
     /// A unit behind `a/b` belongs to the quotient, not to `b`.
-    pub const QUOTIENT: Self = Self(1 << 5);
+    pub(crate) const QUOTIENT: Self = Self(1 << 5);
     /// `rad` is the unit of a dose.
-    pub const DOSE: Self = Self(1 << 6);
+    pub(crate) const DOSE: Self = Self(1 << 6);
     /// A number in brackets at the end is the number of the equation.
-    pub const TAG: Self = Self(1 << 7);
+    pub(crate) const TAG: Self = Self(1 << 7);
     /// Of the units behind a stroke, only the first is below it.
-    pub const ONE_BELOW: Self = Self(1 << 8);
+    pub(crate) const ONE_BELOW: Self = Self(1 << 8);
     /// A unit counts as one, so that only numbers are compared.
-    pub const NUMBERS: Self = Self(1 << 9);
+    pub(crate) const NUMBERS: Self = Self(1 << 9);
     /// Everything that follows a stroke without a sign between is below it: `1/2π` is 1 over 2π.
-    pub const ALL_BELOW: Self = Self(1 << 10);
+    pub(crate) const ALL_BELOW: Self = Self(1 << 10);
     /// Electrons, protons and ions count as their charge.
-    pub const CHARGES: Self = Self(1 << 11);
+    pub(crate) const CHARGES: Self = Self(1 << 11);
     /// Pounds and ounces are a mass, not a force.
-    pub const POUNDS: Self = Self(1 << 12);
+    pub(crate) const POUNDS: Self = Self(1 << 12);
     /// A logarithm without a base is the natural one.
-    pub const NATURAL: Self = Self(1 << 13);
+    pub(crate) const NATURAL: Self = Self(1 << 13);
     /// A percentage that is added is one of what stands before it.
-    pub const PERCENT: Self = Self(1 << 14);
+    pub(crate) const PERCENT: Self = Self(1 << 14);
     /// A hertz is a turn in a second, 2π in angular measure.
-    pub const CYCLES: Self = Self(1 << 15);
+    pub(crate) const CYCLES: Self = Self(1 << 15);
     /// A stroke ends the argument of a logarithm: `ln 2/5` is one fifth of ln 2.
-    pub const LOGARITHM_ABOVE: Self = Self(1 << 16);
+    pub(crate) const LOGARITHM_ABOVE: Self = Self(1 << 16);
     /// A percentage is a factor: also where it stands in brackets behind a number, and where no other unit counts.
-    pub const SHARE: Self = Self(1 << 17);
+    pub(crate) const SHARE: Self = Self(1 << 17);
 
     /// An exponent of zero is a degree sign: `26^0`.
-    pub const ZERO_DEGREES: Self = Self(1 << 18);
+    pub(crate) const ZERO_DEGREES: Self = Self(1 << 18);
 
     /// An exponent behind the brackets of a function's argument belongs to the function: `ln(2)^2` is the square of ln 2.
-    pub const POWER_OUTSIDE: Self = Self(1 << 19);
+    pub(crate) const POWER_OUTSIDE: Self = Self(1 << 19);
 
     /// Whether all choices of another set are in this one.
-    pub fn contains(self, other: Self) -> bool {
+    pub(crate) fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
     }
 
     /// Adds the choices of another set.
-    pub fn insert(&mut self, other: Self) {
+    pub(crate) fn insert(&mut self, other: Self) {
         self.0 |= other.0;
     }
 
     /// Both sets together.
     #[must_use]
-    pub fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
     /// The sets of at most `most` of the choices in this one, the smallest first.
-    pub fn subsets(self, most: u32) -> Vec<Self> {
+    pub(crate) fn subsets(self, most: u32) -> Vec<Self> {
         let mut out = Vec::new();
         let mut subset = self.0;
         loop {
@@ -84,7 +84,7 @@ impl ReadingChoices {
     }
 
     /// The choices in words.
-    pub fn descriptions(self) -> Vec<&'static str> {
+    pub(crate) fn descriptions(self) -> Vec<&'static str> {
         const WORDS: [(ReadingChoices, &str); 19] = [
             (ReadingChoices::DEGREES, "angles in degrees"),
             (ReadingChoices::TURNS, "a revolution counted as 1"),

@@ -58,7 +58,7 @@ pub(crate) fn signs(text: &str, base: usize) -> Vec<SourceChar> {
 
 /// A function that is written by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
+#[allow(missing_docs, reason = "the names are those of the functions")]
 pub enum MathFunction {
     Sin,
     Cos,
@@ -317,7 +317,7 @@ pub(crate) fn collect_names(tokens: &[Token], out: &mut Vec<String>) {
 }
 
 /// The tokens as one line of text.
-pub fn show(tokens: &[Token]) -> String {
+pub(crate) fn show(tokens: &[Token]) -> String {
     let mut text = String::new();
     show_into(tokens, &mut text);
     let mut out = String::with_capacity(text.len());

@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 
 /// Exponents of metre, kilogram, second, ampere, kelvin, mole and candela, each in sixtieths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct UnitDimension([i32; 7]);
+pub(crate) struct UnitDimension([i32; 7]);
 
 impl UnitDimension {
     /// No dimension.
-    pub const NONE: Self = Self([0; 7]);
+    pub(crate) const NONE: Self = Self([0; 7]);
 
     const fn from_exponents(exponents: [i32; 7]) -> Self {
         let mut sixtieths = [0; 7];
@@ -23,13 +23,13 @@ impl UnitDimension {
     }
 
     /// Whether there is none.
-    pub fn is_none(self) -> bool {
+    pub(crate) fn is_none(self) -> bool {
         self == Self::NONE
     }
 
     /// The dimension of a product with another quantity to a power; sizes that no text has are cut.
     #[must_use]
-    pub fn with_factor(self, other: Self, power: f64) -> Self {
+    pub(crate) fn with_factor(self, other: Self, power: f64) -> Self {
         let mut result = self.0;
         for (mine, its) in result.iter_mut().zip(other.0) {
             let more = (f64::from(its) * power).round().clamp(-1e6, 1e6) as i32;
@@ -40,14 +40,14 @@ impl UnitDimension {
 
     /// The dimension of a quantity to a power.
     #[must_use]
-    pub fn power(self, power: f64) -> Self {
+    pub(crate) fn power(self, power: f64) -> Self {
         Self::NONE.with_factor(self, power)
     }
 }
 
 /// A unit: one of it is `factor` base units of its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeasurementUnit {
+pub(crate) struct MeasurementUnit {
     /// How many base units of the SI it is, in units of its dimension.
     pub factor: f64,
     /// Its dimension.
@@ -285,7 +285,7 @@ static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
 });
 
 /// The unit of this name or sign.
-pub fn unit(word: &str) -> Option<MeasurementUnit> {
+pub(crate) fn unit(word: &str) -> Option<MeasurementUnit> {
     TABLE.get(word).copied()
 }
 

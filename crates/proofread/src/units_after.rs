@@ -38,7 +38,7 @@ fn is_light(token: Option<&Token>) -> bool {
 
 impl Evaluator<'_> {
     /// The units from here on.
-    pub fn units(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<UnitProduct> {
+    pub(crate) fn units(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<UnitProduct> {
         let mut all = UnitProduct { factor: 1.0, dimension: UnitDimension::NONE, angle: None, scale: None };
         let (mut below, mut count) = (false, 0);
         loop {
@@ -191,7 +191,12 @@ impl Evaluator<'_> {
     }
 
     /// A value with the units behind it, if there are any. `number` says that it is a printed number.
-    pub fn with_unit(&mut self, value: SideValue, cursor: &mut Cursor<'_>, number: bool) -> Evaluated<SideValue> {
+    pub(crate) fn with_unit(
+        &mut self,
+        value: SideValue,
+        cursor: &mut Cursor<'_>,
+        number: bool,
+    ) -> Evaluated<SideValue> {
         if value.has_unit {
             return Ok(value);
         }

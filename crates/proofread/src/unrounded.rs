@@ -60,7 +60,13 @@ pub(crate) struct EarlierResults {
 
 impl EarlierResults {
     /// Notes the result of a calculation.
-    pub fn record(&mut self, scope: u32, computed: &ChainSide, result: &ChainSide, values: &(SideValue, SideValue)) {
+    pub(crate) fn record(
+        &mut self,
+        scope: u32,
+        computed: &ChainSide,
+        result: &ChainSide,
+        values: &(SideValue, SideValue),
+    ) {
         if scope != self.scope {
             self.printed.clear();
             self.scope = scope;
@@ -85,7 +91,7 @@ impl EarlierResults {
     }
 
     /// Whether a calculation gives all digits of its result if some of its numbers had other digits than are printed.
-    pub fn explains(&self, scope: u32, computed: &ChainSide, result: &ChainSide) -> bool {
+    pub(crate) fn explains(&self, scope: u32, computed: &ChainSide, result: &ChainSide) -> bool {
         let agrees = |tokens: Vec<Token>| {
             judge(&tokens, &result.tokens, Relation::Equal, None).verdict == ChainVerdict::Consistent
         };

@@ -5,7 +5,7 @@ use crate::unit::UnitDimension;
 
 /// Why a side could not be evaluated.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Obstacle {
+pub(crate) enum Obstacle {
     /// A letter with no value.
     Letter(String),
     /// A word that is no unit.
@@ -43,20 +43,20 @@ pub(crate) type Evaluated<T> = Result<T, Obstacle>;
 pub(crate) struct Parts(pub [Option<Interval>; 4]);
 
 impl Parts {
-    pub fn scalar(of: Interval) -> Self {
+    pub(crate) fn scalar(of: Interval) -> Self {
         Self([Some(of), None, None, None])
     }
 
-    pub fn is_vector(&self) -> bool {
+    pub(crate) fn is_vector(&self) -> bool {
         self.0[1..].iter().any(Option::is_some)
     }
 
-    pub fn map(&self, change: impl Fn(Interval) -> Interval) -> Self {
+    pub(crate) fn map(&self, change: impl Fn(Interval) -> Interval) -> Self {
         Self(self.0.map(|part| part.map(&change)))
     }
 
     /// The components of both, side by side, where either has one.
-    pub fn pairs(&self, other: &Self) -> impl Iterator<Item = (Interval, Interval)> {
+    pub(crate) fn pairs(&self, other: &Self) -> impl Iterator<Item = (Interval, Interval)> {
         let (mine, its) = (self.0, other.0);
         mine.into_iter()
             .zip(its)
@@ -102,32 +102,32 @@ pub(crate) struct SideValue {
 }
 
 impl SideValue {
-    pub fn from_interval(interval: Interval) -> Self {
+    pub(crate) fn from_interval(interval: Interval) -> Self {
         Self { parts: Parts::scalar(interval), factor: 1.0, ..Self::default() }
     }
 
     /// The one number that it is.
-    pub fn number(&self) -> Evaluated<Interval> {
+    pub(crate) fn number(&self) -> Evaluated<Interval> {
         if self.parts.is_vector() {
             return Err(Obstacle::Unclear("a vector stands where a number is needed"));
         }
         Ok(self.parts.0[0].unwrap_or_default())
     }
 
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.parts.0.iter().flatten().all(|part| part.is_zero())
     }
 
-    pub fn is_zero_at_point(&self) -> bool {
+    pub(crate) fn is_zero_at_point(&self) -> bool {
         self.parts.0.iter().flatten().all(|part| part.point == 0.0)
     }
 
     /// Whether it is printed as one number and not computed.
-    pub fn is_literal(&self) -> bool {
+    pub(crate) fn is_literal(&self) -> bool {
         self.operations == 0
     }
 
-    pub fn negate(self) -> Self {
+    pub(crate) fn negate(self) -> Self {
         Self { parts: self.parts.map(|part| -part), ..self }
     }
 
@@ -145,7 +145,7 @@ impl SideValue {
     }
 
     /// The sum; `loosely` adds whatever the units are.
-    pub fn sum(&self, other: &Self, loosely: bool) -> Evaluated<Self> {
+    pub(crate) fn sum(&self, other: &Self, loosely: bool) -> Evaluated<Self> {
         if self.dimension != other.dimension && !loosely && !self.is_zero() && !other.is_zero() {
             return Err(Obstacle::MixedSum);
         }
@@ -165,7 +165,7 @@ impl SideValue {
     }
 
     /// The product; `sign` tells a dot product of vectors from a cross product, and `counts` whether it is an operation.
-    pub fn product(&self, other: &Self, sign: Option<char>, counts: bool) -> Evaluated<Self> {
+    pub(crate) fn product(&self, other: &Self, sign: Option<char>, counts: bool) -> Evaluated<Self> {
         let mut product = self.combined(other, u32::from(counts));
         product.dimension = self.dimension.with_factor(other.dimension, 1.0);
         let both = self.parts.is_vector() && other.parts.is_vector();
@@ -193,7 +193,7 @@ impl SideValue {
         Ok(product)
     }
 
-    pub fn quotient(&self, other: &Self) -> Evaluated<Self> {
+    pub(crate) fn quotient(&self, other: &Self) -> Evaluated<Self> {
         let below = other.number()?;
         if below.is_zero() && !self.is_zero_at_point() {
             return Err(Obstacle::NoValue("it divides by zero"));
@@ -205,7 +205,7 @@ impl SideValue {
         Ok(quotient)
     }
 
-    pub fn power(&self, exponent: Interval) -> Evaluated<Self> {
+    pub(crate) fn power(&self, exponent: Interval) -> Evaluated<Self> {
         let base = self.number()?;
         let is_exact = base.low == base.high && exponent.low == exponent.high;
         if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 {
@@ -223,7 +223,7 @@ impl SideValue {
     }
 
     /// The factorial of a small integer.
-    pub fn factorial(&self) -> Evaluated<Self> {
+    pub(crate) fn factorial(&self) -> Evaluated<Self> {
         let n = self.number()?.point;
         if n.fract() != 0.0 || !(0.0..=170.0).contains(&n) || self.has_unit {
             return Err(Obstacle::Unclear("a factorial of what is no small integer"));
@@ -233,17 +233,17 @@ impl SideValue {
     }
 
     /// Its number times a factor, as if by a unit.
-    pub fn scaled(&self, factor: f64) -> Self {
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self { parts: self.parts.map(|part| part.scaled(factor)), factor: self.factor * factor, ..self.clone() }
     }
 
     /// Whether all components of both meet if widened by `width`.
-    pub fn meets(&self, other: &Self, width: f64) -> bool {
+    pub(crate) fn meets(&self, other: &Self, width: f64) -> bool {
         self.parts.pairs(&other.parts).all(|(a, b)| a.meets(b, width))
     }
 
     /// The greatest difference of the points, relative to the larger one, dimensionless.
-    pub fn difference(&self, other: &Self) -> f64 {
+    pub(crate) fn difference(&self, other: &Self) -> f64 {
         let relative =
             |(a, b): (Interval, Interval)| (a.point - b.point).abs() / a.point.abs().max(b.point.abs()).max(1e-300);
         self.parts.pairs(&other.parts).map(relative).fold(0.0, f64::max)

@@ -31,7 +31,7 @@ impl CommandStreams for CapturedStreams {
 }
 
 /// Exit code, standard output and standard error.
-pub fn run(line: &[&str]) -> (u8, String, String) {
+pub(crate) fn run(line: &[&str]) -> (u8, String, String) {
     let mut kept = CapturedStreams::default();
     let code = cli::run(&arguments(&[&["proofread"], line].concat()), &mut kept);
     (code, kept.out, kept.told)
@@ -174,7 +174,7 @@ fn nothing_is_summed_up_where_nothing_was_read() {
     assert_eq!((code, out.as_str()), (2, ""), "{told}");
 }
 
-pub fn git(folder: &Path, arguments: &[&str]) -> bool {
+pub(crate) fn git(folder: &Path, arguments: &[&str]) -> bool {
     let identity = ["-c", "user.name=T", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
     let done = Command::new("git").arg("-C").arg(folder).args(identity).args(arguments).output();
     done.is_ok_and(|output| output.status.success())

@@ -3,10 +3,10 @@
 use proofread::TextFormat;
 
 /// A text of at least so many bytes.
-pub type Grown = Box<dyn Fn(usize) -> String>;
+pub(crate) type Grown = Box<dyn Fn(usize) -> String>;
 
 /// A structure: its name, its format, and its texts.
-pub type Structure = (&'static str, TextFormat, Grown);
+pub(crate) type Structure = (&'static str, TextFormat, Grown);
 
 /// `unit` again and again, between what stands before and behind it.
 fn repeated(before: &'static str, unit: &'static str, behind: &'static str) -> Grown {
@@ -68,7 +68,7 @@ fn wrong(number: usize) -> String {
 }
 
 /// Every structure.
-pub fn all() -> Vec<Structure> {
+pub(crate) fn all() -> Vec<Structure> {
     let mut all = markdown();
     all.extend(formulas());
     all.extend(latex());

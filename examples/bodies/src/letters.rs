@@ -6,12 +6,12 @@ use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
 /// Whether the characters hold for a body that falls with its mean speed, and for the bob of a conical pendulum.
-pub fn hold_by_means(tex: &str) -> Finding {
+pub(crate) fn hold_by_means(tex: &str) -> Finding {
     Finding::of_reading(holds(tex, &[means([9.81, 1.3, 2.0]), means([1.62, 2.7, 0.7])]))
 }
 
 /// Whether the characters hold for a body and a pendulum that are moved in small steps of time.
-pub fn hold_in_steps(tex: &str) -> Option<bool> {
+pub(crate) fn hold_in_steps(tex: &str) -> Option<bool> {
     static MOMENTS: OnceLock<[Moment; 2]> = OnceLock::new();
     holds(tex, MOMENTS.get_or_init(|| [steps([3.7, 2.1, 1.9]), steps([8.9, 0.6, 0.8])]))
 }

@@ -7,7 +7,7 @@ const STEPS: u32 = 2000;
 
 /// Height fallen through, in metres, and speed, in metres per second, of a body that is let go: after a time in seconds, with a
 /// constant acceleration in metres per second squared.
-pub fn fall(acceleration: f64, time: f64) -> [f64; 2] {
+pub(crate) fn fall(acceleration: f64, time: f64) -> [f64; 2] {
     let step = time / f64::from(STEPS);
     (0..STEPS).fold([0.0, 0.0], |[height, speed], _| {
         let later = speed + acceleration * step;
@@ -17,18 +17,18 @@ pub fn fall(acceleration: f64, time: f64) -> [f64; 2] {
 
 /// Time, in seconds, in which a body that is let go falls through a height in metres, with a constant acceleration in metres per
 /// second squared.
-pub fn fall_time(acceleration: f64, height: f64) -> f64 {
+pub(crate) fn fall_time(acceleration: f64, height: f64) -> f64 {
     halved([0.0, 100.0], |time| fall(acceleration, time)[0] < height)
 }
 
 /// Period, in seconds, of a pendulum of a length in metres that swings as a spring does, with the restoring acceleration of
 /// gravity, in metres per second squared, times the angle.
-pub fn small_period(gravity: f64, length: f64) -> f64 {
+pub(crate) fn small_period(gravity: f64, length: f64) -> f64 {
     period(1.0, |angle| -gravity / length * angle)
 }
 
 /// How much longer than that of a small swing the period of a swing by 60° to each side is, in per cent.
-pub fn lengthening() -> f64 {
+pub(crate) fn lengthening() -> f64 {
     100.0 * (period(FRAC_PI_3, |angle| -angle.sin()) / small_period(1.0, 1.0) - 1.0)
 }
 

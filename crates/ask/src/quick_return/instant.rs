@@ -11,11 +11,11 @@ const AT_REST: f64 = 4e-8;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Why a vector that need not be zero is reported as zero.
-pub const NOT_TOLD: &str = "too small to tell from zero";
+pub(super) const NOT_TOLD: &str = "too small to tell from zero";
 
 /// The part of the crank's turn at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stroke {
+pub(super) enum Stroke {
     /// The longer part.
     Slow,
     /// The shorter part.
@@ -26,7 +26,7 @@ pub enum Stroke {
 
 /// Facts about an instant that hold at any speed.
 #[derive(Clone, Copy, Debug)]
-pub struct LeverInstant {
+pub(super) struct LeverInstant {
     /// On which branch the pin is.
     pub branch: Branch,
     /// On which stroke the lever is.
@@ -43,7 +43,7 @@ pub struct LeverInstant {
 
 impl Stroke {
     /// Its name.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Slow => "slow",
             Self::Fast => "fast",
@@ -54,7 +54,7 @@ impl Stroke {
 
 impl LeverInstant {
     /// The facts for the parts in this position.
-    pub fn new(linkage: &QuickReturn, position: &Position) -> Self {
+    pub(super) fn new(linkage: &QuickReturn, position: &Position) -> Self {
         let ratio = linkage.ratio();
         let (swings, half_speed) = (ratio > 1.0, ratio == 1.0);
         // The ray of a lever whose pivot is not outside of the crank's circle leaves the circle once.
@@ -74,12 +74,12 @@ impl LeverInstant {
     }
 
     /// Whether the lever neither speeds up nor slows down.
-    pub fn steady_lever(&self) -> bool {
+    pub(super) fn steady_lever(&self) -> bool {
         self.on_centre_line || self.half_speed
     }
 
     /// Which of the points on its ray the pin is at.
-    pub fn branch_in_words(&self) -> &'static str {
+    pub(super) fn branch_in_words(&self) -> &'static str {
         match self.branch {
             _ if self.lever_at_rest => "near and far coincide: the lever is tangent to the crank's circle",
             _ if !self.swings => "far: the lever's ray meets the crank's circle only once",
@@ -89,7 +89,7 @@ impl LeverInstant {
     }
 
     /// Which stroke the lever is on, and what that means.
-    pub fn stroke_in_words(&self) -> &'static str {
+    pub(super) fn stroke_in_words(&self) -> &'static str {
         match (self.stroke, self.swings) {
             (Stroke::End, true) => "between the strokes: the lever reverses at the end of its swing",
             (Stroke::Slow, true) => "slow: the lever turns with the crank",
@@ -102,7 +102,7 @@ impl LeverInstant {
     }
 
     /// Why the lever neither speeds up nor slows down.
-    pub fn no_angular_acceleration(&self) -> &'static str {
+    pub(super) fn no_angular_acceleration(&self) -> &'static str {
         match self {
             Self { half_speed: true, .. } => "the lever turns at half the crank's speed",
             Self { on_centre_line: true, .. } => "the pin is on the line of centres",
@@ -111,12 +111,12 @@ impl LeverInstant {
     }
 
     /// Why the pin does not slide.
-    pub fn no_sliding(&self) -> &'static str {
+    pub(super) fn no_sliding(&self) -> &'static str {
         if self.on_centre_line { "the pin is on the line of centres" } else { NOT_TOLD }
     }
 
     /// Why the sliding neither speeds up nor slows down.
-    pub fn steady_sliding(&self) -> &'static str {
+    pub(super) fn steady_sliding(&self) -> &'static str {
         match (self.stroke, self.swings) {
             (Stroke::End, true) => "the lever is at rest, the crank across it",
             (Stroke::End, false) => "the lever turns as fast as the crank",

@@ -10,7 +10,7 @@ use geneva_kinematics::indexing::Indexing;
 const FORCE: Needs = Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE);
 
 /// The fields of the loads; without numbers where speed, inertia or size are missing.
-pub fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let loads = design.loads(wheel)?;
     let kind = design.wheel.kind();
     let [torque, moment, crank] = match &loads {

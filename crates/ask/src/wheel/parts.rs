@@ -26,7 +26,7 @@ fn mm(key: &'static str, length: Option<f64>) -> ReportField {
 }
 
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
-pub fn parts(design: &WheelDesign) -> Vec<ReportField> {
+pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     let sizes = design.sizes.as_ref();
     let of = |length: fn(&Sizes) -> f64| sizes.map(length);
     // A shaft that there is not has no diameter.
@@ -98,7 +98,7 @@ pub fn parts(design: &WheelDesign) -> Vec<ReportField> {
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
-pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
+pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
     // What is less than the tolerance is not known to be more than none; without play it is none.
@@ -181,7 +181,7 @@ pub fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
-pub fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
+pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let found = design.shared_tolerance()?;
     let (limits, radius) = (found.flatten(), design.sizes.map(|sizes| sizes.wheel_radius));
     let of = |length: fn(&SharedTolerance) -> f64| limits.as_ref().map(length);
@@ -208,7 +208,7 @@ pub fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
 }
 
 /// What a maker should know about sizes that do fit.
-pub fn warnings(design: &WheelDesign) -> Vec<ReportField> {
+pub(super) fn warnings(design: &WheelDesign) -> Vec<ReportField> {
     let found = design.warnings();
     let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.to_string())).collect();
     let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");

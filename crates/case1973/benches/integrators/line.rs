@@ -1,12 +1,12 @@
 //! What the record says of one contestant at one tolerance, or of one map.
 
 /// The columns. See `book/records/README.md`.
-pub const COLUMNS: &str =
+pub(crate) const COLUMNS: &str =
     "contestant,tolerance,runs,evaluations,milliseconds,true_error,points,threads,processor_milliseconds";
 
 /// One line of the record; what a contestant does not have is left empty.
 #[derive(Default)]
-pub struct RecordLine {
+pub(crate) struct RecordLine {
     pub contestant: String,
     pub tolerance: f64,
     pub runs: Option<usize>,
@@ -20,7 +20,7 @@ pub struct RecordLine {
 
 impl RecordLine {
     /// The fields, in the order of the columns.
-    pub fn fields(&self) -> [String; 9] {
+    pub(crate) fn fields(&self) -> [String; 9] {
         fn some<T: ToString>(value: Option<T>) -> String {
             value.map_or_else(String::new, |value| value.to_string())
         }

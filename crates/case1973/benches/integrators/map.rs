@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 /// What a map took.
 #[derive(Clone, Copy)]
-pub struct Taken {
+pub(crate) struct Taken {
     /// Points with a terminal speed.
     pub points: usize,
     pub time: Duration,
@@ -18,7 +18,7 @@ pub struct Taken {
 }
 
 /// A map of `side` times `side` points for each mechanism, on threads of its own, each of which takes line after line.
-pub fn map(side: u32, tolerance: f64, threads: u32) -> Taken {
+pub(crate) fn map(side: u32, tolerance: f64, threads: u32) -> Taken {
     let (start, next) = (Instant::now(), AtomicU32::new(0));
     let work = || {
         let before = on_processor();

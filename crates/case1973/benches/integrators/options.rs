@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// The options.
 #[derive(Default)]
-pub struct BenchOptions {
+pub(crate) struct BenchOptions {
     /// Whether it is run as a bench. As a test it only shows that it works.
     pub is_bench: bool,
     /// How many turns, if that is said.
@@ -15,7 +15,7 @@ pub struct BenchOptions {
 
 impl BenchOptions {
     /// Reads the arguments behind the program's name.
-    pub fn read(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+    pub(crate) fn read(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut options = Self::default();
         while let Some(argument) = arguments.next() {
             match argument.as_str() {

@@ -6,26 +6,26 @@ use geneva_dynamics::steady::Engagement;
 use geneva_mimic::MinStepPolicy;
 
 /// The steady state by integrals over the angle, from the escapement.
-pub fn steady(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn steady(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     let steady = Engagement::with_tolerance(&row.escapement, tolerance).ok()?.steady_state().ok()?;
     Some(SolverAnswer { numbers: numbers(&steady), evaluations: None })
 }
 
 /// Its entry speed and period alone.
-pub fn terminal(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn terminal(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     let (entry_speed, period) =
         Engagement::with_tolerance(&row.escapement, tolerance).ok()?.entry_speed_and_period().ok()?;
     Some(SolverAnswer { numbers: vec![entry_speed, period], evaluations: None })
 }
 
 /// The run from rest by integrals over the angle.
-pub fn run(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn run(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     let lines = Engagement::with_tolerance(&row.escapement, tolerance).ok()?.run(row.interval, row.duration).ok()?;
     Some(SolverAnswer { numbers: lines.iter().skip(1).map(|line| line.speed).collect(), evaluations: None })
 }
 
 /// The run from rest as the program makes it, with the exact sign and the mechanism's own reset angle.
-pub fn program(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn program(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     let integrator = geneva_mimic::SolverParameters {
         relative_tolerance: tolerance,
         at_smallest_step: MinStepPolicy::Continue,

@@ -9,14 +9,14 @@ use std::time::{Duration, Instant};
 const PERIODS: f64 = 8.0;
 
 /// At so many times, evenly over the run, the start not counted, the driver's speed is asked for.
-pub const TIMES: usize = 64;
+pub(crate) const TIMES: usize = 64;
 
 /// Tolerance of what is taken for the truth: the finest of the solver over the angle, which its tests hold against two
 /// other routes.
-pub const REFERENCE: f64 = 1e-13;
+pub(crate) const REFERENCE: f64 = 1e-13;
 
 /// One escapement and the truth about it.
-pub struct ReferenceRun {
+pub(crate) struct ReferenceRun {
     pub escapement: Parameters,
     /// Time from one line to the next.
     pub interval: f64,
@@ -39,19 +39,19 @@ impl ReferenceRun {
 }
 
 /// All rows.
-pub fn rows(count: usize) -> Result<Vec<ReferenceRun>, DynamicsError> {
+pub(crate) fn rows(count: usize) -> Result<Vec<ReferenceRun>, DynamicsError> {
     escapements().into_iter().take(count).map(ReferenceRun::new).collect()
 }
 
 /// What one contestant finds for one row: numbers to be held against the truth, and what they cost.
-pub struct SolverAnswer {
+pub(crate) struct SolverAnswer {
     pub numbers: Vec<f64>,
     /// Evaluations of a right-hand side; none if the method has none.
     pub evaluations: Option<u64>,
 }
 
 /// A method at a tolerance.
-pub struct Contestant {
+pub(crate) struct Contestant {
     pub name: &'static str,
     pub tolerance: f64,
     pub solve: fn(&ReferenceRun, f64) -> Option<SolverAnswer>,
@@ -60,7 +60,7 @@ pub struct Contestant {
 
 /// How a contestant did.
 #[derive(Clone, Copy)]
-pub struct RaceScore {
+pub(crate) struct RaceScore {
     /// Rows that it finished.
     pub runs: usize,
     pub evaluations: Option<u64>,
@@ -71,7 +71,7 @@ pub struct RaceScore {
 
 impl Contestant {
     /// Solves all rows, one after the other; the comparison with the truth is not timed.
-    pub fn race(&self, rows: &[ReferenceRun]) -> RaceScore {
+    pub(crate) fn race(&self, rows: &[ReferenceRun]) -> RaceScore {
         let start = Instant::now();
         let answers: Vec<_> = rows.iter().map(|row| (self.solve)(row, self.tolerance)).collect();
         let time = start.elapsed();
@@ -90,21 +90,21 @@ impl Contestant {
 }
 
 /// The truth about a run: the speed at the times.
-pub fn speeds(row: &ReferenceRun) -> Vec<f64> {
+pub(crate) fn speeds(row: &ReferenceRun) -> Vec<f64> {
     row.speeds.clone()
 }
 
 /// The truth about a steady state.
-pub fn steady(row: &ReferenceRun) -> Vec<f64> {
+pub(crate) fn steady(row: &ReferenceRun) -> Vec<f64> {
     numbers(&row.steady)
 }
 
 /// The numbers of a steady state that are compared.
-pub fn numbers(steady: &SteadyState) -> Vec<f64> {
+pub(crate) fn numbers(steady: &SteadyState) -> Vec<f64> {
     vec![steady.entry_speed, steady.peak.speed, steady.minimum.speed, steady.period]
 }
 
 /// The truth about a steady state without its extremes.
-pub fn terminal(row: &ReferenceRun) -> Vec<f64> {
+pub(crate) fn terminal(row: &ReferenceRun) -> Vec<f64> {
     vec![row.steady.entry_speed, row.steady.period]
 }

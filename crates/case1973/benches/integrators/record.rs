@@ -7,7 +7,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use std::{fs, io};
 
 /// The lines that say on what machine and when.
-pub fn machine() -> Vec<String> {
+pub(crate) fn machine() -> Vec<String> {
     let processor = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let processor = processor.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
     let compiler = Command::new("rustc").arg("--version").output();
@@ -47,7 +47,7 @@ fn date(mut days: u64) -> String {
 }
 
 /// Writes the record beside its place, then puts it there. A relative path starts at the project's root.
-pub fn write(path: &Path, comments: &[String], columns: &str, lines: &[String]) -> io::Result<PathBuf> {
+pub(crate) fn write(path: &Path, comments: &[String], columns: &str, lines: &[String]) -> io::Result<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
     let mut text = String::new();
     for comment in comments {

@@ -52,12 +52,12 @@ macro_rules! naive {
 }
 
 /// Order five, one integration over the whole run.
-pub fn dopri5(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn dopri5(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     naive!(Dopri5, row, tolerance)
 }
 
 /// Order eight, one integration over the whole run.
-pub fn dop853(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn dop853(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     naive!(Dop853, row, tolerance)
 }
 
@@ -77,12 +77,12 @@ macro_rules! go {
 }
 
 /// Order five, from switch to switch.
-pub fn dopri5_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn dopri5_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     located(row, tolerance, go!(Dopri5))
 }
 
 /// Order eight, from switch to switch.
-pub fn dop853_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
+pub(crate) fn dop853_located(row: &ReferenceRun, tolerance: f64) -> Option<SolverAnswer> {
     located(row, tolerance, go!(Dop853))
 }
 

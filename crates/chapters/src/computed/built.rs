@@ -15,7 +15,7 @@ use geneva_evidence::{Form, GIVEN, IntoNumbers, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of these sections.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         OwnNumber::new("built.radius", "{.2}&nbsp;mm", GIVEN, || Ok(RADIUS)),
         share("built.blow.share.six", Mechanism::SIX_PIN, CROSSING),

@@ -10,7 +10,7 @@ use geneva_documents::meyer::runs::table::rows;
 use geneva_evidence::{Form, OwnNumber};
 
 /// The numbers of the chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         OwnNumber::new("escapement.engagements", Form::Range("{.0}", ""), QUADRATURE, || {
             Ok(of_rows(rows().iter(), "entry_speed_rise_engagements")?)

@@ -8,7 +8,7 @@ use crate::proofreading_record::{
 use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
 /// The numbers of the page.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(crate) fn numbers() -> Vec<OwnNumber> {
     let thousands = |id, run: fn() -> Numbers<u32>| OwnNumber::new(id, "{,}", RECORD, run);
     vec![
         thousands("found.formulas", || Ok(run("old")?.formulas)),
@@ -200,7 +200,7 @@ fn errata_of(kind: &str) -> anyhow::Result<[usize; 2]> {
 
 /// A round of first contact as a row of the table: its name, texts and flags, the real errors with their share, the misreadings, and the real
 /// errors among the flags after the repairs.
-pub fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
+pub(crate) fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
     let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
     let row = |words: &str, texts: usize, flags: &[Contact], after: &str| -> anyhow::Result<Vec<String>> {
         let counts = [texts, flags.len(), confirmed_count(flags)].map(|count| count.to_string());

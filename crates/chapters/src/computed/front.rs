@@ -19,7 +19,7 @@ const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
 const AS_HEADED: Hypothesis = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
 
 /// The numbers of the first page.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     let is_copy = |slip| slip == Some(Consequence::Copy);
     let is_grave = |slip: Option<Consequence>| slip.is_some_and(|slip| GRAVE.contains(&slip));
     vec![

@@ -18,7 +18,7 @@ const WITH_JOURNALS: (f64, f64, f64) = (0.0, 0.1, 0.2);
 const WITH_BOTH: (f64, f64, f64) = (0.1, 0.1, 0.2);
 
 /// The numbers of this chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     let (faster, slower) = ("a thick pin makes it faster", "journals make it slower");
     let both = |changes: [f64; 3]| most(&changes.map(f64::abs));
     let over = |changes: [f64; 3]| least(&changes);

@@ -3,7 +3,7 @@
 use geneva_evidence::{Agreement, Evidence, Tolerance};
 
 /// Two chains of a dozen operations differ by some units in the last place.
-pub const FORMULA: &Evidence = &Evidence {
+pub(super) const FORMULA: &Evidence = &Evidence {
     slug: "formula",
     name: "formula",
     meaning: "a formula evaluated",
@@ -15,7 +15,7 @@ pub const FORMULA: &Evidence = &Evidence {
 };
 
 /// Differences of coordinates lose some digits.
-pub const VECTORS: &Evidence = &Evidence {
+pub(super) const VECTORS: &Evidence = &Evidence {
     slug: "vectors",
     name: "vectors",
     meaning: "lengths and angles measured between points",
@@ -27,7 +27,7 @@ pub const VECTORS: &Evidence = &Evidence {
 };
 
 /// The solution errs by less than that.
-pub const QUADRATURE: &Evidence = &Evidence {
+pub(super) const QUADRATURE: &Evidence = &Evidence {
     slug: "quadrature",
     name: "quadrature",
     meaning: "the equation of motion solved over the crank angle, by integrals",
@@ -39,7 +39,7 @@ pub const QUADRATURE: &Evidence = &Evidence {
 };
 
 /// The motion with thick pins and rubbing journals, which no integral gives.
-pub const ANGLE_STEPS: &Evidence = &Evidence {
+pub(super) const ANGLE_STEPS: &Evidence = &Evidence {
     slug: "angle-steps",
     name: "angle steps",
     meaning: "the equation of motion solved in steps of the crank angle, the flank decided beforehand",
@@ -51,7 +51,7 @@ pub const ANGLE_STEPS: &Evidence = &Evidence {
 };
 
 /// A count, which is right or wrong.
-pub const COMPARISON: &Evidence = &Evidence {
+pub(super) const COMPARISON: &Evidence = &Evidence {
     slug: "comparison",
     name: "comparison",
     meaning: "computed results compared with the printed ones",
@@ -63,7 +63,7 @@ pub const COMPARISON: &Evidence = &Evidence {
 };
 
 /// A count of runs by the program itself.
-pub const PROGRAM: &Evidence = &Evidence {
+pub(super) const PROGRAM: &Evidence = &Evidence {
     slug: "program",
     name: "program",
     meaning: "the program of 1973 run, or its deck",
@@ -75,7 +75,7 @@ pub const PROGRAM: &Evidence = &Evidence {
 };
 
 /// A statistic of the study of the runs: how far its routes may be apart is said with each.
-pub const STUDY: &Evidence = &Evidence {
+pub(super) const STUDY: &Evidence = &Evidence {
     slug: "study",
     name: "study",
     meaning: "a statistic of the study of the runs",
@@ -87,7 +87,7 @@ pub const STUDY: &Evidence = &Evidence {
 };
 
 /// A rule that a standard gives and a program searches with.
-pub const SEARCH: &Evidence = &Evidence {
+pub(super) const SEARCH: &Evidence = &Evidence {
     slug: "search",
     name: "search",
     meaning: "a search through sizes in order",
@@ -99,7 +99,7 @@ pub const SEARCH: &Evidence = &Evidence {
 };
 
 /// The motion by another crate's witness, with the factors of the equation that `geneva-dynamics` proves.
-pub const CRANK_STEPS: &Evidence = &Evidence {
+pub(super) const CRANK_STEPS: &Evidence = &Evidence {
     slug: "crank-steps",
     name: "crank steps",
     meaning: "the equation of motion solved in equal steps of the crank",
@@ -111,7 +111,7 @@ pub const CRANK_STEPS: &Evidence = &Evidence {
 };
 
 /// A point that is followed through many places of the crank meets its nearest place but for a little.
-pub const OUTLINES: &Evidence = &Evidence {
+pub(super) const OUTLINES: &Evidence = &Evidence {
     slug: "outlines",
     name: "outlines",
     meaning: "points of outlines followed as the crank turns",
@@ -123,7 +123,7 @@ pub const OUTLINES: &Evidence = &Evidence {
 };
 
 /// Numbers of a table that a standard prints, rounded there.
-pub const STANDARD: &Evidence = &Evidence {
+pub(super) const STANDARD: &Evidence = &Evidence {
     slug: "standard",
     name: "standard",
     meaning: "the table of a standard",
@@ -135,7 +135,7 @@ pub const STANDARD: &Evidence = &Evidence {
 };
 
 /// Sizes that grow with one size.
-pub const PROPORTION: &Evidence = &Evidence {
+pub(super) const PROPORTION: &Evidence = &Evidence {
     slug: "proportion",
     name: "proportion",
     meaning: "sizes in proportion to those of another design",
@@ -147,7 +147,7 @@ pub const PROPORTION: &Evidence = &Evidence {
 };
 
 /// Laws of triangles with angles, which the problem's own solution uses.
-pub const TRIANGLE: &Evidence = &Evidence {
+pub(super) const TRIANGLE: &Evidence = &Evidence {
     slug: "triangle",
     name: "triangle",
     meaning: "the laws of sines and cosines",
@@ -159,7 +159,7 @@ pub const TRIANGLE: &Evidence = &Evidence {
 };
 
 /// The second derivative of a place loses some digits.
-pub const SERIES: &Evidence = &Evidence {
+pub(super) const SERIES: &Evidence = &Evidence {
     slug: "series",
     name: "series",
     meaning: "a place differentiated by its power series",
@@ -171,7 +171,7 @@ pub const SERIES: &Evidence = &Evidence {
 };
 
 /// Printed lines of two programs whose steps see a change of the friction's sign at slightly different times.
-pub const PRINTOUT: &Evidence = &Evidence {
+pub(super) const PRINTOUT: &Evidence = &Evidence {
     slug: "print-out",
     name: "print out",
     meaning: "lines that a program prints",
@@ -183,7 +183,7 @@ pub const PRINTOUT: &Evidence = &Evidence {
 };
 
 /// Logarithms of likelihoods after a search for the best spreads.
-pub const DENSITIES: &Evidence = &Evidence {
+pub(super) const DENSITIES: &Evidence = &Evidence {
     slug: "densities",
     name: "densities",
     meaning: "densities summed over each unit, the best spread sought by halving",
@@ -195,7 +195,7 @@ pub const DENSITIES: &Evidence = &Evidence {
 };
 
 /// Cells counted after a search by slopes.
-pub const TANGENTS: &Evidence = &Evidence {
+pub(super) const TANGENTS: &Evidence = &Evidence {
     slug: "tangents",
     name: "tangents",
     meaning: "Gauss and Newton's method over the motion in steps of the crank",
@@ -207,7 +207,7 @@ pub const TANGENTS: &Evidence = &Evidence {
 };
 
 /// A number that the ledger computes for a claim, and its witness computes again.
-pub const LEDGER: &Evidence = &Evidence {
+pub(super) const LEDGER: &Evidence = &Evidence {
     slug: "ledger",
     name: "ledger",
     meaning: "what the ledger computes for claims, or their witnesses do",
@@ -219,7 +219,7 @@ pub const LEDGER: &Evidence = &Evidence {
 };
 
 /// A count over printed numbers alone.
-pub const PRINTED: &Evidence = &Evidence {
+pub(super) const PRINTED: &Evidence = &Evidence {
     slug: "printed",
     name: "printed",
     meaning: "counted among the printed numbers",
@@ -231,7 +231,7 @@ pub const PRINTED: &Evidence = &Evidence {
 };
 
 /// A slope over a small step.
-pub const DIFFERENCE: &Evidence = &Evidence {
+pub(super) const DIFFERENCE: &Evidence = &Evidence {
     slug: "difference",
     name: "difference",
     meaning: "a slope from two values of a formula nearby",
@@ -243,7 +243,7 @@ pub const DIFFERENCE: &Evidence = &Evidence {
 };
 
 /// The interval of a share, evaluated.
-pub const INTERVAL: &Evidence = &Evidence {
+pub(super) const INTERVAL: &Evidence = &Evidence {
     slug: "interval",
     name: "interval",
     meaning: "Wilson's formula for the interval of a share",
@@ -255,7 +255,7 @@ pub const INTERVAL: &Evidence = &Evidence {
 };
 
 /// The interval of a share, sought.
-pub const TRIALS: &Evidence = &Evidence {
+pub(super) const TRIALS: &Evidence = &Evidence {
     slug: "trials",
     name: "trials",
     meaning: "shares tried one by one, whether what was counted allows them",

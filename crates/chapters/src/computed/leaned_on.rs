@@ -1,7 +1,7 @@
 //! Which of our own numbers a conclusion of a chapter leans on, and which have one route all the same.
 
 /// The numbers on which a sentence concludes something. Each has two routes and says what is concluded.
-pub const LEANED_ON: &[&str] = &[
+pub(super) const LEANED_ON: &[&str] = &[
     "built.blow.share.six",
     "built.blow.share.four",
     "built.blow.share.three",
@@ -216,4 +216,4 @@ pub const LEANED_ON: &[&str] = &[
 ///
 /// How many steps are longer than the delay is counted by the program that makes them. The greatest counts of some shuffles are of
 /// these shuffles: others have greatest counts that differ by one.
-pub const ALONE: &[&str] = &["program.long-steps", "rise.by-chance.most", "rise.by-chance.equal-torques.most"];
+pub(super) const ALONE: &[&str] = &["program.long-steps", "rise.by-chance.most", "rise.by-chance.equal-torques.most"];

@@ -14,7 +14,7 @@ const MISPRINTS: &str = include_str!("../../../../book/records/misprints.csv");
 const MISPRINTS_OF_WRONG: &str = include_str!("../../../../book/records/misprints-of-wrong.csv");
 
 /// The numbers of the page.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         misprinted("method.misprints.refuted", "refuted"),
         misprinted("method.misprints.refuted-by-both", "refuted-by-both"),

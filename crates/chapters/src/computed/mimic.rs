@@ -13,7 +13,7 @@ use geneva_press::book::MakeText;
 use geneva_press::html::escape;
 
 /// The numbers of the page on the language.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         OwnNumber::count("mimic.runs", || Ok(rows().len())),
         count_reproduced("mimic.minima", Column::Minimum),
@@ -23,7 +23,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 /// Options of the command line on the page.
-pub const WORDS: &[(&str, MakeText)] = &[("mimic.as-listed", || Ok(listed_settings()))];
+pub(super) const WORDS: &[(&str, MakeText)] = &[("mimic.as-listed", || Ok(listed_settings()))];
 
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn listed_settings() -> String {

@@ -10,7 +10,7 @@ use geneva_evidence::OwnNumber;
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the page.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     const OWN_ANGLES: Hypothesis = Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::AS_RUN };
     vec![
         OwnNumber::count("mistake.cells", || Ok(EXPLAINED.len() * rows().len())),

@@ -10,7 +10,7 @@ use geneva_evidence::{Form, Numbers, OwnNumber, RECORD};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the chapter on the corrected tables.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         deviation("never-printed.six.peaks", Mechanism::SIX_PIN, Column::Peak),
         deviation("never-printed.six.minima", Mechanism::SIX_PIN, Column::Minimum),

@@ -13,7 +13,7 @@ use geneva_kinematics::wheel::{Wheel, acceleration_ratio};
 use std::f64::consts::PI;
 
 /// The numbers of the chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     let speed = Form::Text("{3}&nbsp;rad/s");
     let lengths = [Form::Text("{3}&nbsp;mm"), Form::Text("{3}&nbsp;mm/s")];
     let degrees = Form::Text("{.1}°");

@@ -17,7 +17,7 @@ use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 use geneva_press::book::MakeText;
 
 /// The numbers of the chapter on the program.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         OwnNumber::count("program.statements", || Ok(own_deck_program()?.execution_order().len())),
         OwnNumber::count("program.needless", || {
@@ -56,7 +56,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 }
 
 /// The names of the loop.
-pub const WORDS: &[(&str, MakeText)] = &[("program.loop", || loop_without_delay(OLD_ACCELERATION))];
+pub(super) const WORDS: &[(&str, MakeText)] = &[("program.loop", || loop_without_delay(OLD_ACCELERATION))];
 
 /// The old acceleration in the escapement's deck.
 const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";

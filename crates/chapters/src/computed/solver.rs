@@ -6,7 +6,7 @@ use anyhow::Context;
 use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
 /// The numbers of the chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     let recorded = |id, form: &'static str, run: fn() -> Numbers<f64>| OwnNumber::new(id, form, RECORD, run);
     vec![
         OwnNumber::count("solver.escapements", || Ok(each()?.1)),

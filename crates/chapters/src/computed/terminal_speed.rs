@@ -16,7 +16,7 @@ use geneva_evidence::{Form, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of the chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         multiplier("terminal-speed.multiplier.three-pin", Mechanism::THREE_PIN),
         multiplier("terminal-speed.multiplier.four-pin", Mechanism::FOUR_PIN),

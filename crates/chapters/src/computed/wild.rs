@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 /// The numbers of the chapter.
-pub fn numbers() -> Vec<OwnNumber> {
+pub(super) fn numbers() -> Vec<OwnNumber> {
     vec![
         OwnNumber::count("wild.addresses", || Ok(addresses(|_| true))),
         OwnNumber::count("wild.addresses-whole", || Ok(addresses(is_of_a_page_taken_whole))),

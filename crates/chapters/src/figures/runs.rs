@@ -18,7 +18,7 @@ use geneva_kinematics::Mechanism;
 use geneva_press::numbers::fixed;
 
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
-pub fn agreement() -> anyhow::Result<Figure> {
+pub(super) fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
         Ok::<_, anyhow::Error>(ComparedCells::new(name.to_owned(), rows::score(hypothesis)?))
     };
@@ -36,7 +36,7 @@ pub fn agreement() -> anyhow::Result<Figure> {
 }
 
 /// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.
-pub fn reset_angle() -> anyhow::Result<Figure> {
+pub(super) fn reset_angle() -> anyhow::Result<Figure> {
     /// From half the angle between the pins of three, in half degrees.
     const HALF_DEGREES: std::ops::RangeInclusive<u32> = 120..=240;
     let scan = |mechanism| {
@@ -53,19 +53,19 @@ pub fn reset_angle() -> anyhow::Result<Figure> {
 }
 
 /// What each of the compared hypotheses makes of the rows.
-pub fn hypotheses() -> anyhow::Result<Figure> {
+pub(super) fn hypotheses() -> anyhow::Result<Figure> {
     let named = |score: &Score| ComparedCells::new(score.hypothesis.brief_words(), score);
     Ok(runs::deviations(&scores().iter().map(named).collect::<Vec<_>>()))
 }
 
 /// How many cells of each column each of the compared hypotheses gives.
-pub fn columns() -> anyhow::Result<Figure> {
+pub(super) fn columns() -> anyhow::Result<Figure> {
     let count = |score: &Score| score.fits.each_ref().map(|fit| Count { exact: fit.exact, within_one: fit.within_one });
     Ok(runs::columns(&scores().iter().map(count).collect::<Vec<_>>(), rows().len()))
 }
 
 /// How likely the tables are, over the lag of the friction's sign.
-pub fn lags() -> anyhow::Result<Figure> {
+pub(super) fn lags() -> anyhow::Result<Figure> {
     const MILLISECONDS: f64 = 1e3;
     let lag = |(lag, score): &(f64, Score)| LagLikelihood {
         lag: MILLISECONDS * lag,
@@ -77,7 +77,7 @@ pub fn lags() -> anyhow::Result<Figure> {
 }
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
-pub fn printed_too_seldom() -> anyhow::Result<Figure> {
+pub(super) fn printed_too_seldom() -> anyhow::Result<Figure> {
     let row = rows_with_least_friction(rows(), Mechanism::FOUR_PIN)
         .and_then(<[Row]>::last)
         .context("no run with four pins")?;
@@ -86,7 +86,7 @@ pub fn printed_too_seldom() -> anyhow::Result<Figure> {
 }
 
 /// Fig. 8: the first of the rows that it may show.
-pub fn of_fig_8() -> anyhow::Result<Figure> {
+pub(super) fn of_fig_8() -> anyhow::Result<Figure> {
     let named = |row: &Row| format!("μ = {}, K = {}", row.printed(Column::Friction), row.printed(Column::Torque));
     let fitting = rows_of_fig_8().context("no rise time of Fig. 8")?;
     let (row, others) = fitting.split_first().context("no run has the printed rise time")?;
@@ -106,12 +106,12 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
 }
 
 /// The printed numbers of a mechanism over the torque.
-pub fn over_torque(mechanism: Mechanism) -> anyhow::Result<Figure> {
+pub(super) fn over_torque(mechanism: Mechanism) -> anyhow::Result<Figure> {
     Ok(runs::over_torque(&group(mechanism)?)?)
 }
 
 /// All runs on one curve.
-pub fn collapse() -> anyhow::Result<Figure> {
+pub(super) fn collapse() -> anyhow::Result<Figure> {
     let groups = Mechanism::ALL.into_iter().map(group).collect::<anyhow::Result<Vec<_>>>()?;
     Ok(steady::collapse(&groups)?)
 }
@@ -123,24 +123,24 @@ fn group(mechanism: Mechanism) -> anyhow::Result<MechanismRuns> {
 
 /// The return map of the three-pin run that brakes least: an engagement leaves more of a difference than with four pins, so
 /// that the steps to the steady state can be seen.
-pub fn return_map() -> anyhow::Result<Figure> {
+pub(super) fn return_map() -> anyhow::Result<Figure> {
     let row = weakest(rows_with_least_friction(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::return_map(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
 /// The speed over the angle of that run, from rest.
-pub fn phase() -> anyhow::Result<Figure> {
+pub(super) fn phase() -> anyhow::Result<Figure> {
     let row = weakest(rows_with_least_friction(rows(), Mechanism::THREE_PIN))?;
     Ok(steady::phase(&Hypothesis::IDEAL.parameters(row).context(NONE)?)?)
 }
 
 /// The map of a mechanism, with its runs.
-pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
+pub(super) fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
     Ok(steady::map(mechanism, &designs()?)?)
 }
 
 /// Accelerations and pin force over an engagement: of the four-pin runs that brake least the one with the strongest spring.
-pub fn accelerations() -> anyhow::Result<Figure> {
+pub(super) fn accelerations() -> anyhow::Result<Figure> {
     let row = rows_with_least_friction(rows(), Mechanism::FOUR_PIN)
         .and_then(<[Row]>::last)
         .context("no run with four pins")?;
@@ -153,7 +153,7 @@ pub fn accelerations() -> anyhow::Result<Figure> {
 }
 
 /// A pin of finite radius in its slot, four pins: while it drives the follower, and where the driver is fastest.
-pub fn contact() -> anyhow::Result<Figure> {
+pub(super) fn contact() -> anyhow::Result<Figure> {
     /// Radius of the pin in crank radii.
     const PIN: f64 = 0.1;
     let row = weakest(comparable(Mechanism::FOUR_PIN))?;
@@ -161,7 +161,7 @@ pub fn contact() -> anyhow::Result<Figure> {
 }
 
 /// Mean speed and multiplier over the radius of the pin, of the driver's journal, and of the follower's.
-pub fn losses() -> anyhow::Result<Figure> {
+pub(super) fn losses() -> anyhow::Result<Figure> {
     /// Friction of the journals.
     const BEARINGS: f64 = 0.2;
     let row = weakest(comparable(Mechanism::FOUR_PIN))?;
@@ -173,7 +173,7 @@ pub fn losses() -> anyhow::Result<Figure> {
 }
 
 /// Work and precision of those solvers in the record that run over the same times.
-pub fn work_precision() -> anyhow::Result<Figure> {
+pub(super) fn work_precision() -> anyhow::Result<Figure> {
     let all = integrators()?;
     let runs = CONTESTANTS.iter().filter_map(|(contestant, words)| Some((*contestant, words.strip_suffix(": run")?)));
     let drawn = runs.flat_map(|(contestant, words)| {

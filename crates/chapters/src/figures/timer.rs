@@ -17,22 +17,22 @@ fn tested() -> anyhow::Result<Vec<Tested>> {
 }
 
 /// Hours a day over the friction, beside handbook values of steel on brass.
-pub fn friction() -> anyhow::Result<Figure> {
+pub(super) fn friction() -> anyhow::Result<Figure> {
     Ok(timer::friction(&tested()?, SET, &STEEL_ON_BRASS)?)
 }
 
 /// Minutes a day for one per cent of each quantity.
-pub fn sensitivity() -> anyhow::Result<Figure> {
+pub(super) fn sensitivity() -> anyhow::Result<Figure> {
     Ok(timer::sensitivity(&tested()?)?)
 }
 
 /// The greatest accelerations and forces.
-pub fn strongest() -> anyhow::Result<Figure> {
+pub(super) fn strongest() -> anyhow::Result<Figure> {
     Ok(timer::strongest(&tested()?)?)
 }
 
 /// How long four pins take to settle, with lighter followers.
-pub fn settling() -> anyhow::Result<Figure> {
+pub(super) fn settling() -> anyhow::Result<Figure> {
     let row = example()?;
     let run = format!(
         "four pins, μ = {}, K = {} in lb, driver's inertia {} · 10⁻⁶ in lb s²",

@@ -20,12 +20,12 @@ const FORMULAS: [(&str, &str); 7] = [
 const DISC: f64 = 0.7;
 
 /// How near the horns come to the locking disc, for wheels that are built.
-pub fn locking_cuts() -> anyhow::Result<Figure> {
+pub(super) fn locking_cuts() -> anyhow::Result<Figure> {
     Ok(stations::locking_cuts(3..=12, DISC)?)
 }
 
 /// What the wrong formulas give over what is right, for wheels that are built.
-pub fn formulas() -> anyhow::Result<Figure> {
+pub(super) fn formulas() -> anyhow::Result<Figure> {
     let compared = FORMULAS.map(|(id, name)| {
         let of = |slots| Ok((slots, ratio(id, slots).with_context(|| format!("`{id}` gives no ratio"))?));
         Ok(WrongFormula { name: name.to_owned(), ratios: (3..=12).map(of).collect::<anyhow::Result<_>>()? })

@@ -6,7 +6,7 @@ use geneva_press::chain::{chain, words};
 use geneva_press::html::{Cells, Table, escape, table};
 
 /// The texts that nobody had looked at, with what became of their flags: the later rounds by text, the first two in one row each.
-pub fn texts() -> anyhow::Result<Table> {
+pub(super) fn texts() -> anyhow::Result<Table> {
     let contacts = contacts()?;
     let runs = runs()?;
     let row = |name: String, round: &str, format: &str, of: &[&ToolRun]| {
@@ -58,7 +58,7 @@ pub fn texts() -> anyhow::Result<Table> {
 }
 
 /// The rounds of first contact.
-pub fn rounds() -> anyhow::Result<Table> {
+pub(super) fn rounds() -> anyhow::Result<Table> {
     table(
         "Rounds with texts that we had not looked at before: flags on a number, how many of them mark real errors, with the 95 % \
          interval of their share, how many are misreadings, and the real errors among the flags that the repaired program raises in the whole texts",
@@ -69,7 +69,7 @@ pub fn rounds() -> anyhow::Result<Table> {
 }
 
 /// The misprints on a number that still stand in the newest state.
-pub fn misprints() -> anyhow::Result<Table> {
+pub(super) fn misprints() -> anyhow::Result<Table> {
     let rows = flags()?
         .into_iter()
         .filter(|flag| flag.judgement == Judgement::Real && flag.printed_new == Answer::Yes)
@@ -92,7 +92,7 @@ pub fn misprints() -> anyhow::Result<Table> {
 }
 
 /// The misprints on a number in other books by the same publisher.
-pub fn others() -> anyhow::Result<Table> {
+pub(super) fn others() -> anyhow::Result<Table> {
     let rows = contacts()?
         .into_iter()
         .filter(|flag| flag.round == "publisher" && flag.judgement == Judgement::Real)
@@ -110,7 +110,7 @@ pub fn others() -> anyhow::Result<Table> {
 }
 
 /// The misprints on a unit that still stand in the newest state.
-pub fn units() -> anyhow::Result<Table> {
+pub(super) fn units() -> anyhow::Result<Table> {
     let rows = unit_flags()?
         .into_iter()
         .filter(|flag| flag.judgement == Judgement::Real)

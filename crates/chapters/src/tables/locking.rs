@@ -9,7 +9,7 @@ use geneva_press::numbers::fixed;
 const JOURNAL: f64 = 0.8;
 
 /// The arcs of wheels with few stations and with many.
-pub fn arcs() -> anyhow::Result<Table> {
+pub(super) fn arcs() -> anyhow::Result<Table> {
     let rows = [4, 8, 12, 30, 100, 1000].map(|stations| {
         let wheel = Wheel::new(stations)?;
         let mut row = vec![stations.to_string()];

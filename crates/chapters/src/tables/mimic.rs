@@ -4,7 +4,7 @@ use geneva_mimic::language::{CARDS, FUNCTIONS, WordEvidence};
 use geneva_press::html::{Cells, Table, escape, table};
 
 /// The functions.
-pub fn functions() -> anyhow::Result<Table> {
+pub(super) fn functions() -> anyhow::Result<Table> {
     let rows = FUNCTIONS.iter().map(|function| {
         Ok(row(&format!("{}({})", function.name, function.arguments), function.meaning, function.evidence))
     });
@@ -12,7 +12,7 @@ pub fn functions() -> anyhow::Result<Table> {
 }
 
 /// The control cards, and the names that are known without a card.
-pub fn cards() -> anyhow::Result<Table> {
+pub(super) fn cards() -> anyhow::Result<Table> {
     let rows = CARDS.iter().map(|card| {
         let gap = if card.arguments.is_empty() || card.arguments.starts_with('(') { "" } else { " " };
         Ok(row(&format!("{}{gap}{}", card.name, card.arguments), card.meaning, card.evidence))

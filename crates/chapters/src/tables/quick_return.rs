@@ -8,7 +8,7 @@ use geneva_press::maths::formula;
 use geneva_press::numbers::fixed;
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
-pub fn terms() -> anyhow::Result<Table> {
+pub(super) fn terms() -> anyhow::Result<Table> {
     let lever = question("lever")?;
     let rows = VECTORS.into_iter().map(|(symbol, key)| {
         let (symbol, vector) = (formula(symbol, false)?, field(&lever, key)?);
@@ -25,7 +25,7 @@ pub fn terms() -> anyhow::Result<Table> {
 }
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
-pub fn branches() -> anyhow::Result<Table> {
+pub(super) fn branches() -> anyhow::Result<Table> {
     let (far, near) = (question("lever")?, question("lever-near")?);
     let column = |lever: &str| -> anyhow::Result<[f64; 10]> {
         Ok([

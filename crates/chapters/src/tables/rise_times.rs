@@ -11,7 +11,7 @@ use geneva_press::html::{Cells, Table, escape, table};
 use geneva_press::numbers::fixed;
 
 /// How many rows each definition explains, with each part of a velocity that may be missing.
-pub fn definitions() -> anyhow::Result<Table> {
+pub(super) fn definitions() -> anyhow::Result<Table> {
     let ways = OF_A_PART.iter().flat_map(|definition| {
         let own = move || explained().iter().filter(move |tried| tried.name == definition.name);
         let first = parts(MISSING)[0];
@@ -57,7 +57,7 @@ fn whole(near: RiseTolerance) -> &'static str {
 }
 
 /// How many rows each other event of a start explains.
-pub fn events() -> anyhow::Result<Table> {
+pub(super) fn events() -> anyhow::Result<Table> {
     let rows =
         EVENTS.iter().filter_map(|event| explained().iter().find(|tried| tried.name == event.name)).map(|tried| {
             let mut row = vec![escape(tried.name), tried.as_run.rows().to_string()];
@@ -84,7 +84,7 @@ pub fn events() -> anyhow::Result<Table> {
 }
 
 /// The words of the thesis on which claims turn.
-pub fn terms() -> anyhow::Result<Table> {
+pub(super) fn terms() -> anyhow::Result<Table> {
     let rows = TERMS.iter().map(|term| {
         let used = LEDGER.claims().iter().filter(|claim| term.is_used_by(claim.id)).count();
         let meaning = escape(term.meaning);
@@ -100,7 +100,7 @@ pub fn terms() -> anyhow::Result<Table> {
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
-pub fn groups() -> anyhow::Result<Table> {
+pub(super) fn groups() -> anyhow::Result<Table> {
     let all = all_groups(rows());
     let rows = all.iter().map(|group| {
         let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();

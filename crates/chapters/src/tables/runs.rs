@@ -21,7 +21,7 @@ use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::{fixed, signed};
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
-pub fn hypotheses() -> anyhow::Result<Table> {
+pub(super) fn hypotheses() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
         let Hypothesis { reset, six_pin, reading, constants, lag } = score.hypothesis;
         let besides = match (constants, lag) {
@@ -57,7 +57,7 @@ pub fn hypotheses() -> anyhow::Result<Table> {
 }
 
 /// How much likelier the best combination makes the tables than others, by how the errors are taken.
-pub fn weighings() -> anyhow::Result<Table> {
+pub(super) fn weighings() -> anyhow::Result<Table> {
     let margins = [Others::AnotherReset, Others::AnotherResetOrInertias];
     // The least of the margins that some weighings give, by each law.
     let least = |weighings: &[Weighing]| {
@@ -95,7 +95,7 @@ pub fn weighings() -> anyhow::Result<Table> {
 }
 
 /// What the best inertias could explain with either reset.
-pub fn freed() -> anyhow::Result<Table> {
+pub(super) fn freed() -> anyhow::Result<Table> {
     let of = |mechanism: Mechanism, reset: Reset| {
         let none = "no inertias give a table a motion";
         let table = rows_of(rows(), mechanism);
@@ -129,7 +129,7 @@ pub fn freed() -> anyhow::Result<Table> {
 }
 
 /// The peaks that neither the program nor the mechanism gives.
-pub fn unexplained() -> anyhow::Result<Table> {
+pub(super) fn unexplained() -> anyhow::Result<Table> {
     let wrong = |row: &&Row| expected(row, Column::Peak) == Some(Verdict::Corrected);
     let rows = rows().iter().filter(wrong).map(|row| {
         let id = format!("meyer.app-e.{}.max", row.slug());
@@ -153,7 +153,7 @@ pub fn unexplained() -> anyhow::Result<Table> {
 }
 
 /// The numbers of our own that were computed in two ways.
-pub fn statistics() -> anyhow::Result<Table> {
+pub(super) fn statistics() -> anyhow::Result<Table> {
     let rows = STATISTICS.iter().map(|of| {
         let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
         let (number, within) = match of.within {
@@ -168,7 +168,7 @@ pub fn statistics() -> anyhow::Result<Table> {
 }
 
 /// The hypotheses column by column.
-pub fn by_column() -> anyhow::Result<Table> {
+pub(super) fn by_column() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
         let mut row = vec![number.to_string()];
         row.extend(score.fits.iter().flat_map(|fit| [counts(fit), signed(100.0 * fit.worst, 1)]));
@@ -181,7 +181,7 @@ pub fn by_column() -> anyhow::Result<Table> {
 }
 
 /// Delays of the sign of the friction.
-pub fn delays() -> anyhow::Result<Table> {
+pub(super) fn delays() -> anyhow::Result<Table> {
     let rows = all_delays().iter().map(|(delay, score)| {
         let [peak, minimum, period] = &score.fits;
         let mut row = vec![if *delay > 0.0 { format!("{:.3} ms", 1e3 * delay) } else { "none".to_owned() }];
@@ -206,7 +206,7 @@ pub fn delays() -> anyhow::Result<Table> {
 }
 
 /// What changes when the integrator differs in ways that the thesis leaves open.
-pub fn integrator() -> anyhow::Result<Table> {
+pub(super) fn integrator() -> anyhow::Result<Table> {
     let changes = integrators::changes(rows()).context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
         let mut row = vec![variant.name.to_owned()];
@@ -238,7 +238,7 @@ fn logs(score: &Score) -> [String; 2] {
 }
 
 /// The inertias of each table, as they are found from its results.
-pub fn inertias() -> anyhow::Result<Table> {
+pub(super) fn inertias() -> anyhow::Result<Table> {
     let rows = Mechanism::ALL.map(|mechanism| {
         let uncertainties = data::uncertainties(mechanism).context("the results do not tell two inertias")?;
         let found = data::inertias(mechanism).into_iter().zip(uncertainties);
@@ -263,22 +263,22 @@ pub fn inertias() -> anyhow::Result<Table> {
 }
 
 /// The runs with six pins, printed and corrected.
-pub fn six_pin() -> anyhow::Result<Table> {
+pub(super) fn six_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis::IDEAL)
 }
 
 /// The runs with four pins, printed and corrected.
-pub fn four_pin() -> anyhow::Result<Table> {
+pub(super) fn four_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::FOUR_PIN, &Hypothesis::IDEAL)
 }
 
 /// The runs with three pins, printed and corrected.
-pub fn three_pin() -> anyhow::Result<Table> {
+pub(super) fn three_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::THREE_PIN, &Hypothesis::IDEAL)
 }
 
 /// The runs with six pins and the inertias of the table's heading, printed and corrected.
-pub fn six_pin_as_headed() -> anyhow::Result<Table> {
+pub(super) fn six_pin_as_headed() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL })
 }
 

@@ -9,7 +9,7 @@ use geneva_kinematics::rational;
 const PLOT: Locator = at("Paragraph on Fig. 5.30");
 pub(super) const STATIONS: Locator = at("2nd paragraph on Fig. 5.30");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         plotted(),
         PLOT.value("jazar.phi-range", "-45", "°", "wheel angle at entry and exit")

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 const GEOMETRY: Locator = at("Paragraph on Fig. 5.31");
 const DURATION: Locator = at("2nd paragraph on Fig. 5.31");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [angle(), vec![duration()], comparisons()].concat()
 }
 

@@ -24,7 +24,7 @@ const MOVING_PART: Slip = Slip {
               which is only half as long.",
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         formula(),
         C.value("jazar.ex-c.fraction", "1/3", "", "dwelling part of the cycle")

@@ -14,7 +14,7 @@ const A: Locator = at("Ex. (a)");
 const B: Locator = at("Ex. (b)");
 const D: Locator = at("Ex. (d)");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [advances(), dwell::claims(), velocity()].concat()
 }
 

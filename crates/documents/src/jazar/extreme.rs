@@ -8,7 +8,7 @@ use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::acceleration_ratio;
 use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![root_choice(), alpha_range(), maximum(), angle(), sign_of_the_angle(), general_validity()]
 }
 

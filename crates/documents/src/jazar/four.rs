@@ -20,7 +20,7 @@ pub(super) const LOST_SIGN: Slip = Slip {
     changes: "",
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [loop_closure(), angle_and_velocity(), accelerations()].concat()
 }
 

@@ -11,7 +11,7 @@ const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circ
                           because the handout gives no radius of the pin itself.";
 const RATIOS: Locator = at("Paragraph before Eq. (5.30)");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [sizes(), equations()].concat()
 }
 

@@ -13,35 +13,37 @@ use nalgebra::Vector2;
 use std::array::from_fn;
 
 /// The wheel of any number of stations, with a driver at constant speed.
-pub const ANY: Vocabulary = Vocabulary::new(any, Evidence::AUTOMATIC_DERIVATIVE, any_in_numbers);
+pub(super) const ANY: Vocabulary = Vocabulary::new(any, Evidence::AUTOMATIC_DERIVATIVE, any_in_numbers);
 /// The wheel of four stations, with a driver that speeds up.
-pub const FOUR: Vocabulary = Vocabulary::new(four, Evidence::AUTOMATIC_DERIVATIVE, four_in_numbers);
+pub(super) const FOUR: Vocabulary = Vocabulary::new(four, Evidence::AUTOMATIC_DERIVATIVE, four_in_numbers);
 /// The wheel of four stations, with a driver at constant speed.
-pub const STEADY_FOUR: Vocabulary =
+pub(super) const STEADY_FOUR: Vocabulary =
     Vocabulary::new(steady_four, Evidence::AUTOMATIC_DERIVATIVE, steady_four_in_numbers);
 /// The loop through the axes and the pin, for four stations.
-pub const LOOP: Vocabulary = Vocabulary::new(closed_loop, Evidence::AUTOMATIC_DERIVATIVE, four_in_numbers);
+pub(super) const LOOP: Vocabulary = Vocabulary::new(closed_loop, Evidence::AUTOMATIC_DERIVATIVE, four_in_numbers);
 /// The sizes of the wheel of any number of stations.
-pub const SIZES: Vocabulary = Vocabulary::new(sizes, Evidence::AUTOMATIC_DERIVATIVE, any_in_numbers);
+pub(super) const SIZES: Vocabulary = Vocabulary::new(sizes, Evidence::AUTOMATIC_DERIVATIVE, any_in_numbers);
 /// The sizes of the wheel of four stations.
-pub const SIZES_OF_FOUR: Vocabulary =
+pub(super) const SIZES_OF_FOUR: Vocabulary =
     Vocabulary::new(sizes_of_four, Evidence::AUTOMATIC_DERIVATIVE, sizes_of_four_in_numbers);
 /// Angles that are parts of a turn, and times that are parts of a cycle.
-pub const PARTS: Vocabulary = Vocabulary::new(parts, Evidence::LIMIT_CASE, parts_in_numbers);
+pub(super) const PARTS: Vocabulary = Vocabulary::new(parts, Evidence::LIMIT_CASE, parts_in_numbers);
 /// The part of the dwell, with α in degrees.
-pub const PARTS_BY_DEGREES: Vocabulary = Vocabulary::new(parts_by_degrees, Evidence::LIMIT_CASE, degrees_in_numbers);
+pub(super) const PARTS_BY_DEGREES: Vocabulary =
+    Vocabulary::new(parts_by_degrees, Evidence::LIMIT_CASE, degrees_in_numbers);
 /// Angles of the driver as the pin enters and leaves.
-pub const ENTRY_AND_EXIT: Vocabulary = Vocabulary::new(entry_and_exit, Evidence::LIMIT_CASE, parts_in_numbers);
+pub(super) const ENTRY_AND_EXIT: Vocabulary = Vocabulary::new(entry_and_exit, Evidence::LIMIT_CASE, parts_in_numbers);
 /// Where the acceleration is greatest in size, on both sides of the line of centres.
-pub const PEAK: Vocabulary = Vocabulary::new(peak, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
+pub(super) const PEAK: Vocabulary = Vocabulary::new(peak, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
 /// Both roots of the condition for it.
-pub const ROOTS: Vocabulary = Vocabulary::new(peak, Evidence::AUTOMATIC_DERIVATIVE, roots_in_numbers);
+pub(super) const ROOTS: Vocabulary = Vocabulary::new(peak, Evidence::AUTOMATIC_DERIVATIVE, roots_in_numbers);
 /// Where the acceleration is greatest in size, for the sign of γ's root that belongs to an angle.
-pub const PEAK_ANGLE: Vocabulary = Vocabulary::new(peak_angle, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
+pub(super) const PEAK_ANGLE: Vocabulary = Vocabulary::new(peak_angle, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
 /// γ, from the derivative of the acceleration.
-pub const COEFFICIENT: Vocabulary = Vocabulary::new(coefficient, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
+pub(super) const COEFFICIENT: Vocabulary =
+    Vocabulary::new(coefficient, Evidence::AUTOMATIC_DERIVATIVE, peak_in_numbers);
 /// The wheel of six stations at its fastest.
-pub const FASTEST: Vocabulary = Vocabulary::new(fastest, Evidence::AUTOMATIC_DERIVATIVE, fastest_in_numbers);
+pub(super) const FASTEST: Vocabulary = Vocabulary::new(fastest, Evidence::AUTOMATIC_DERIVATIVE, fastest_in_numbers);
 
 /// A wheel with its axes this many crank radii apart: its letters and the rate of its acceleration.
 fn wheel(
@@ -192,14 +194,14 @@ fn peak_angle(_: i64) -> Moment<Expression> {
 
 /// The derivative of the acceleration, with what it is that many times as much as the difference of the sides of the printed
 /// condition. Variables as in [`any`].
-pub fn condition() -> (Moment<Expression>, Expression, Expression) {
+pub(super) fn condition() -> (Moment<Expression>, Expression, Expression) {
     let (moment, jerk, factor, _) = with_factor();
     (moment, factor, jerk)
 }
 
 /// The derivative of the acceleration, with what it is that many times as much as the difference of the sides of the printed
 /// quadratic: 2 sin α times less than for the condition. Variables as in [`any`].
-pub fn quadratic() -> (Moment<Expression>, Expression, Expression) {
+pub(super) fn quadratic() -> (Moment<Expression>, Expression, Expression) {
     let (moment, jerk, factor, [sine, _]) = with_factor();
     let gamma = (1 + sine * sine) / (2 * sine);
     (moment.with([(r"\gamma", gamma)]), factor * 2 * sine, jerk)

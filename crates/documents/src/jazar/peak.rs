@@ -26,7 +26,7 @@ const WRONG_RATIO: Slip = Slip {
     changes: "The printed peak of the wheel's angular acceleration, which is the answer to (e), is too large.",
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [steps(), extreme::claims(), numbers()].concat()
 }
 

@@ -8,7 +8,7 @@ use nalgebra::{Vector2, Vector3};
 const SENTENCES: Locator = at("Sentences on spherical mechanisms");
 
 /// The claims on spherical wheels.
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![angulated(), locking()]
 }
 

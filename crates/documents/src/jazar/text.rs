@@ -13,7 +13,7 @@ pub(super) const SIMPLE: Locator = at("Paragraph on Fig. 5.28");
 pub(super) const CAPTION: Locator = at("Fig. 5.28, caption");
 const MODEL: Locator = at("Paragraph below Fig. 5.28");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         one_direction(),
         slider_crank(),

@@ -3,7 +3,7 @@
 use super::letters::TRIANGLE;
 use super::*;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [lengths(), angles()].concat()
 }
 

@@ -18,7 +18,7 @@ struct Printed {
     radius: [&'static str; 2],
 }
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     let [theta, phi, centre_equation, centre, radius_equation, radius] = three_slots();
     let three_slots =
         [theta, phi, centre_equation, corrected_centre(centre), radius_equation, corrected_radius(radius)];

@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         at("Appendix C, last sentence but one")
             .statement(

@@ -19,7 +19,7 @@ const FAST: f64 = 3.0;
 
 const SIGN: Locator = at("Appendix D, lines after the 2nd equation");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [vec![needed()], given(), equations()].concat()
 }
 
@@ -105,7 +105,7 @@ fn said_pins(stated: Stated) -> Vec<f64> {
 }
 
 /// The neighbour of a place that gives the three angles.
-pub const OTHER_ANGLE: &str = "36°, the angle of five pins, for 45°";
+pub(super) const OTHER_ANGLE: &str = "36°, the angle of five pins, for 45°";
 
 /// The angles that a claim gives, in degrees.
 fn said_angles(stated: Stated) -> Vec<f64> {
@@ -114,14 +114,14 @@ fn said_angles(stated: Stated) -> Vec<f64> {
 }
 
 /// Whether the angles of a claim are half the angle between two pins, for six, four and three of them.
-pub fn of_the_pins(stated: Stated) -> Finding {
+pub(super) fn of_the_pins(stated: Stated) -> Finding {
     let said = said_angles(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| 180.0 / f64::from(at.pins())).collect();
     Finding::new(said == angles, format!("180° over the number of pins is {}°", joined(&angles)))
 }
 
 /// The neighbour of a place that gives the three angles of the start.
-pub const WITHOUT_THE_MINUS: &str = "the same angles without the minus";
+pub(super) const WITHOUT_THE_MINUS: &str = "the same angles without the minus";
 
 /// The angles of the start that a claim gives, in degrees, with their signs, or with the others.
 fn said_starts(stated: Stated) -> Vec<f64> {
@@ -135,7 +135,7 @@ fn said_starts(stated: Stated) -> Vec<f64> {
 
 /// Whether the angles of a claim are half the angle between two pins, before the line of centres, for six, four and three
 /// of them.
-pub fn before_the_line(stated: Stated) -> Finding {
+pub(super) fn before_the_line(stated: Stated) -> Finding {
     let said = said_starts(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| -180.0 / f64::from(at.pins())).collect();
     Finding::new(
@@ -148,7 +148,7 @@ pub fn before_the_line(stated: Stated) -> Finding {
 }
 
 /// Whether at these angles a pin moves along its slot towards the follower's axis, at each in another of the escapements.
-pub fn coming_in(stated: Stated) -> Finding {
+pub(super) fn coming_in(stated: Stated) -> Finding {
     let said = said_starts(stated);
     let comes_in = |(at, angle): (&Mechanism, &f64)| {
         let drawn = Drawn::new(at.pins(), at.slots());
@@ -163,7 +163,7 @@ pub fn coming_in(stated: Stated) -> Finding {
 }
 
 /// Whether a pin moves along its slot at these angles, at each in another of the escapements.
-pub fn along_the_slots(stated: Stated) -> Finding {
+pub(super) fn along_the_slots(stated: Stated) -> Finding {
     let said = said_angles(stated);
     let still = Mechanism::ALL.iter().zip(&said).all(|(at, angle)| {
         [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).angular_velocity()))

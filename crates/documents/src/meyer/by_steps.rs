@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// The runs of one mechanism with one friction.
-pub struct Group {
+pub(super) struct Group {
     /// The rows, by rising torque.
     pub rows: &'static [Row],
     /// The motion of the first row.
@@ -20,18 +20,18 @@ pub struct Group {
 
 impl Group {
     /// By how much a row's speeds are greater than the first row's, and its times less: the root of the torques.
-    pub fn scale(&self, row: &Row) -> f64 {
+    pub(super) fn scale(&self, row: &Row) -> f64 {
         self.rows.first().map_or(f64::NAN, |first| (row.torque() / first.torque()).sqrt())
     }
 
     /// The scale of the row with the greatest torque.
-    pub fn greatest_scale(&self) -> f64 {
+    pub(super) fn greatest_scale(&self) -> f64 {
         self.rows.iter().map(|row| self.scale(row)).fold(0.0, f64::max)
     }
 }
 
 /// All twelve groups, for the mechanisms as they are.
-pub fn groups() -> &'static [Group] {
+pub(super) fn groups() -> &'static [Group] {
     static GROUPS: OnceLock<Vec<Group>> = OnceLock::new();
     GROUPS.get_or_init(|| {
         let group = |rows: &'static [Row]| {

@@ -30,7 +30,7 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
               speeding up.",
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         PEAKS
             .statement(

@@ -14,13 +14,13 @@ const TABLE_AT: Locator = at("Table after Eq. (1-3)");
 const REMARK: Locator = at("Paragraph after the table of Eq. (1-3)");
 
 /// The columns of the table of possible combinations: ids of the numbers of slots and of pins.
-pub const TABLE: [(&str, &str); 3] = [
+pub(super) const TABLE: [(&str, &str); 3] = [
     ("meyer.table.three-slots", "meyer.table.six-pins"),
     ("meyer.table.four-slots", "meyer.table.four-pins"),
     ("meyer.table.six-slots", "meyer.table.three-pins"),
 ];
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [angle_sum(), combinations(), remarks()].concat()
 }
 

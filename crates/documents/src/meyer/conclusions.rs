@@ -6,7 +6,7 @@ use super::*;
 use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use geneva_case1973::series;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     let mut claims = vec![timing(), small_variations()];
     claims.extend(hand_over::conclusion());
     claims

@@ -7,7 +7,7 @@ use geneva_kinematics::pin_slot::pin_from_pivot;
 use std::collections::BTreeSet;
 
 /// The claims of chapter I.
-pub fn of_the_derivation() -> Vec<Claim> {
+pub(super) fn of_the_derivation() -> Vec<Claim> {
     vec![
         at("Chapter I, 1st paragraph")
             .statement(
@@ -70,7 +70,7 @@ pub fn of_the_derivation() -> Vec<Claim> {
 }
 
 /// The claims of chapter II and of the conclusions.
-pub fn of_the_study() -> Vec<Claim> {
+pub(super) fn of_the_study() -> Vec<Claim> {
     vec![
         at("Chapter II, paragraph on the rise time")
             .statement(

@@ -10,9 +10,9 @@ use std::array::from_fn;
 use std::sync::OnceLock;
 
 /// A disc: its moment of inertia by rings, exactly, and by strips.
-pub const DISC: Vocabulary = Vocabulary::new(disc_of_rings, Evidence::CLOSED_FORM, discs_of_strips);
+pub(super) const DISC: Vocabulary = Vocabulary::new(disc_of_rings, Evidence::CLOSED_FORM, discs_of_strips);
 /// The disc of the sentences around the estimate, in units of any size.
-pub const ESTIMATE: Vocabulary = Vocabulary::new(estimate_by_rings, Evidence::CLOSED_FORM, estimate_by_strips);
+pub(super) const ESTIMATE: Vocabulary = Vocabulary::new(estimate_by_rings, Evidence::CLOSED_FORM, estimate_by_strips);
 
 /// Variables: π, density, radius, thickness.
 fn disc_of_rings(_: i64) -> Moment<Expression> {

@@ -34,7 +34,7 @@ const FIRST_LINE_RIGHT: &str = concat!(
     r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
 );
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [energy(), set_up(), by_quotient(), by_speed(), by_angle()].concat()
 }
 

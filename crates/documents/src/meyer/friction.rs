@@ -48,7 +48,7 @@ const FRICTION_OF_MOTION: &str = concat!(
     r"\ddot{\theta} \right|"
 );
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [torque(), normal_force(), substituted(), spring()].concat()
 }
 

@@ -18,7 +18,7 @@ const FIGURES_AND_PAGES: &str = concat!(
     r"\ldots 8 \ldots 16 \ldots 9 \ldots 18 \ldots 10 \ldots 19 \ldots 11 \ldots 20 \ldots 12 \ldots 25 ",
     r"\ldots 13 \ldots 26 \ldots 14 \ldots 27 \ldots 15, 33"
 );
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [tables(), mechanisms(), drawings()].concat()
 }
 
@@ -73,7 +73,7 @@ fn drawings() -> Vec<Claim> {
 }
 
 /// The claim on the page where the average terminal velocity is defined.
-pub fn page_of_definition() -> Claim {
+pub(super) fn page_of_definition() -> Claim {
     at("Recommendation 7")
         .statement("meyer.page-of-definition", "page 17", "page of the definition of the average terminal velocity")
         .missing(
@@ -84,7 +84,7 @@ pub fn page_of_definition() -> Claim {
 }
 
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
-pub fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
+pub(super) fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
     let words: Vec<_> = text.split_whitespace().map(str::to_uppercase).collect();
     let count = |word: &str| number_in_word(word).map(|number| number as u32);
     let of = |pair: &[String]| match pair {
@@ -104,7 +104,7 @@ fn named(stated: Stated, which: usize) -> Option<(u32, u32)> {
 
 /// What Appendix A computes for its mechanisms, in its order: half the angle between two pins and between two slots, in
 /// degrees, and the distance of the axes.
-pub fn computed_sizes() -> Vec<[f64; 3]> {
+pub(super) fn computed_sizes() -> Vec<[f64; 3]> {
     let lines = MEYER.lines().unwrap_or_default();
     let claimed = lines.iter().flat_map(|line| &line.entries).filter_map(geneva_evidence::Entry::claimed);
     let own = claimed.filter_map(|id| id.strip_prefix("meyer.app-a.")?.strip_suffix(".theta"));

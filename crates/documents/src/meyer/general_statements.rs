@@ -13,7 +13,7 @@ use geneva_kinematics::Expression;
 const FIRST: Locator = at("Chapter II, 1st general statement");
 const THIRD: Locator = at("Chapter II, 3rd general statement");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     let mut claims = vec![more_torque(), least_rise_time()];
     claims.extend(graphs());
     claims.extend(less_friction::claims());
@@ -148,7 +148,7 @@ fn almost_linear() -> Claim {
 }
 
 /// A row's mechanism with as many times its torque and its friction.
-pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
+pub(super) fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
     let at = Hypothesis::IDEAL.parameters(row)?;
     let changed =
         Parameters::new(at.mechanism(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
@@ -157,15 +157,15 @@ pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
 
 /// Relative changes of some quantities in each group of runs, for each set of factors of torque, friction and the two
 /// inertias.
-pub type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
+pub(super) type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
 
 /// Sets of factors that change torque, friction and the two inertias each alone.
-pub fn each_alone(factor: f64) -> [[f64; 4]; 4] {
+pub(super) fn each_alone(factor: f64) -> [[f64; 4]; 4] {
     std::array::from_fn(|changed| std::array::from_fn(|at| if at == changed { factor } else { 1.0 }))
 }
 
 /// The responses to these sets of factors; not numbers where the quantities cannot be found.
-pub fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
+pub(super) fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
     let before: Vec<_> = series(rows())
         .filter_map(|own| {
             let at = Hypothesis::IDEAL.parameters(own.first()?)?;

@@ -10,9 +10,9 @@ use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
 const USUAL: Locator = at("Chapter I, 1st paragraph");
 const CONDITION: Locator = at("Chapter I, 2nd paragraph");
-pub const INSTANT: Locator = at("Chapter I, paragraph between Figs. 3 and 4");
+pub(super) const INSTANT: Locator = at("Chapter I, paragraph between Figs. 3 and 4");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [conditions(), triangle()].concat()
 }
 
@@ -171,7 +171,7 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
 ///
 /// With a slot more one pin still takes over from the next. By the sum of the two angles, exactly, we ask whether the
 /// follower is at rest then, and therefore crank and slot are at right angles.
-pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
+pub(super) fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
     let rests = |at: &Mechanism| {
         let more = ContinuousEscapement::new(at.pins(), at.slots() + 1);
         more.is_some_and(|pair| pair.hand_over_motion() == HandOverMotion::Rests)
@@ -209,7 +209,7 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
 }
 
 /// Whether a property holds for all of these numbers, of which there must be some; the finding lists them.
-pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
+pub(super) fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));
     Finding::new(

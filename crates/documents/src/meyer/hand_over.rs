@@ -14,7 +14,7 @@ use geneva_kinematics::{Jet, angular_velocity};
 use std::sync::OnceLock;
 
 /// The claim on how a pin must enter.
-pub fn along_the_slot() -> Claim {
+pub(super) fn along_the_slot() -> Claim {
     geometry::INSTANT
         .statement(
             "meyer.along-the-slot",
@@ -32,7 +32,7 @@ pub fn along_the_slot() -> Claim {
 }
 
 /// The claims of the third conclusion.
-pub fn conclusion() -> Vec<Claim> {
+pub(super) fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
     let reading = "“To work” means to reach a terminal velocity, as in the first conclusion. By a configuration we \
                    mean numbers of pins and slots for which each pin takes over from the previous one without a gap. \
@@ -73,7 +73,7 @@ pub fn conclusion() -> Vec<Claim> {
 
 /// Driver and follower by coordinates, for any numbers; lengths in radii of the pins' circle.
 #[derive(Clone, Copy)]
-pub struct Drawn {
+pub(super) struct Drawn {
     pub pins: u32,
     pub slots: u32,
     /// Distance of the follower's axis from the driver's.
@@ -85,52 +85,52 @@ impl Drawn {
     ///
     /// The slot of the pin at π/m leaves the follower's axis at the angle π/n, so the axis is where that line meets the
     /// line of centres.
-    pub fn new(pins: u32, slots: u32) -> Self {
+    pub(super) fn new(pins: u32, slots: u32) -> Self {
         let [crank, slot] = [pins, slots].map(|count| Turn::from_radians(PI / f64::from(count)));
         Self { pins, slots, axis: crank.cos + crank.sin * slot.cos / slot.sin }
     }
 
     /// π/m.
-    pub fn half(&self) -> f64 {
+    pub(super) fn half(&self) -> f64 {
         PI / f64::from(self.pins)
     }
 
     /// A pin at this angle from the follower's axis, first coordinate towards the driver.
-    pub fn place(&self, angle: f64) -> Vector2<f64> {
+    pub(super) fn place(&self, angle: f64) -> Vector2<f64> {
         Vector2::new(self.axis - libm::cos(angle), libm::sin(angle))
     }
 
     /// Velocity of the pin for a driver of angular velocity one.
-    pub fn velocity(angle: f64) -> Vector2<f64> {
+    pub(super) fn velocity(angle: f64) -> Vector2<f64> {
         Vector2::new(libm::sin(angle), libm::cos(angle))
     }
 
     /// Direction of the pin from the follower's axis.
-    pub fn direction(&self, angle: f64) -> f64 {
+    pub(super) fn direction(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         libm::atan2(place.y, place.x)
     }
 
     /// Angular velocity of a follower that the pin carries.
-    pub fn turning(&self, angle: f64) -> f64 {
+    pub(super) fn turning(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         place.perp(&Self::velocity(angle)) / place.norm_squared()
     }
 
     /// How many pins are no further from the follower's axis than this, with the first at an angle.
-    pub fn within(&self, rim: f64, angle: f64) -> usize {
+    pub(super) fn within(&self, rim: f64, angle: f64) -> usize {
         let inside = rim * (1.0 + geneva_evidence::CLOSURE.relative);
         let place = |k: u32| self.place(angle + 2.0 * self.half() * f64::from(k));
         (0..self.pins).filter(|k| place(*k).norm() <= inside).count()
     }
 
     /// Distance of the pin from the follower's axis where it moves along its slot: the length of the tangent.
-    pub fn tangent(&self) -> f64 {
+    pub(super) fn tangent(&self) -> f64 {
         (self.axis * self.axis - 1.0).sqrt()
     }
 
     /// The fewest pins inside a rim over a turn of the driver, of so many instants.
-    pub fn fewest_within(&self, rim: f64) -> usize {
+    pub(super) fn fewest_within(&self, rim: f64) -> usize {
         const INSTANTS: u32 = 997;
         let counts = (0..INSTANTS).map(|k| self.within(rim, 2.0 * PI * f64::from(k) / f64::from(INSTANTS)));
         counts.min().unwrap_or(0)

@@ -11,18 +11,18 @@ use std::array::from_fn;
 use std::sync::OnceLock;
 
 /// Half the angles between two slots and two pins.
-pub const HALVES: Vocabulary = Vocabulary::new(halves, Evidence::VECTORS, in_numbers);
+pub(super) const HALVES: Vocabulary = Vocabulary::new(halves, Evidence::VECTORS, in_numbers);
 /// The large right triangle.
-pub const RIGHT_TRIANGLE: Vocabulary = Vocabulary::new(right_triangle, Evidence::VECTORS, in_numbers);
+pub(super) const RIGHT_TRIANGLE: Vocabulary = Vocabulary::new(right_triangle, Evidence::VECTORS, in_numbers);
 /// The right triangle with a for its ratio of lengths.
-pub const RATIO: Vocabulary = Vocabulary::new(ratio, Evidence::VECTORS, in_numbers);
+pub(super) const RATIO: Vocabulary = Vocabulary::new(ratio, Evidence::VECTORS, in_numbers);
 /// Numbers of pins and slots, of which the angles of the triangle are parts of half a turn.
-pub const COUNTS: Vocabulary = Vocabulary::new(counts, Evidence::VECTORS, in_numbers);
+pub(super) const COUNTS: Vocabulary = Vocabulary::new(counts, Evidence::VECTORS, in_numbers);
 /// The lengths for which the appendix computes 1/sin φ₀ as the centre distance.
-pub const UNIT: Vocabulary = Vocabulary::new(unit, Evidence::VECTORS, unit_in_numbers);
+pub(super) const UNIT: Vocabulary = Vocabulary::new(unit, Evidence::VECTORS, unit_in_numbers);
 
 /// The sizes in the drawing of one mechanism, in the unit of appendix A.
-pub const fn drawn<const SLOTS: u32>() -> Vocabulary {
+pub(super) const fn drawn<const SLOTS: u32>() -> Vocabulary {
     Vocabulary::new(drawing::<SLOTS>, Evidence::VECTORS, drawing_in_numbers::<SLOTS>)
 }
 

@@ -25,7 +25,7 @@ const PUT_RIGHT: &str = concat!(
 const INCH: f64 = 0.0254;
 const POUND: f64 = 0.453_592_37;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [material(), estimate()].concat()
 }
 
@@ -234,7 +234,7 @@ fn disc(diameter: f64, thickness: f64) -> f64 {
 }
 
 /// The printed moment of inertia, in in lb sec².
-pub fn printed_inertia() -> f64 {
+pub(super) fn printed_inertia() -> f64 {
     MEYER.printed_number("meyer.disc.inertia") / units_in_one(UNIT)
 }
 

@@ -24,7 +24,7 @@ const TURN: f64 = 0.03125;
 
 /// The letters of chapter I at instants of all three escapements, on both sides of the line of centres; and shortly
 /// before and after each, at other angles and at other speeds.
-pub fn moments() -> &'static [Moment] {
+pub(super) fn moments() -> &'static [Moment] {
     static MOMENTS: OnceLock<Vec<Moment>> = OnceLock::new();
     MOMENTS.get_or_init(|| {
         let each = |escapement: Mechanism| {
@@ -50,7 +50,7 @@ pub fn moments() -> &'static [Moment] {
 }
 
 /// The letters of chapter I at all instants.
-pub fn instants() -> impl ExactSizeIterator<Item = &'static Letters> {
+pub(super) fn instants() -> impl ExactSizeIterator<Item = &'static Letters> {
     moments().iter().map(Moment::letters)
 }
 
@@ -139,22 +139,22 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
 }
 
 /// What each letter stands for at one instant; not a number if it stands for nothing.
-pub fn letters_of(moment: &Moment) -> impl Fn(&str) -> f64 {
+pub(super) fn letters_of(moment: &Moment) -> impl Fn(&str) -> f64 {
     |name: &str| moment.letters().get(name).copied().unwrap_or(f64::NAN)
 }
 
 /// Whether an equation holds at all instants; none if it cannot be read.
-pub fn holds(tex: &str) -> Option<bool> {
+pub(super) fn holds(tex: &str) -> Option<bool> {
     reading::holds(tex, moments())
 }
 
 /// Whether an equation of joined lines holds at all instants; none if it cannot be read.
-pub fn joined_hold(tex: &str) -> Option<bool> {
+pub(super) fn joined_hold(tex: &str) -> Option<bool> {
     reading::joined_holds(tex, moments())
 }
 
 /// Whether an equation holds at all instants, and the expression after the last of these operators is this one.
-pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
+pub(super) fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     let Some((_, of)) = tex.rsplit_once(operator) else { return holds(tex) };
     match [holds(tex), holds(&format!("{this} = {of}"))] {
         [Some(true), Some(true)] => Some(true),
@@ -170,17 +170,17 @@ fn apart(a: f64, b: f64) -> f64 {
 }
 
 /// A character of a display that the copy has lost or changed, found by evaluating the characters.
-pub const fn miscopied(reason: &'static str) -> Slip {
+pub(super) const fn miscopied(reason: &'static str) -> Slip {
     let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but \
                    the printed ones do not.";
     Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" }
 }
 
 /// The value of a letter at one instant.
-pub type Value<'a> = dyn Fn(&str) -> f64 + 'a;
+pub(super) type Value<'a> = dyn Fn(&str) -> f64 + 'a;
 
 /// Whether two numbers made of the letters are equal at all instants.
-pub fn equal(both: impl Fn(&Value) -> (f64, f64), how: &str) -> Finding {
+pub(super) fn equal(both: impl Fn(&Value) -> (f64, f64), how: &str) -> Finding {
     let worst = instants().map(|letters| {
         let letter = |name: &str| letters.get(name).copied().unwrap_or(f64::NAN);
         let (a, b) = both(&letter);

@@ -13,7 +13,7 @@ const FREEDOM: Locator = at("Sentence after the definition of Q_k");
 const TAU: Locator = at("Line after Q_θ = τ");
 const TORQUES: &str = "Paragraph before Eq. (1-10)";
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [equations(), forces(), torques()].concat()
 }
 
@@ -221,7 +221,7 @@ fn torques() -> Vec<Claim> {
 /// The claim that friction opposes the driving torque.
 ///
 /// Friction acts against the motion, and therefore against the driving torque while the driver turns as it is driven.
-pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
+pub(super) fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
     at(locator)
         .statement(id, printed, "the friction torque acts against the driving torque")
         .first_route(Evidence::VECTORS, |stated| {
@@ -301,7 +301,7 @@ fn constraints(seen: &PinKinematics) -> SMatrix<f64, 5, 6> {
 }
 
 /// An escapement without friction for each number of slots, and the angle between two of its pins.
-pub fn frictionless() -> impl Iterator<Item = (Parameters, f64)> {
+pub(super) fn frictionless() -> impl Iterator<Item = (Parameters, f64)> {
     Mechanism::ALL.into_iter().filter_map(|mechanism| {
         let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(mechanism, both, 1.5, 0.0)).ok()?;
         Some((parameters, 2.0 * mechanism.engagement_half_angle()))
@@ -309,7 +309,7 @@ pub fn frictionless() -> impl Iterator<Item = (Parameters, f64)> {
 }
 
 /// Whether two numbers agree as numbers do that were computed in steps.
-pub fn agrees_in_steps(a: f64, b: f64) -> bool {
+pub(super) fn agrees_in_steps(a: f64, b: f64) -> bool {
     crate::evidence::STEPS_TOLERANCE.agrees(a, b)
 }
 
@@ -329,7 +329,7 @@ fn simpson(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 /// The growth of the kinetic energy over an engagement per unit of the follower's inertia, by the equation of motion.
 ///
 /// The square of the speed grows with the angle by twice the acceleration. At both ends the follower stands still.
-pub fn energy_gained(parameters: &Parameters) -> f64 {
+pub(super) fn energy_gained(parameters: &Parameters) -> f64 {
     let half = parameters.mechanism().engagement_half_angle();
     let parts = 2000;
     let step = 2.0 * half / f64::from(parts);

@@ -9,7 +9,7 @@ use geneva_case1973::series;
 
 const SECOND: Locator = at("Chapter II, 2nd general statement");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![less_friction(), no_friction()]
 }
 

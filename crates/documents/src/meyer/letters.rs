@@ -21,14 +21,14 @@ use geneva_kinematics::{Expression, Jet, angular_velocity, pin_slot};
 use std::array::from_fn;
 
 /// The triangle of the two axes and the pin.
-pub const TRIANGLE: Vocabulary = Vocabulary::new(triangle, Evidence::VECTORS, instants::moments);
+pub(super) const TRIANGLE: Vocabulary = Vocabulary::new(triangle, Evidence::VECTORS, instants::moments);
 /// The triangle as it moves, for the rates of the follower.
-pub const RATES: Vocabulary = Vocabulary::new(moving_triangle, Evidence::VECTORS, instants::moments);
+pub(super) const RATES: Vocabulary = Vocabulary::new(moving_triangle, Evidence::VECTORS, instants::moments);
 
 /// The moving mechanism: chapter I from the kinetic energy to Eq. (1-19).
 ///
 /// Variables: R, a, sin θ, θ', θ'', I_D, I_f, μ, r, δθ; θ grows. That sine and cosine are of one angle is nowhere needed.
-pub fn mechanism(bars: i64) -> Moment<Expression> {
+pub(super) fn mechanism(bars: i64) -> Moment<Expression> {
     let [distance, a, sine, speed, acceleration, driver, follower, friction, radius, turn] =
         from_fn(Expression::variable);
     let square = distance * distance;
@@ -107,17 +107,17 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
 }
 
 /// The moving mechanism where the bars belong to |τ_2|, because the torque of friction is never positive.
-pub fn opposed(bars: i64) -> Moment<Expression> {
+pub(super) fn opposed(bars: i64) -> Moment<Expression> {
     mechanism(bars).opening_bars(-Expression::ONE)
 }
 
 /// The triangle of the two axes and the pin, with N sin φ of this sign: the torque of friction up to Eq. (1-12).
-pub fn triangle(bars: i64) -> Moment<Expression> {
+pub(super) fn triangle(bars: i64) -> Moment<Expression> {
     triangle_with(bars, -bars)
 }
 
 /// The triangle for displays of the torque's size, where N sin φ is positive.
-pub fn size(_: i64) -> Moment<Expression> {
+pub(super) fn size(_: i64) -> Moment<Expression> {
     triangle_with(1, 1)
 }
 
@@ -181,7 +181,7 @@ fn moving_triangle(_: i64) -> Moment<Expression> {
 /// Eq. (1-19) by its letters, with S for the sign of the expression between the bars, as the crate has the equation.
 ///
 /// Variables: A + S D, B, C, D, θ', θ'', and a θ that is a slip for θ'.
-pub fn factors(bars: i64) -> Moment<Expression> {
+pub(super) fn factors(bars: i64) -> Moment<Expression> {
     let [slope, b, c, d, speed, acceleration, angle] = from_fn(Expression::variable);
     let (a, e) = (slope - bars * d, driven([slope, b, c, d], [speed, acceleration], bars));
     let between = c * speed * speed + d * acceleration;
@@ -193,7 +193,7 @@ pub fn factors(bars: i64) -> Moment<Expression> {
 /// The start, for an acceleration that is positive: Appendix D. R and V are A and D there.
 ///
 /// Variables: A + S D, B, C, D, θ'', and a θ' that is not zero, for the term that a slip makes of it.
-pub fn start(bars: i64) -> Moment<Expression> {
+pub(super) fn start(bars: i64) -> Moment<Expression> {
     let [slope, b, c, d, acceleration, speed] = from_fn(Expression::variable);
     let (a, e) = (slope - bars * d, driven([slope, b, c, d], [Expression::ZERO, acceleration], bars));
     let letters = [("A", a), ("R", a), ("D", d), ("V", d), ("E", e)];
@@ -202,7 +202,7 @@ pub fn start(bars: i64) -> Moment<Expression> {
 }
 
 /// The start in the program's letters, whose V is the size of D.
-pub fn start_of_program(bars: i64) -> Moment<Expression> {
+pub(super) fn start_of_program(bars: i64) -> Moment<Expression> {
     let start = start(bars);
     let size = bars * start.letters()["D"];
     let letters = start.letters().iter().map(|(name, value)| (name.as_str(), *value));
@@ -217,7 +217,7 @@ fn driven([slope, b, c, d]: [Expression; 4], [speed, acceleration]: [Expression;
 }
 
 /// The vibration of Appendix B's example. Variables: m, c, k, x, x'.
-pub fn vibration(_: i64) -> Moment<Expression> {
+pub(super) fn vibration(_: i64) -> Moment<Expression> {
     let [mass, damping, stiffness, place, speed] = from_fn(Expression::variable);
     let acceleration = -(damping * speed + stiffness * place) / mass;
     of([("m", mass), ("c", damping), ("k", stiffness), ("x", place), ("x'", speed), ("x''", acceleration)])
@@ -225,7 +225,7 @@ pub fn vibration(_: i64) -> Moment<Expression> {
 
 /// The vibration in the program's letters. Variables as in [`vibration`], then those at the start, and LDX, which is a slip for
 /// 1DX, with its rate.
-pub fn vibration_of_program(bars: i64) -> Moment<Expression> {
+pub(super) fn vibration_of_program(bars: i64) -> Moment<Expression> {
     let vibration = vibration(bars);
     let letter = |name: &str| vibration.letters()[name];
     let [start_speed, start_place, odd, odd_rate] = from_fn(|index| Expression::variable(5 + index));
@@ -236,7 +236,7 @@ pub fn vibration_of_program(bars: i64) -> Moment<Expression> {
 }
 
 /// The vibration at its start, where A and B are its speed and its place. Variables as in [`vibration_of_program`].
-pub fn vibration_at_start(bars: i64) -> Moment<Expression> {
+pub(super) fn vibration_at_start(bars: i64) -> Moment<Expression> {
     let moment = vibration_of_program(bars);
     let [speed, place] = ["1DX", "X"].map(|name| moment.letters()[name]);
     moment.with([("A", speed), ("B", place)])
@@ -247,7 +247,7 @@ fn of<'a>(letters: impl IntoIterator<Item = (&'a str, Expression)>) -> Moment<Ex
 }
 
 /// Whether an equation is proven, and the expression after the last of these operators is this one.
-pub fn proven_of(tex: &str, operator: &str, this: &str, letters: Exact) -> Finding {
+pub(super) fn proven_of(tex: &str, operator: &str, this: &str, letters: Exact) -> Finding {
     let whole = decide(tex, letters);
     match tex.rsplit_once(operator) {
         Some((_, of)) if whole.holds => decide(&format!("{this} = {of}"), letters),

@@ -9,7 +9,7 @@ use super::*;
 const PARTS_PUT_IN: [&str; 2] = ["meyer.parts-put-in.first-line", "meyer.parts-put-in.second-line"];
 const EQUATION_OF_MOTION: [&str; 2] = ["meyer.eq-1-18.first-line", "meyer.eq-1-18.second-line"];
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [left_side(), together(), factors()].concat()
 }
 

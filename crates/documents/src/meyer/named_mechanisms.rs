@@ -12,7 +12,7 @@ use geneva_case1973::{Column, Hypothesis, Row};
 use geneva_evidence::numbers_in;
 use geneva_kinematics::escapement::pins_needed;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [figure_of_speeds(), figures_of_rise_times(), drawings(), vec![table_of_four_pins()]].concat()
 }
 

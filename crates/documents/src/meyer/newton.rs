@@ -8,7 +8,7 @@ use geneva_case1973::witness::steps::step;
 
 /// A driver and a follower with a thin pin in a slot between them.
 #[derive(Clone, Copy)]
-pub struct Newton {
+pub(super) struct Newton {
     /// Radius of the circle of the pins.
     pub radius: f64,
     /// Distance of the two axes, greater than the radius.
@@ -90,7 +90,7 @@ impl Instant {
 
 /// The result of an engagement.
 #[derive(Clone, Copy)]
-pub struct Passage {
+pub(super) struct Passage {
     /// Square of the driver's speed at the end.
     pub end: f64,
     /// Duration of the engagement.
@@ -98,7 +98,7 @@ pub struct Passage {
 }
 
 /// The engagements of a driver and a follower from minus an angle to plus it, in equal steps.
-pub struct Engagements {
+pub(super) struct Engagements {
     step: f64,
     /// The angles at the ends of the steps, and the mechanism there and in the middle of each step.
     angles: Vec<f64>,
@@ -137,7 +137,7 @@ impl Newton {
     }
 
     /// The engagements from minus this angle to plus it, in so many steps.
-    pub fn engagements(&self, half: f64, steps: u32) -> Engagements {
+    pub(super) fn engagements(&self, half: f64, steps: u32) -> Engagements {
         let step = 2.0 * half / f64::from(steps);
         let angles: Vec<f64> = (0..=steps).map(|k| step * f64::from(k) - half).collect();
         let instant = |angle: f64| self.instant(angle, angle + half);
@@ -150,7 +150,7 @@ impl Newton {
 impl Engagements {
     /// The engagement with this square of the speed at entry; none if the driver does not come through. The torque may
     /// depend on the angle turned in the engagement.
-    pub fn passage(&self, entry: f64, torque: &dyn Fn(f64) -> f64) -> Option<Passage> {
+    pub(super) fn passage(&self, entry: f64, torque: &dyn Fn(f64) -> f64) -> Option<Passage> {
         let slope = |at: &Instant, square: f64| {
             let angular_acceleration = at.acceleration(square.max(0.0).sqrt(), torque(at.turned));
             2.0 * angular_acceleration.unwrap_or(f64::NAN)

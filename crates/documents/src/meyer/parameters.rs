@@ -10,10 +10,10 @@ use geneva_evidence::Dimension as Exponents;
 use geneva_evidence::agreement::joined;
 use geneva_kinematics::escapement::pins_needed;
 
-pub const AFTER_THE_LIST: Locator = at("Chapter II, paragraph after the list of parameters");
+pub(super) const AFTER_THE_LIST: Locator = at("Chapter II, paragraph after the list of parameters");
 
 /// The claim of the sentence before the list.
-pub fn six() -> Claim {
+pub(super) fn six() -> Claim {
     at("Chapter II, sentence before the list of parameters")
         .statement(
             "meyer.six-parameters",
@@ -27,7 +27,7 @@ pub fn six() -> Claim {
 }
 
 /// The claims of the paragraph after the list.
-pub fn after_the_list() -> Vec<Claim> {
+pub(super) fn after_the_list() -> Vec<Claim> {
     vec![
         AFTER_THE_LIST
             .statement(

@@ -13,7 +13,7 @@ use geneva_kinematics::escapement::pins_needed;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use std::sync::OnceLock;
 
-pub const PEAKS: Locator = at("Chapter II, paragraph on the peaks in Fig. 8");
+pub(super) const PEAKS: Locator = at("Chapter II, paragraph on the peaks in Fig. 8");
 
 /// The driver's peaks are put where a pin enters and the next one leaves.
 const PEAKS_AT_ENTRY: Slip = Slip {
@@ -38,7 +38,7 @@ const PEAKS_AT_ENTRY: Slip = Slip {
               the follower is turning when the driver is fastest.",
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [at_entry(), centres::claims(), at_exit()].concat()
 }
 
@@ -319,13 +319,13 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool, runs: &str) -> Findin
 }
 
 /// A row's steady motion at instants of its cycle.
-pub struct Cycle {
+pub(super) struct Cycle {
     pub state: SteadyState,
     pub lines: Vec<PrintedLine>,
 }
 
 /// The steady cycles of all rows.
-pub fn cycles() -> &'static [Cycle] {
+pub(super) fn cycles() -> &'static [Cycle] {
     static CYCLES: OnceLock<Vec<Cycle>> = OnceLock::new();
     let of = |(row, state): &(&Row, SteadyState)| {
         Some(Cycle { state: *state, lines: Hypothesis::IDEAL.engagement(row)?.steady_cycle(INSTANTS).ok()? })
@@ -334,13 +334,13 @@ pub fn cycles() -> &'static [Cycle] {
 }
 
 /// Whether something was found for so many and is so for all of them.
-pub fn all_of(found: Vec<bool>, count: usize, of: &str) -> Finding {
+pub(super) fn all_of(found: Vec<bool>, count: usize, of: &str) -> Finding {
     let right = found.iter().filter(|right| **right).count();
     Finding::new(right == count && found.len() == count, format!("this holds in {right} of {count} {of}"))
 }
 
 /// Whether a speed falls all the way: it is nowhere more than a unit above its least before.
-pub fn falls(speeds: &[f64]) -> bool {
+pub(super) fn falls(speeds: &[f64]) -> bool {
     let mut least = f64::INFINITY;
     speeds.len() > 1
         && speeds.first() > speeds.last()

@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 const BEFORE: Locator = at("Chapter II, sentence around Fig. 8");
 const RISE: Locator = at("Chapter II, paragraph on the rise time in Fig. 8");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         at("Fig. 8").figure("meyer.fig-8", "FIGURE 8", "speeds of driver and follower over time, four pins").missing(
             "The copy we had does not contain the curves, and the thesis does not name the run that they show",

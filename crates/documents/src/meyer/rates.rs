@@ -44,7 +44,7 @@ const ACCELERATION_CORRECTED: &str = concat!(
     r"\frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}"
 );
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [velocity(), acceleration()].concat()
 }
 

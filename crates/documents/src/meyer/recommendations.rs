@@ -10,7 +10,7 @@ use crate::evidence::{QUADRATURE, RUNGE_KUTTA};
 use geneva_case1973::program::Program1973;
 use geneva_case1973::{Column, Hypothesis, Listing, Row, series};
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), front::page_of_definition()]
 }
 

@@ -21,7 +21,7 @@ const SINGULARITY: &str = "As the paragraph uses the word, a singularity is a pl
                            written, divides by zero, so that the equation would not be valid there. The paragraph does \
                            not make the stronger claim that the equation has one solution for the acceleration.";
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
 }
 
@@ -327,7 +327,7 @@ fn slots() -> Vec<Claim> {
 const MUCH_FRICTION: f64 = 1.0;
 
 /// The three mechanisms, each with the driver's inertia over the follower's in its runs.
-pub fn inertia_ratios() -> impl Iterator<Item = (Mechanism, f64)> {
+pub(super) fn inertia_ratios() -> impl Iterator<Item = (Mechanism, f64)> {
     let ids = |pins: u32| match pins {
         3 => ["meyer.app-e.3-pin.driver", "meyer.app-e.3-pin.follower"],
         4 => ["meyer.app-e.4-pin.driver", "meyer.app-e.4-pin.follower"],

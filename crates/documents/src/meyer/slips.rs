@@ -3,7 +3,7 @@
 use geneva_evidence::{Consequence, Origin, Slip};
 
 /// The program puts the driver back after a quarter of a turn, whatever the number of pins.
-pub const RESET_ANGLE: Slip = Slip {
+pub(super) const RESET_ANGLE: Slip = Slip {
     id: "meyer.listing.fold",
     reason: "The next pin takes over after the driver has turned by 2π/m, where m is the number of pins. That is 90° \
              for four pins, but 60° for six and 120° for three. With 90°, the program follows a pin of the six-pin \
@@ -17,7 +17,7 @@ pub const RESET_ANGLE: Slip = Slip {
 };
 
 /// The inertias of the six-pin runs are swapped in the heading.
-pub const SWAPPED_INERTIAS: Slip = Slip {
+pub(super) const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "Compared with Fig. 11, the heading swaps the inertias of driver and follower. Only the assignment in Fig. \
              11 gives the table's peaks, minima and periods.",
@@ -29,7 +29,7 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
 };
 
 /// The spring's torque is called a rate.
-pub const SPRING_RATE: Slip = Slip {
+pub(super) const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
     reason: "By Eq. (1-15) the torque of the spring is K itself, whatever the angle, and the text uses K in this way. \
              But a spring rate is a torque for each radian of winding. Inch-pounds per radian can be read as a torque, \
@@ -41,7 +41,7 @@ pub const SPRING_RATE: Slip = Slip {
 };
 
 /// The exponent 3/2 is printed for other half powers.
-pub const HALF_POWERS: Slip = Slip {
+pub(super) const HALF_POWERS: Slip = Slip {
     id: "meyer.normal-force.substituted",
     reason: "R has the power 1/2, and two whole powers and a half power make 5/2. Three displays in a row print 3/2 in \
              place of both powers. We cannot tell whether the typist or the copy put it there. We count it as the \
@@ -55,7 +55,7 @@ pub const HALF_POWERS: Slip = Slip {
 };
 
 /// The letter I_b is printed for I_D, in five displays.
-pub const DRIVER_INDEX: Slip = Slip {
+pub(super) const DRIVER_INDEX: Slip = Slip {
     id: "meyer.momentum-rate.quotient.first-line",
     reason: "The inertia of the driver is I_D, as in Eq. (1-16) before these five displays and in Eq. (1-17) after \
              them, and the source has no I_b.",
@@ -67,7 +67,7 @@ pub const DRIVER_INDEX: Slip = Slip {
 };
 
 /// The square of a cos θ − 1 is missing twice in a row.
-pub const MISSING_SQUARE: Slip = Slip {
+pub(super) const MISSING_SQUARE: Slip = Slip {
     id: "meyer.eq-1-17",
     reason: "The factor of the driver's acceleration is the same as in the line before, where the bracket is squared, \
              and Eq. (1-18) has the square again. The square is missing in two displays, the second of which is put \
@@ -81,7 +81,7 @@ pub const MISSING_SQUARE: Slip = Slip {
 };
 
 /// Bars that are lost.
-pub const LOST_BARS: Slip = Slip {
+pub(super) const LOST_BARS: Slip = Slip {
     id: "meyer.parts-put-in.second-line",
     reason: "Eq. (1-14), before these displays, and Eq. (1-19), after them, have the friction between bars. Two \
              displays have brackets instead, and brackets look much like bars. In Appendix B the bars and two dots are \
@@ -95,7 +95,7 @@ pub const LOST_BARS: Slip = Slip {
 };
 
 /// a cos θ that has become an inverse cosine.
-pub const ARC: Slip = Slip {
+pub(super) const ARC: Slip = Slip {
     id: "meyer.factor-b",
     reason: "The letters of a and cos run together in the copy we had. That makes an inverse cosine of a times the \
              cosine, here and in the display of A.",
@@ -107,7 +107,7 @@ pub const ARC: Slip = Slip {
 };
 
 /// One dot is printed for two.
-pub const LOST_DOTS: Slip = Slip {
+pub(super) const LOST_DOTS: Slip = Slip {
     id: "meyer.app-b.example",
     reason: "A second derivative has lost one of its two dots. In the example, the text asks for the derivative of \
              the highest order, which the program computes as a second derivative. In Appendix D the factor D belongs \
@@ -120,7 +120,7 @@ pub const LOST_DOTS: Slip = Slip {
 };
 
 /// The name LDX is printed for 1DX.
-pub const ONE_AS_L: Slip = Slip {
+pub(super) const ONE_AS_L: Slip = Slip {
     id: "meyer.app-b.example.second",
     reason: "The name begins with the order of the derivative, as 2DX does, but here the letter L has replaced the \
              digit one. The listing has a one throughout. We cannot tell whether the L is the copy's or the typist's.",
@@ -131,7 +131,7 @@ pub const ONE_AS_L: Slip = Slip {
 };
 
 /// The equation with its bars is said to have no solution for the acceleration.
-pub const SOLVED_WITH_BARS: Slip = Slip {
+pub(super) const SOLVED_WITH_BARS: Slip = Slip {
     id: "meyer.app-b.cannot-be-solved",
     reason: "Where A > |D|, as in all runs of the thesis, the left side of Aθ'' + Bθ'² + |Cθ'² + Dθ''| = E grows with \
              θ'' throughout, so there is one solution: θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²). \
@@ -146,7 +146,7 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
 };
 
 /// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
-pub const UNEXPLAINED: Slip = Slip {
+pub(super) const UNEXPLAINED: Slip = Slip {
     id: "",
     reason: "With four pins, the program resets the driver's angle correctly, so both the program and the mechanism \
              should give the printed peak. But both give a higher peak. The largest speed that the program prints \
@@ -161,7 +161,7 @@ pub const UNEXPLAINED: Slip = Slip {
 };
 
 /// The greatest printed speed is taken for the greatest.
-pub const SAMPLED_PEAKS: Slip = Slip {
+pub(super) const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The print-out has one line for each print interval, so the true peak falls between two lines, sometimes \
              nearer to one of them and sometimes farther away. The stronger the spring, the shorter the peak, and the \
@@ -177,7 +177,7 @@ pub const SAMPLED_PEAKS: Slip = Slip {
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
-pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
+pub(super) const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.conclusion.three",
     reason: "An entering pin strikes the slot's wall if pin and wall have different velocities across the slot. So if \
              the follower is at rest, the pin must move along the slot. But if the follower is turning, the pin's \
@@ -198,7 +198,7 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
 };
 
 /// The follower's angle φ has become the driver's angle θ.
-pub const PHI_AS_THETA: Slip = Slip {
+pub(super) const PHI_AS_THETA: Slip = Slip {
     id: "meyer.cosine-substituted",
     reason: "The copy has the driver's angle θ where the follower's angle φ is needed. In the two equations of \
              moments, the index of I_f has become a P as well. We count this as a mistake of the copy, because the \

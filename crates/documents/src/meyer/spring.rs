@@ -10,7 +10,7 @@ use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// A place that calls K a rate, to be multiplied by an angle. It is the torque.
-pub fn no_rate(
+pub(super) fn no_rate(
     id: &'static str,
     place: Locator,
     meaning: &'static str,
@@ -25,7 +25,7 @@ pub fn no_rate(
 }
 
 /// A place that calls K a constant of the spring. Kindly read, it is the torque that this spring has at any angle.
-pub fn constant(id: &'static str, place: Locator, meaning: &'static str, printed: &'static str) -> Claim {
+pub(super) fn constant(id: &'static str, place: Locator, meaning: &'static str, printed: &'static str) -> Claim {
     place
         .statement(id, printed, meaning)
         .first_route(RUNGE_KUTTA, gives_the_periods)
@@ -42,7 +42,7 @@ pub fn constant(id: &'static str, place: Locator, meaning: &'static str, printed
 const RATE: &str = "a rate, so that the torque is K times the angle turned";
 
 /// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
-pub fn torque_per_radian(
+pub(super) fn torque_per_radian(
     id: &'static str,
     locator: &'static str,
     meaning: &'static str,

@@ -14,7 +14,7 @@ const LIST: Locator = at("Chapter II, list of parameters");
 const TABLES: &str = "Appendix E, title and headings";
 
 /// The claims of chapter II before Fig. 8.
-pub fn of_parameters() -> Vec<Claim> {
+pub(super) fn of_parameters() -> Vec<Claim> {
     vec![
         parameters::six(),
         LIST.statement(
@@ -106,7 +106,7 @@ pub fn of_parameters() -> Vec<Claim> {
 }
 
 /// The axis of Fig. 11.
-pub fn of_axis() -> Claim {
+pub(super) fn of_axis() -> Claim {
     spring::constant(
         "meyer.fig-11.abscissa",
         at("Fig. 11, abscissae"),
@@ -116,7 +116,7 @@ pub fn of_axis() -> Claim {
 }
 
 /// The claims in the headings of Appendix E, beside their numbers.
-pub fn of_headings() -> Vec<Claim> {
+pub(super) fn of_headings() -> Vec<Claim> {
     vec![
         runs::headings::of_headings(),
         spring::torque_per_radian(
@@ -160,7 +160,7 @@ fn over_estimate_by_periods() -> Vec<[f64; 2]> {
 }
 
 /// All rows, each with the steady motion of the mechanism as it is.
-pub fn steady() -> &'static [(&'static Row, SteadyState)] {
+pub(super) fn steady() -> &'static [(&'static Row, SteadyState)] {
     static STEADY: OnceLock<Vec<(&Row, SteadyState)>> = OnceLock::new();
     let of = |row| Some((row, Hypothesis::IDEAL.engagement(row)?.steady_state().ok()?));
     STEADY.get_or_init(|| rows().iter().filter_map(of).collect())

@@ -13,7 +13,7 @@ use std::sync::OnceLock;
 const ABSTRACT: Locator = at("Abstract, last paragraph");
 
 /// The claims of the abstract.
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         ABSTRACT
             .statement(
@@ -135,7 +135,7 @@ fn followed(row: &Row, friction: f64) -> Vec<(f64, f64)> {
 
 /// Duration and end speed of each engagement of a run from a speed at entry; fewer of them if the driver does not come
 /// through them all.
-pub fn from_speed(row: &Row, friction: f64, speed: f64) -> Vec<(f64, f64)> {
+pub(super) fn from_speed(row: &Row, friction: f64, speed: f64) -> Vec<(f64, f64)> {
     const STEPS: u32 = 200;
     let Some(at) = Hypothesis::IDEAL.parameters(row) else { return Vec::new() };
     let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());

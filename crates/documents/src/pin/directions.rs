@@ -5,7 +5,7 @@ use geneva_kinematics::{Expression, Identity, prove};
 
 const TRIANGLE: Locator = at("Solution, velocity triangle");
 
-pub fn across_the_slot() -> Claim {
+pub(super) fn across_the_slot() -> Claim {
     TRIANGLE
         .statement("pin.across-the-slot", "perpendicular", "the slot's point under the pin moves across OP")
         .first_route(Evidence::EXACT_IDENTITY, |stated| prove(&Across(stated)).into())
@@ -25,7 +25,7 @@ pub fn across_the_slot() -> Claim {
         .but_not("it moves across the crank, BP")
 }
 
-pub fn along_the_slot() -> Claim {
+pub(super) fn along_the_slot() -> Claim {
     TRIANGLE
         .statement("pin.along-the-slot", "along the slot", "the pin moves along the slot as seen from the wheel")
         .first_route(Evidence::EXACT_IDENTITY, |stated| prove(&Along(stated)).into())
@@ -44,7 +44,7 @@ pub fn along_the_slot() -> Claim {
         .but_not("it moves along the crank, as seen from the wheel")
 }
 
-pub fn velocity_figure() -> Claim {
+pub(super) fn velocity_figure() -> Claim {
     TRIANGLE
         .figure(
             "pin.velocity-figure",

@@ -8,7 +8,7 @@ use geneva_kinematics::{Field, Rational, Surd, rational};
 const STATEMENT: Locator = at("Problem, 1st paragraph");
 const QUESTION: Locator = at("Problem, 2nd paragraph");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         at("Problem, 1st sentence")
             .figure("pin.problem-figure", "shown", "the drawing of the mechanism, with its crank radius")

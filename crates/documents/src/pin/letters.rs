@@ -13,13 +13,15 @@ use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 /// The pin before the line of centres, the driver turning counter-clockwise: lengths, speeds and angles.
-pub const SPEEDS: Vocabulary = Vocabulary::new(speeds, Evidence::AUTOMATIC_DERIVATIVE, speeds_in_numbers);
+pub(super) const SPEEDS: Vocabulary = Vocabulary::new(speeds, Evidence::AUTOMATIC_DERIVATIVE, speeds_in_numbers);
 /// Letters of the velocities, which are printed upright, from the positions of pin and slot.
-pub const VELOCITIES: Vocabulary = Vocabulary::new(velocities, Evidence::AUTOMATIC_DERIVATIVE, velocities_in_numbers);
+pub(super) const VELOCITIES: Vocabulary =
+    Vocabulary::new(velocities, Evidence::AUTOMATIC_DERIVATIVE, velocities_in_numbers);
 /// The instant of the problem, at which the angle at the driver's axis is 30°.
-pub const AT_THIRTY: Vocabulary = Vocabulary::new(at_thirty, Evidence::AUTOMATIC_DERIVATIVE, thirty_in_numbers);
+pub(super) const AT_THIRTY: Vocabulary = Vocabulary::new(at_thirty, Evidence::AUTOMATIC_DERIVATIVE, thirty_in_numbers);
 /// The four-slot wheel, whose slots are at 45° as the pin enters, and which is at rest then.
-pub const FOUR_SLOTS: Vocabulary = Vocabulary::new(four_slots, Evidence::AUTOMATIC_DERIVATIVE, four_slots_in_numbers);
+pub(super) const FOUR_SLOTS: Vocabulary =
+    Vocabulary::new(four_slots, Evidence::AUTOMATIC_DERIVATIVE, four_slots_in_numbers);
 
 /// The triangle of the axes and the pin, and its motion.
 struct Moving {
@@ -155,7 +157,7 @@ fn four_slots_in_numbers() -> &'static [Moment] {
 
 /// Whether an equation in which a number is rounded is exact for a number that rounds to it, with this value of a letter: at
 /// the two ends of what its digits leave open, the sides differ in opposite senses. None if it cannot be read.
-pub fn makes_exact(tex: &str, (letter, value): (&str, f64)) -> Option<bool> {
+pub(super) fn makes_exact(tex: &str, (letter, value): (&str, f64)) -> Option<bool> {
     let digits = geneva_evidence::numeric_tokens(tex).into_iter().find(|token| token.contains('.'))?;
     let ends = digits.parse::<Decimal>().ok()?.interval();
     let (left, right) = tex.split_once('=')?;

@@ -36,24 +36,24 @@ pub(super) const LOST_DRAWING: &str = "The copy we had does not include the draw
 
 impl Placement {
     /// All eight.
-    pub fn all() -> impl Iterator<Item = Self> {
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
         (0..8).map(|k| Self { quarters: k % 4, mirrored: k >= 4 })
     }
 
     /// Where a direction points on the page that is counted from OB; in degrees, counter-clockwise from the right.
-    pub fn heading(self, from_the_line: f64) -> f64 {
+    pub(crate) fn heading(self, from_the_line: f64) -> f64 {
         (from_the_line + 90.0 * f64::from(self.quarters)).rem_euclid(360.0)
     }
 
     /// Where a velocity points on the page that points to this side of OB if the angle of the crank is counted
     /// counter-clockwise. In the mirror image the driver turns as before, so all velocities are mirrored and reversed.
-    pub fn heading_of_velocity(self, from_the_line: f64) -> f64 {
+    pub(crate) fn heading_of_velocity(self, from_the_line: f64) -> f64 {
         self.heading(if self.mirrored { 180.0 - from_the_line } else { from_the_line })
     }
 
     /// A quantity of the motion in this placement, by vectors with the first axis along OB; not a number if there is no
     /// such position.
-    pub fn by_vectors(self, quantity: impl Fn(&PinProblem, &PinMotion<f64>) -> f64) -> f64 {
+    pub(crate) fn by_vectors(self, quantity: impl Fn(&PinProblem, &PinMotion<f64>) -> f64) -> f64 {
         let found = PinProblem::placed(self).ok().and_then(|at| Some(quantity(&at, &at.by_vectors()?)));
         found.unwrap_or(f64::NAN)
     }
@@ -89,7 +89,7 @@ pub(crate) struct Arrow {
 
 impl Arrow {
     /// Reads the arrow that the words describe; none if they describe none, as a letter does.
-    pub fn read(words: &str) -> Option<Self> {
+    pub(crate) fn read(words: &str) -> Option<Self> {
         let either = |one: &str, other: &str| match (words.contains(one), words.contains(other)) {
             (true, false) => Some(true),
             (false, true) => Some(false),
@@ -103,7 +103,7 @@ impl Arrow {
     }
 
     /// All eight.
-    pub fn all() -> impl Iterator<Item = Self> {
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
         (0..8).map(|k| Self { up: k & 1 == 1, right: k & 2 == 2, from_the_horizontal: k & 4 == 4 })
     }
 
@@ -117,7 +117,7 @@ impl Arrow {
     }
 
     /// The only arrow that makes all these printed angles right, for these directions; none if there is none or another.
-    pub fn fitting<const N: usize>(angles: [&Decimal; N], headings: [f64; N]) -> Option<Self> {
+    pub(crate) fn fitting<const N: usize>(angles: [&Decimal; N], headings: [f64; N]) -> Option<Self> {
         let fits = |arrow: &Self| {
             let mut pairs = angles.iter().zip(&headings);
             pairs.all(|(printed, heading)| printed.is_rounding_of(arrow.angle(*heading)))

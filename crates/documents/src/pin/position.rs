@@ -8,7 +8,7 @@ use geneva_evidence::filled;
 const COSINES: Locator = at("Solution, law of cosines");
 const SINES: Locator = at("Solution, law of sines");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         at("Solution, 1st sentence")
             .figure("pin.position-figure", "OPB", "triangle OPB is the position at the given crank angle")

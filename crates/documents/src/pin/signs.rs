@@ -10,7 +10,7 @@ use super::placement::{AS_ON_THE_PAGE, fitting, left_by_the_page};
 use super::*;
 
 /// Letters where arrows are needed.
-pub const ARROWS: Slip = Slip {
+pub(super) const ARROWS: Slip = Slip {
     id: "pin.mark-f",
     reason: "The copy we had shows the letters d, f and i in place of three arrows. The text settles the sense of the \
              wheel, because it says in which sense the driver turns, and the wheel turns in the opposite sense wherever \
@@ -26,7 +26,7 @@ pub const ARROWS: Slip = Slip {
     changes: "",
 };
 
-pub fn letter_v() -> Claim {
+pub(super) fn letter_v() -> Claim {
     at("Problem, 1st paragraph")
         .statement(
             "pin.letter-v",
@@ -60,7 +60,7 @@ pub fn letter_v() -> Claim {
         .but_not("the letter names a speed, as it does with the index of a point")
 }
 
-pub fn letter_f() -> Claim {
+pub(super) fn letter_f() -> Claim {
     at("Problem, 2nd paragraph")
         .statement("pin.letter-f", "f", "the letter f (φ, it seems) means the angle of the crank from the direction OB")
         .first_route(Evidence::VECTORS, |stated| {
@@ -91,7 +91,7 @@ fn the_crank_angle(angle: f64) -> Finding {
     Finding::new(PIN.prints_rounding_of("pin.crank-angle", angle), format!("that angle is {angle:.1}°"))
 }
 
-pub fn letter_b() -> Claim {
+pub(super) fn letter_b() -> Claim {
     at("Solution, law of sines")
         .statement(
             "pin.letter-b",
@@ -122,7 +122,7 @@ pub fn letter_b() -> Claim {
         .but_not("the letter names the angle at P, opposite the line of centres")
 }
 
-pub fn letter_g() -> Claim {
+pub(super) fn letter_g() -> Claim {
     at("Solution, angle in the velocity triangle")
         .statement(
             "pin.letter-g",
@@ -148,7 +148,7 @@ pub fn letter_g() -> Claim {
         .but_not("the letter names the angle between the pin's velocity and the velocity of the slot's point")
 }
 
-pub fn mark_d() -> Claim {
+pub(super) fn mark_d() -> Claim {
     at("Solution, velocity of the pin")
         .statement(
             "pin.mark-d",
@@ -186,7 +186,7 @@ fn is_on_the_page(stated: Stated, characters: &str) -> bool {
     stated.characters() == characters
 }
 
-pub fn mark_f() -> Claim {
+pub(super) fn mark_f() -> Claim {
     at("Solution, components of the velocity")
         .statement(
             "pin.mark-f",
@@ -203,7 +203,7 @@ pub fn mark_f() -> Claim {
 }
 
 /// The sense in which the driver turns, which the page that continues the problem confirms.
-pub fn driver_sense() -> Claim {
+pub(super) fn driver_sense() -> Claim {
     let speed = |stated: Stated| stated.pick(1.0, -1.0) * PIN.printed_number("pin.driver-speed");
     at("Problem, 1st paragraph")
         .statement("pin.driver-sense", "counterclockwise", "the driver turns counterclockwise")
@@ -234,7 +234,7 @@ fn as_on_the_page(speed: impl Fn(Placement) -> Option<f64>) -> Finding {
     Finding::of_cases(found.iter().all(|found| found.holds), &found)
 }
 
-pub fn follower_sense() -> Claim {
+pub(super) fn follower_sense() -> Claim {
     at("Solution, angular velocity of the wheel")
         .statement("pin.follower-sense", "i", "the arrow that says in which sense the wheel turns")
         .first_route(Evidence::JET, |stated| {
@@ -273,7 +273,7 @@ pub(super) fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
 }
 
 /// The dimension of the unit printed with the number in the claim with this id.
-pub fn dimension(id: &str) -> Option<Dimension> {
+pub(super) fn dimension(id: &str) -> Option<Dimension> {
     let mut parts = PIN.claim(id)?.unit.split('/').map(|unit| match unit {
         "mm" => Some(Dimension::LENGTH),
         "s" => Some(Dimension::TIME),

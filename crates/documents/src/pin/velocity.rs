@@ -12,7 +12,7 @@ const ANGLE: Locator = at("Solution, angle in the velocity triangle");
 const COMPONENTS: Locator = at("Solution, components of the velocity");
 const WHEEL: Locator = at("Solution, angular velocity of the wheel");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [pin_speed(), triangle_of_velocities(), components(), wheel()].concat()
 }
 

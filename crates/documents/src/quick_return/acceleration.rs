@@ -14,7 +14,7 @@ const SLIDING: Locator = at("Solution, acceleration, relative tangential");
 const LEVER_TANGENTIAL: Locator = at("Solution, acceleration, tangential of P4");
 const LEVER: Locator = at("Solution, last line");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [known(), coriolis::claims(), found()].concat()
 }
 
@@ -264,7 +264,7 @@ const DEGREES: &str = "The angle is printed without a unit here, so we take it i
 
 /// Whether a formula with dots rounds to the number printed in the claim with the first id, with the printed numbers of the
 /// other claims at its dots.
-pub fn gives(id: &str, tex: &str, of: [&str; 2]) -> Finding {
+pub(super) fn gives(id: &str, tex: &str, of: [&str; 2]) -> Finding {
     let letters: Letters = ["a", "b"]
         .into_iter()
         .zip(of.map(|id| QUICK_RETURN.printed_number(id)))
@@ -278,7 +278,7 @@ pub fn gives(id: &str, tex: &str, of: [&str; 2]) -> Finding {
 }
 
 /// Whether a formula with dots equals a letter, with these letters at its dots.
-pub fn in_names(tex: &str, side: &'static str, names: &'static [&'static str]) -> Option<bool> {
+pub(super) fn in_names(tex: &str, side: &'static str, names: &'static [&'static str]) -> Option<bool> {
     holds(&equal_to(side)(&filled(names)(tex)), (SIZES.numbers)())
 }
 

@@ -7,7 +7,7 @@ use geneva_evidence::equal_to;
 const CORIOLIS: Locator = at("Solution, acceleration, Coriolis");
 const SENSE: Locator = at("Solution, acceleration, direction of Coriolis");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         CORIOLIS
             .equation(

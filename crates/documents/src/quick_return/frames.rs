@@ -7,7 +7,7 @@ const VELOCITY: Locator = at("Solution, velocity, 1st line");
 const NAMES: Locator = at("Solution, velocity, 2nd line");
 const ADVICE: Locator = at("Solution, velocity, remark");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         VELOCITY
             .equation(
@@ -48,7 +48,7 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// The acceleration of a point given in a turning frame, printed without brackets.
-pub fn acceleration_in_a_frame() -> Claim {
+pub(super) fn acceleration_in_a_frame() -> Claim {
     at("Solution, acceleration, 1st line")
         .equation(
             "quick-return.acceleration-in-a-frame",
@@ -66,7 +66,7 @@ pub fn acceleration_in_a_frame() -> Claim {
 }
 
 /// The advice for the accelerations.
-pub fn acceleration_from_the_lever() -> Claim {
+pub(super) fn acceleration_from_the_lever() -> Claim {
     at("Solution, acceleration, remark")
         .statement(
             "quick-return.acceleration-from-the-lever",
@@ -104,7 +104,7 @@ pub fn acceleration_from_the_lever() -> Claim {
 }
 
 /// Place, velocity and acceleration of the pin as seen from the lever; or of the lever's point as seen from the crank.
-pub fn seen(crank: &Crank, stated: Stated) -> [Vector2<f64>; 3] {
+pub(super) fn seen(crank: &Crank, stated: Stated) -> [Vector2<f64>; 3] {
     let slot = crank.polar()[1][0];
     path(|t| {
         let [x, y] = stated.pick(crank.pin(t), crank.point_under_the_pin(t));
@@ -115,6 +115,6 @@ pub fn seen(crank: &Crank, stated: Stated) -> [Vector2<f64>; 3] {
 }
 
 /// The direction of the slot, from the lever's pivot.
-pub fn along_the_slot(crank: &Crank) -> Vector2<f64> {
+pub(super) fn along_the_slot(crank: &Crank) -> Vector2<f64> {
     Turn::from_radians(crank.polar()[1][0]).direction()
 }

@@ -12,7 +12,7 @@ const TERMS: Locator = at("Problem, part (b), 2nd equation");
 const QUESTION: Locator = at("Problem, part (b), question");
 const DRAWING: Locator = at("Figure 7");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         DATA.statement("quick-return.driver-sense", "counter-clockwise", "the crank turns counter-clockwise")
             .first_route(Evidence::VECTORS, |stated| {
@@ -96,7 +96,7 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// The equation of the accelerations, which the solution prints again in letters of its own.
-pub fn accelerations(place: Locator, id: &'static str, printed: &'static str) -> Claim {
+pub(super) fn accelerations(place: Locator, id: &'static str, printed: &'static str) -> Claim {
     place
         .equation(
             id,
@@ -108,7 +108,7 @@ pub fn accelerations(place: Locator, id: &'static str, printed: &'static str) ->
 }
 
 /// The equation of the accelerations by its components.
-pub fn components_of_all(place: Locator, id: &'static str, printed: &'static str) -> Claim {
+pub(super) fn components_of_all(place: Locator, id: &'static str, printed: &'static str) -> Claim {
     place
         .equation(id, printed, "acceleration of the pin by its normal, tangential and Coriolis components")
         .in_letters(COMPONENTS)
@@ -165,7 +165,7 @@ fn parted(crank: &Crank) -> Parted {
 }
 
 /// The letters of the components, with this crank and a lever that turns at will.
-pub fn components_at_will(crank: Crank) -> Moment {
+pub(super) fn components_at_will(crank: Crank) -> Moment {
     let Parted { accelerations: [pin_n, pin_t, lever_n, lever_t, normal, tangential, _], relative, turning, .. } =
         parted(&crank);
     with_parts([[pin_n, pin_t], [-lever_n, -lever_t], [-normal, -tangential]], relative, turning)
@@ -202,13 +202,13 @@ fn summands(equation: &str, count: u32) -> Finding {
 }
 
 /// The pin's acceleration from its components along the lever and across it, in polar coordinates.
-pub fn components(rates: &PolarRates<f64>) -> Vector2<f64> {
+pub(super) fn components(rates: &PolarRates<f64>) -> Vector2<f64> {
     let along = rates.sliding_rate - rates.angular_velocity * rates.angular_velocity;
     let across = rates.angular_acceleration + 2.0 * rates.sliding * rates.angular_velocity;
     rates.position * along + quarter_turn(&rates.position) * across
 }
 
 /// The length of the pin's acceleration, by the differentiated loop closure.
-pub fn total(rates: &PolarRates<f64>) -> f64 {
+pub(super) fn total(rates: &PolarRates<f64>) -> f64 {
     components(rates).norm()
 }

@@ -13,17 +13,19 @@ use std::array::from_fn;
 use std::sync::OnceLock;
 
 /// Lengths, angles, and the sizes of velocities and accelerations, with a crank at constant speed.
-pub const SIZES: Vocabulary = Vocabulary::new(sizes, Evidence::AUTOMATIC_DERIVATIVE, sizes_in_numbers);
+pub(super) const SIZES: Vocabulary = Vocabulary::new(sizes, Evidence::AUTOMATIC_DERIVATIVE, sizes_in_numbers);
 /// The vectors of a pin in a straight slot, with a crank that speeds up.
-pub const VECTORS: Vocabulary = Vocabulary::new(vectors, Evidence::AUTOMATIC_DERIVATIVE, vectors_in_numbers);
+pub(super) const VECTORS: Vocabulary = Vocabulary::new(vectors, Evidence::AUTOMATIC_DERIVATIVE, vectors_in_numbers);
 /// All components of the acceleration, with a lever that turns at will: the slot is then curved.
-pub const COMPONENTS: Vocabulary = Vocabulary::new(components, Evidence::AUTOMATIC_DERIVATIVE, components_in_numbers);
+pub(super) const COMPONENTS: Vocabulary =
+    Vocabulary::new(components, Evidence::AUTOMATIC_DERIVATIVE, components_in_numbers);
 /// A point that moves at will in a frame that moves at will.
-pub const FRAME: Vocabulary = Vocabulary::new(frame, Evidence::AUTOMATIC_DERIVATIVE, frame_in_numbers);
+pub(super) const FRAME: Vocabulary = Vocabulary::new(frame, Evidence::AUTOMATIC_DERIVATIVE, frame_in_numbers);
 /// The point at the frame's origin, through which it moves.
-pub const AT_THE_ORIGIN: Vocabulary = Vocabulary::new(at_the_origin, Evidence::AUTOMATIC_DERIVATIVE, origin_in_numbers);
+pub(super) const AT_THE_ORIGIN: Vocabulary =
+    Vocabulary::new(at_the_origin, Evidence::AUTOMATIC_DERIVATIVE, origin_in_numbers);
 /// Units of rotation and of time. Each may have any size, so what a conversion leaves of them is what its characters leave.
-pub const UNITS: Vocabulary = Vocabulary::new(units, Evidence::VECTORS, units_in_numbers);
+pub(super) const UNITS: Vocabulary = Vocabulary::new(units, Evidence::VECTORS, units_in_numbers);
 
 /// Sizes are the parts of vectors in the directions of the source, and nothing is left across these. Towards the pivot the
 /// sliding is positive, across the lever what is in the sense of the pin's acceleration.
@@ -208,7 +210,7 @@ fn at_the_origin(_: i64) -> Moment<Expression> {
 }
 
 /// The speed of one turn a minute, in radians and seconds.
-pub const TURN_A_MINUTE: &str = r"\text{turn a minute}";
+pub(super) const TURN_A_MINUTE: &str = r"\text{turn a minute}";
 
 /// A turn is two half turns, and a minute has sixty seconds. Variables: π, the radian, the second, the turn, the minute.
 fn units(_: i64) -> Moment<Expression> {
@@ -278,7 +280,7 @@ fn components_in_numbers() -> &'static [Moment] {
 }
 
 /// The components of a lever at will, which has this angular velocity.
-pub fn with_parts(parts: [[Vector2<f64>; 2]; 3], relative: Vector2<f64>, turning: f64) -> Moment {
+pub(super) fn with_parts(parts: [[Vector2<f64>; 2]; 3], relative: Vector2<f64>, turning: f64) -> Moment {
     named_components(parts, relative, Value::turning(turning))
 }
 

@@ -3,7 +3,7 @@
 use super::*;
 
 /// A point that moves at will in a frame that moves at will; its axes are those of the ground at the instant.
-pub struct Moving {
+pub(super) struct Moving {
     /// Place, velocity and acceleration of the point, of the frame's origin, and of the point as seen in the frame.
     pub whole: [Vector2<f64>; 3],
     pub origin: [Vector2<f64>; 3],
@@ -27,7 +27,7 @@ fn inside(t: Time, scale: f64) -> [Time; 2] {
 }
 
 /// The point at this many times a distance from the origin.
-pub fn moving(scale: f64) -> Moving {
+pub(super) fn moving(scale: f64) -> Moving {
     let (speed, angular_acceleration) = (1.3, 0.9);
     let whole = path(|t| {
         let ([a, b], [x, y]) = (origin(t), turned(inside(t, scale), advance(speed, angular_acceleration, t)));

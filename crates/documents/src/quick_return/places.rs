@@ -6,7 +6,7 @@ use geneva_evidence::tex::{Moment, holds, value};
 
 const PLACES: Locator = at("Solution, position, vectors");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         PLACES
             .statement(

@@ -10,7 +10,7 @@ const SPEED: Locator = at("Solution, position, 3rd line");
 const ANGLES: Locator = at("Solution, position, 4th line");
 const CRANK: Locator = at("Solution, position, 5th line");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         SINES
             .value(

@@ -3,7 +3,7 @@
 use super::*;
 
 /// Every step rounded, and the next one computed from it.
-pub const STEPS: Slip = Slip {
+pub(super) const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
     reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
              angular velocity of the crank is printed with three digits, the pin's distance from the lever's pivot \

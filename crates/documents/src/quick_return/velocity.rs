@@ -9,7 +9,7 @@ const ACROSS: Locator = at("Solution, velocity, 4th line");
 const LEVER: Locator = at("Solution, velocity, 5th line");
 const ALONG: Locator = at("Solution, velocity, 6th line");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [pin(), across(), along()].concat()
 }
 

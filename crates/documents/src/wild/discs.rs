@@ -31,7 +31,7 @@ struct Drawn {
     cut: [f64; 2],
 }
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         arc(OPENSCAD, "wild.openscad.arc"),
         centre(OPENSCAD, "wild.openscad.arc-centre"),

@@ -17,7 +17,7 @@ const ARMS: [f64; 2] = [0.71, 0.29];
 /// What the driver turns while the wheel turns.
 type Moving = fn(&Fit) -> f64;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         gears(MECHA_EXTERNAL, "wild.mecha-external.gears", GEARS[0], LEAST[0], |fit| fit.moving),
         reach(MECHA_EXTERNAL, "wild.mecha-external.reach"),

@@ -9,11 +9,11 @@ use nalgebra::Vector2;
 use std::ops::RangeInclusive;
 
 /// The numbers of slots for which a statement about any number is tried.
-pub const ANY: RangeInclusive<u32> = 3..=60;
+pub(super) const ANY: RangeInclusive<u32> = 3..=60;
 
 /// Sizes and angles of a wheel whose pin enters and leaves along the slot. Lengths in one unit, angles in radians.
 #[derive(Clone, Copy, Debug)]
-pub struct Fit {
+pub(super) struct Fit {
     /// Number of slots.
     pub slots: f64,
     /// Distance of the pin's centre from the driver's axis.
@@ -39,7 +39,7 @@ fn unit(slots: u32) -> f64 {
 
 impl Fit {
     /// By the formula crate.
-    pub fn by_wheel(slots: u32) -> Self {
+    pub(super) fn by_wheel(slots: u32) -> Self {
         let wheel = Wheel::new(slots);
         let of = |quantity: fn(&Wheel) -> f64| wheel.as_ref().map_or(f64::NAN, quantity);
         Self {
@@ -56,7 +56,7 @@ impl Fit {
 
     /// By coordinates: the wheel's axis at the origin, a slot half a pitch from the line of centres, and the pin where
     /// the slot's line is nearest to the driver's axis. There the pin's circle touches it.
-    pub fn by_vectors(slots: u32) -> Self {
+    pub(super) fn by_vectors(slots: u32) -> Self {
         let direction = |pitches: f64| {
             let angle = pitches * 2.0 * PI / f64::from(slots);
             Vector2::new(libm::cos(angle), libm::sin(angle))
@@ -81,10 +81,10 @@ impl Fit {
 }
 
 /// What the letters of a page stand for.
-pub type Letters = fn(&Fit) -> Vec<(&'static str, f64)>;
+pub(super) type Letters = fn(&Fit) -> Vec<(&'static str, f64)>;
 
 /// A formula for the sizes or angles of wheels of these numbers of slots.
-pub fn formula(
+pub(super) fn formula(
     place: Locator,
     id: &'static str,
     printed: &'static str,
@@ -105,7 +105,7 @@ pub fn formula(
 }
 
 /// A formula that is tried at some moments of wheels of these numbers of slots, which two routes give.
-pub fn tried(
+pub(super) fn tried(
     place: Locator,
     id: &'static str,
     printed: &'static str,
@@ -125,7 +125,7 @@ pub fn tried(
 }
 
 /// For which numbers of slots something holds; it must for all. What cannot be read for one of them is not evaluated.
-pub fn counted(slots: RangeInclusive<u32>, holds: impl Fn(u32) -> Option<bool>) -> Finding {
+pub(super) fn counted(slots: RangeInclusive<u32>, holds: impl Fn(u32) -> Option<bool>) -> Finding {
     let all = slots.clone().count();
     let mut holding = Vec::new();
     for number in slots.clone() {
@@ -152,7 +152,7 @@ pub fn counted(slots: RangeInclusive<u32>, holds: impl Fn(u32) -> Option<bool>) 
 }
 
 /// A number about a wheel of so many slots.
-pub fn number(
+pub(super) fn number(
     place: Locator,
     id: &'static str,
     printed: &'static str,

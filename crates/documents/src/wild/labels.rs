@@ -6,7 +6,7 @@ use super::*;
 use geneva_evidence::agreement::{agrees, vanishes};
 use nalgebra::Vector2;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         pin_diameter(),
         slot_width(),

@@ -25,7 +25,7 @@ struct Drawn {
     rim: f64,
 }
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         freecad(),
         freecad_count(),

@@ -68,7 +68,7 @@ fn motion(
     tried(place, id, printed, meaning, ANY, first, second)
 }
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [formulas(), statements()].concat()
 }
 

@@ -4,108 +4,110 @@
 use super::{Locator, at, page};
 
 // Calculators, encyclopedias, lessons and lists of mechanisms.
-pub const KMODDL: Locator = at(page!("http://kmoddl.library.cornell.edu/tutorials/06/"));
-pub const COMPASS: Locator = at(page!("http://mingyu.co.uk/blog/compass-and-straightedge-geneva-drive/"));
-pub const SPECTRA: Locator = at(page!("http://spectraquest.com/simulators/details/kad-gm/"));
-pub const STATEMASTER: Locator = at(page!("http://www.statemaster.com/encyclopedia/Geneva-drive"));
-pub const STAR: Locator = at(page!("https://everything2.com/title/Geneva+star", "2026-11-23"));
-pub const SOURCEBOOK: Locator =
+pub(super) const KMODDL: Locator = at(page!("http://kmoddl.library.cornell.edu/tutorials/06/"));
+pub(super) const COMPASS: Locator = at(page!("http://mingyu.co.uk/blog/compass-and-straightedge-geneva-drive/"));
+pub(super) const SPECTRA: Locator = at(page!("http://spectraquest.com/simulators/details/kad-gm/"));
+pub(super) const STATEMASTER: Locator = at(page!("http://www.statemaster.com/encyclopedia/Geneva-drive"));
+pub(super) const STAR: Locator = at(page!("https://everything2.com/title/Geneva+star", "2026-11-23"));
+pub(super) const SOURCEBOOK: Locator =
     at(page!("https://fliphtml5.com/zroi/ibdn/Mechanisms_And_Mechanical_Devices_Sourcebook_-_3rd_ed/484"));
-pub const HOLOOLY: Locator = at(page!("https://holooly.com/?p=937608", "2026-11-23"));
-pub const MECHA_EXTERNAL: Locator =
+pub(super) const HOLOOLY: Locator = at(page!("https://holooly.com/?p=937608", "2026-11-23"));
+pub(super) const MECHA_EXTERNAL: Locator =
     at(page!("https://mechamechanisms.com/external-geneva-and-epicyclic-gear-mechanism-1", "2026-11-23"));
-pub const MECHA_INTERNAL: Locator =
+pub(super) const MECHA_INTERNAL: Locator =
     at(page!("https://mechamechanisms.com/internal-geneva-and-epicyclic-gear-mechanism-1", "2026-11-23"));
-pub const SIMULATOR: Locator = at(page!("https://mechsimulator.com/tools/geneva-mechanism"));
-pub const PROBSEE: Locator = at(page!("https://probsee.com/p/Geneva_drive"));
-pub const UNSEEL: Locator = at(page!("https://unseel.com/engineering/geneva-drive"));
-pub const WIKISUM: Locator = at(page!("https://wikisum.wiki/wiki/Geneva_drive"));
-pub const ARTOBOLEVSKY: Locator = at(page!("https://www.dmg-lib.org/dmglib/main/portal.jsp?id=19274023"));
-pub const EDGE: Locator =
+pub(super) const SIMULATOR: Locator = at(page!("https://mechsimulator.com/tools/geneva-mechanism"));
+pub(super) const PROBSEE: Locator = at(page!("https://probsee.com/p/Geneva_drive"));
+pub(super) const UNSEEL: Locator = at(page!("https://unseel.com/engineering/geneva-drive"));
+pub(super) const WIKISUM: Locator = at(page!("https://wikisum.wiki/wiki/Geneva_drive"));
+pub(super) const ARTOBOLEVSKY: Locator = at(page!("https://www.dmg-lib.org/dmglib/main/portal.jsp?id=19274023"));
+pub(super) const EDGE: Locator =
     at(page!("https://www.engineersedge.com/mechanics_machines/geneva_mechanism_design_equations__14919.htm"));
-pub const CALCULATOR: Locator = at(page!(
+pub(super) const CALCULATOR: Locator = at(page!(
     "https://www.firgelliauto.com/blogs/engineering-calculators/geneva-mechanism-calculator-indexing-time-and-geometry",
     "2026-11-23"
 ));
-pub const DRIVE: Locator = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
-pub const INDEXING: Locator = at(page!(
+pub(super) const DRIVE: Locator = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
+pub(super) const INDEXING: Locator = at(page!(
     "https://www.firgelliauto.com/en-nz/blogs/engineering-calculators/geneva-mechanism-calculator-indexing",
     "2026-11-23"
 ));
-pub const MISCELLANEOUS: Locator = at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
-pub const FIRGELLI_EXTERNAL: Locator =
+pub(super) const MISCELLANEOUS: Locator =
+    at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
+pub(super) const FIRGELLI_EXTERNAL: Locator =
     at(page!("https://www.firgelliauto.com/es/blogs/mechanisms/geneva-drive-external"));
 
 // Programs and their pages.
-pub const MECHANICS: Locator = at(page!(
+pub(super) const MECHANICS: Locator = at(page!(
     "https://github.com/DannyHsuC10/Mechanics/blob/d83de61a37cf5d2c4c17e8eadabaeb132e27400b/Mechanical_Principle/Other_components/Periodic_motion_mechanism/Periodic_motion_mechanism.md",
     "2026-11-23"
 ));
-pub const COUNTER: Locator = at(page!(
+pub(super) const COUNTER: Locator = at(page!(
     "https://github.com/FidelioScorpio/SCAD_auto_counter/blob/4a26660c442179a6a48f1424775ad25a1943b4fd/geneva.scad"
 ));
-pub const MACRO: Locator = at(page!(
+pub(super) const MACRO: Locator = at(page!(
     "https://github.com/FreeCAD/FreeCAD-documentation/blob/1ce7aa9e6881a88162ba55b22683ddd08c363325/wiki/Macro_Geneva_Wheel.md",
     "2026-11-23"
 ));
-pub const WINDOW: Locator = at(page!(
+pub(super) const WINDOW: Locator = at(page!(
     "https://github.com/FreeCAD/FreeCAD-documentation/blob/1b0bbc679083e2c9883c7a69c13de9d84021787c/wiki/Macro_Geneva_Wheel_GUI.md",
     "2026-11-23"
 ));
-pub const LINKAGE: Locator =
+pub(super) const LINKAGE: Locator =
     at(page!("https://github.com/MHSGhali/Linkage-Design/blob/56d497985f76503a557ec040e3414b660e85d528/src/joints.c"));
-pub const STYLE_SHEET_MEASURED: Locator = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/48586"));
-pub const STYLE_SHEET: Locator = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
-pub const GENERATOR: Locator = at(page!(
+pub(super) const STYLE_SHEET_MEASURED: Locator =
+    at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/48586"));
+pub(super) const STYLE_SHEET: Locator = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
+pub(super) const GENERATOR: Locator = at(page!(
     "https://github.com/SindiSekkas/geneva-drive-generator/blob/77c5c2075b2e14322c45efbccb34f64bf2d638ff/src/geneva/params.ts",
     "2026-11-23"
 ));
-pub const COSMO: Locator = at(page!(
+pub(super) const COSMO: Locator = at(page!(
     "https://github.com/ascii-dresden/ascii-cosmo/blob/a3c0474f8f752f6587bfead8267c819de29b6821/openscad/geneva_drive.scad"
 ));
-pub const GENEVA_GEN: Locator = at(page!(
+pub(super) const GENEVA_GEN: Locator = at(page!(
     "https://github.com/benbrandt22/genevaGen/blob/64356d565724b94113c0ec6923a92a5478f34ed9/genevaController.js"
 ));
-pub const CADBUILDR: Locator = at(page!(
+pub(super) const CADBUILDR: Locator = at(page!(
     "https://github.com/cadbuildr/geneva-drive/blob/4296428cf75b22f95557a0bd3d7741767790e8be/src/geneva_drive/main.py"
 ));
-pub const TINKERCAD: Locator =
+pub(super) const TINKERCAD: Locator =
     at(page!("https://github.com/champierre/geneva-drive-en/blob/4b9522dc1db80834210b17ab3ccc9c2d8d8137e0/slides.md"));
-pub const ANVILATE: Locator = at(page!(
+pub(super) const ANVILATE: Locator = at(page!(
     "https://github.com/clay-good/anvilate/blob/05a33cd3b5776f2365d9608fb6bb134e23545e1a/src/anvilate/analysis/geneva.py",
     "2026-11-23"
 ));
-pub const CONSTRAINTS: Locator = at(page!(
+pub(super) const CONSTRAINTS: Locator = at(page!(
     "https://github.com/cool-japan/oxiphysics/blob/503075b79824187d6566590f5b57b2ce279b6efc/crates/oxiphysics-constraints/src/mechanism/types.rs"
 ));
-pub const RIGID: Locator = at(page!(
+pub(super) const RIGID: Locator = at(page!(
     "https://github.com/cool-japan/oxiphysics/blob/503075b79824187d6566590f5b57b2ce279b6efc/crates/oxiphysics-rigid/src/mechanism_rigid.rs"
 ));
-pub const SDFX_EXAMPLE: Locator = at(page!(
+pub(super) const SDFX_EXAMPLE: Locator = at(page!(
     "https://github.com/deadsy/sdfx/blob/56ab4e6fd349485805386cffbfc22ae35f847aca/examples/geneva/main.go",
     "2026-11-23"
 ));
-pub const SDFX: Locator = at(page!(
+pub(super) const SDFX: Locator = at(page!(
     "https://github.com/deadsy/sdfx/blob/56ab4e6fd349485805386cffbfc22ae35f847aca/obj/geneva.go",
     "2026-11-23"
 ));
-pub const PITTER_DRIVER: Locator = at(page!(
+pub(super) const PITTER_DRIVER: Locator = at(page!(
     "https://github.com/edtechd/cherry-pitter/blob/350d4d349dbd3ff7208e0b42e39648ecefe1a4ef/part_geneva_driver.py",
     "2026-11-23"
 ));
-pub const PITTER_WHEEL: Locator = at(page!(
+pub(super) const PITTER_WHEEL: Locator = at(page!(
     "https://github.com/edtechd/cherry-pitter/blob/48f748021a8c753ddba01da2a21d7f42686136ca/part_geneva_wheel.py",
     "2026-11-23"
 ));
-pub const WORKBENCH: Locator = at(page!(
+pub(super) const WORKBENCH: Locator = at(page!(
     "https://github.com/iplayfast/GearWorkBench/blob/ff7c6851f8471eb6a1b1e419b8f90c901969ca82/genevaWheel.py",
     "2026-11-23"
 ));
-pub const OPENSCAD: Locator = at(page!(
+pub(super) const OPENSCAD: Locator = at(page!(
     "https://github.com/tllilleh/openscad-geneva-drive/blob/73abfa533a0fb5c765925ecd049629a32e6a1507/geneva-drive.scad",
     "2026-11-23"
 ));
-pub const MODEL3D: Locator = at(page!(
+pub(super) const MODEL3D: Locator = at(page!(
     "https://github.com/unixpickle/model3d/tree/72c6b62231c41972124f48190ee82bcd0ac0bfda/examples/experiments/geneva_drive"
 ));
 

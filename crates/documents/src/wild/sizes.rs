@@ -6,7 +6,7 @@ use super::*;
 const TWICE: &str = "The foot of the perpendicular from the driver's axis to the slot's line confirms the corrected \
                      form for 3 to 60 slots.";
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
 }
 

@@ -5,7 +5,7 @@ use super::*;
 use geneva_kinematics::wheel::Wheel;
 use std::ops::RangeInclusive;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         PROBSEE
             .statement(

@@ -13,7 +13,7 @@ use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::pin_vectors::PinMotion;
 use nalgebra::Vector2;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         value(
             "wild.holooly.speed",

@@ -29,7 +29,7 @@ const MORE_SLOTS: Slip = Slip {
     ..slip(TURNED, TWICE, "If you choose more slots to get a longer rest, you get a shorter rest.")
 };
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [calculator(), unseel(), star(), oxiphysics(), fractions(), others(), twelve()].concat()
 }
 

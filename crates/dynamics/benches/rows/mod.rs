@@ -4,7 +4,7 @@ use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 /// Like the table of a study, with numbers of no source.
-pub fn escapements() -> Vec<Parameters> {
+pub(crate) fn escapements() -> Vec<Parameters> {
     let ratios = [(Mechanism::SIX_PIN, 0.7), (Mechanism::FOUR_PIN, 0.07), (Mechanism::THREE_PIN, 0.07)];
     let all = (0..49_u32).filter_map(|number| {
         let (mechanism, ratio) = ratios[number as usize % 3];

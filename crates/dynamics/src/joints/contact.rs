@@ -102,7 +102,7 @@ pub(super) struct Journals {
 
 impl Journals {
     /// μ_b r_b √(1 + μ²) of either journal, for the friction μ between pin and slot.
-    pub fn new(joints: &Joints, friction: f64) -> Self {
+    pub(super) fn new(joints: &Joints, friction: f64) -> Self {
         let load = (1.0 + friction * friction).sqrt();
         let arm = |radius: f64| joints.bearing_friction * radius * load;
         Self { driver: arm(joints.driver_journal), follower: arm(joints.follower_journal) }

@@ -46,7 +46,7 @@ pub(super) struct CirclePoint {
 impl CirclePoint {
     /// dψ/dθ, the angular velocity of ψ over the driver's, dimensionless.
     #[inline]
-    pub fn angular_velocity(&self) -> f64 {
+    pub(super) fn angular_velocity(&self) -> f64 {
         1.0 + 2.0 * self.rho
     }
 }
@@ -56,7 +56,7 @@ static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Mechanism::ALL.map(Circ
 
 impl Circle {
     /// The circle of a mechanism, made at the first call.
-    pub fn lookup(mechanism: Mechanism) -> Self {
+    pub(super) fn lookup(mechanism: Mechanism) -> Self {
         CIRCLES[mechanism.index()]
     }
 
@@ -71,7 +71,7 @@ impl Circle {
 
     /// The place at w.
     #[inline]
-    pub fn place(&self, w: f64) -> CirclePoint {
+    pub(super) fn place(&self, w: f64) -> CirclePoint {
         let scale = 1.0 / (1.0 + w * w);
         let (sin, cos) = (2.0 * w * scale, (1.0 - w * w) * scale);
         let rho = self.centre + self.radius * ((cos - sin) * (cos + sin));
@@ -79,14 +79,14 @@ impl Circle {
     }
 
     /// θ at w, in radians; not negative.
-    pub fn angle(&self, w: f64) -> f64 {
+    pub(super) fn angle(&self, w: f64) -> f64 {
         // a − 1, without the loss of digits.
         let less = 1.0 / (self.centre * (self.ratio + 1.0));
         2.0 * libm::atan2(2.0 * w * less, (1.0 - w * w) * (self.ratio + 1.0))
     }
 
     /// w, dimensionless, at θ, for θ from 0 to π.
-    pub fn w_at_angle(&self, angle: f64) -> f64 {
+    pub(super) fn w_at_angle(&self, angle: f64) -> f64 {
         let less = 1.0 / (self.centre * (self.ratio + 1.0));
         let (sin, cos) = (libm::sin(angle / 2.0) * (self.ratio + 1.0), libm::cos(angle / 2.0) * less);
         sin / (cos + libm::hypot(sin, cos))

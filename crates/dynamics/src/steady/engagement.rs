@@ -85,7 +85,7 @@ pub(super) struct Trailing {
 
 impl Subinterval {
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end, dimensionless.
-    pub fn upper_integrals(&self) -> (f64, f64) {
+    pub(super) fn upper_integrals(&self) -> (f64, f64) {
         let (product, sum) = self.before;
         (product * self.plus.factor_end, sum + self.plus.integral_end / product)
     }

@@ -276,12 +276,12 @@ pub(super) struct March<'a> {
 
 impl<'a> March<'a> {
     /// Before the first traversal, with u at entry.
-    pub fn new(engagement: &'a Engagement, entry: f64) -> Self {
+    pub(super) fn new(engagement: &'a Engagement, entry: f64) -> Self {
         Self { engagement, square: entry, time: 0.0, traversals: None }
     }
 
     /// From entry to end.
-    pub fn finish(mut self, split: Option<&Split>) -> Self {
+    pub(super) fn finish(mut self, split: Option<&Split>) -> Self {
         let engagement = self.engagement;
         let last = if engagement.ends_before_centres { engagement.to_end } else { 0 };
         for subinterval in engagement.subintervals[last..engagement.to_exit].iter().rev() {

@@ -89,7 +89,7 @@ impl GaussLegendre {
     /// The integrals from −1 up to each point, and from −1 to 1, in the unit of the values.
     ///
     /// As the sum of an even and an odd function, each with half as many values and half as many integrals.
-    pub fn cumulative(&self, values: &NodalValues) -> (NodalValues, f64) {
+    pub(crate) fn cumulative(&self, values: &NodalValues) -> (NodalValues, f64) {
         let (mut of_even, mut of_odd, mut whole) = ([0.0; HALF], [0.0; HALF], 0.0);
         for index in 0..HALF {
             let (low, high) = (values[index] / 2.0, values[NODES - 1 - index] / 2.0);
@@ -109,12 +109,12 @@ impl GaussLegendre {
     }
 
     /// The integral from −1 to 1, in the unit of the values.
-    pub fn integral(&self, values: &NodalValues) -> f64 {
+    pub(crate) fn integral(&self, values: &NodalValues) -> f64 {
         dot(&self.weights, values)
     }
 
     /// What each value counts at x in the polynomial through them all.
-    pub fn shares(&self, x: f64) -> NodalValues {
+    pub(crate) fn shares(&self, x: f64) -> NodalValues {
         let mut shares = [0.0; NODES];
         let mut sum = 0.0;
         for ((share, point), weight) in shares.iter_mut().zip(&self.nodes).zip(&self.barycentric) {

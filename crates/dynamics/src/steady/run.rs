@@ -190,17 +190,17 @@ impl Engagement {
 
 impl Traversal<'_> {
     /// w at the start of the traversal, dimensionless.
-    pub fn start(&self) -> f64 {
+    pub(super) fn start(&self) -> f64 {
         if self.mode == ContactMode::Approach { self.nodes.high } else { self.nodes.low }
     }
 
     /// w at its end, dimensionless.
-    pub fn end(&self) -> f64 {
+    pub(super) fn end(&self) -> f64 {
         if self.mode == ContactMode::Approach { self.nodes.low } else { self.nodes.high }
     }
 
     /// u at s between −1 and 1, dimensionless.
-    pub fn square_between(&self, rule: &GaussLegendre, s: f64) -> f64 {
+    pub(super) fn square_between(&self, rule: &GaussLegendre, s: f64) -> f64 {
         let (mut squares, shares) = (self.squares, rule.shares(s));
         // From rest u starts as the square of 1 − s: what is to be interpolated is the factor, which has no zero.
         let scale = match self.nodes.mapping {
@@ -216,7 +216,7 @@ impl Traversal<'_> {
     }
 
     /// Times from the start of the traversal at its nodes, in units of 1/√E, with the whole and the rates.
-    pub fn clock(&self, rule: &GaussLegendre) -> Clock {
+    pub(super) fn clock(&self, rule: &GaussLegendre) -> Clock {
         let rates = self.nodes.rates(&self.squares);
         let (mut times, whole) = rule.cumulative(&rates);
         if self.mode == ContactMode::Approach {
@@ -237,7 +237,7 @@ pub(super) struct Clock {
 
 impl Clock {
     /// s, dimensionless, at a time from 0 to the whole.
-    pub fn s_at_time(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
+    pub(super) fn s_at_time(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         let sign = if backward { -1.0 } else { 1.0 };
         let mut s = sign * (2.0 * time / self.whole - 1.0);

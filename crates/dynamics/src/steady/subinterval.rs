@@ -59,7 +59,7 @@ pub(super) struct SubintervalSolution {
 }
 
 impl Nodes {
-    pub fn new(circle: &Circle, rule: &GaussLegendre, low: f64, high: f64, mapping: NodeMapping) -> Self {
+    pub(super) fn new(circle: &Circle, rule: &GaussLegendre, low: f64, high: f64, mapping: NodeMapping) -> Self {
         let mut nodes = Self { low, high, mapping, rho: [0.0; _], k: [0.0; _], jacobian: [0.0; _], angle: [0.0; _] };
         let half = (high - low) / 2.0;
         let (mut places, mut rates) = ([0.0; NODES], [half; NODES]);
@@ -82,7 +82,7 @@ impl Nodes {
     }
 
     /// w at s between −1 and 1, dimensionless.
-    pub fn w_at(&self, s: f64) -> f64 {
+    pub(super) fn w_at(&self, s: f64) -> f64 {
         match self.mapping {
             NodeMapping::Linear => self.low + (self.high - self.low) * ((1.0 + s) / 2.0),
             NodeMapping::FromRest => self.high - (self.high - self.low) * ((1.0 - s) / 2.0) * ((1.0 - s) / 2.0),
@@ -90,7 +90,7 @@ impl Nodes {
     }
 
     /// What each node counts at w.
-    pub fn shares(&self, rule: &GaussLegendre, w: f64) -> NodalValues {
+    pub(super) fn shares(&self, rule: &GaussLegendre, w: f64) -> NodalValues {
         let width = self.high - self.low;
         rule.shares(match self.mapping {
             NodeMapping::Linear => (w - self.low - (self.high - w)) / width,
@@ -99,7 +99,7 @@ impl Nodes {
     }
 
     /// dt per unit of the rule, at the nodes, where the unit of time is 1/√E, from u at them.
-    pub fn rates(&self, squares: &NodalValues) -> NodalValues {
+    pub(super) fn rates(&self, squares: &NodalValues) -> NodalValues {
         let mut rates = self.angle;
         for (rate, square) in rates.iter_mut().zip(squares) {
             *rate /= square.sqrt();
@@ -117,7 +117,7 @@ impl Nodes {
     }
 
     /// The solution with the friction σ = S μ.
-    pub fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> SubintervalSolution {
+    pub(super) fn solution(&self, rule: &GaussLegendre, inertia: f64, sigma: f64) -> SubintervalSolution {
         let (mut rate, mut force) = ([0.0; _], self.inert(inertia, sigma));
         for index in 0..rate.len() {
             let (rho, k) = (self.rho[index], self.k[index]);
@@ -136,7 +136,7 @@ impl Nodes {
     }
 
     /// p with the plus sign less p with the minus sign, per unit of the rule: 4 μ i k²/(A₊ A₋) without cancellation.
-    pub fn gap(&self, inertia: f64, friction: f64) -> NodalValues {
+    pub(super) fn gap(&self, inertia: f64, friction: f64) -> NodalValues {
         let (plus, minus) = (self.inert(inertia, friction), self.inert(inertia, -friction));
         let mut gap = [0.0; _];
         for (index, gap) in gap.iter_mut().enumerate() {
@@ -149,7 +149,7 @@ impl Nodes {
 
 impl SubintervalSolution {
     /// The square's change over a subinterval: u at the nodes and at the end, from u at the start, dimensionless.
-    pub fn motion(&self, mirrored: bool, start: f64) -> (NodalValues, f64) {
+    pub(super) fn motion(&self, mirrored: bool, start: f64) -> (NodalValues, f64) {
         if mirrored {
             (self.squares_of_approach(start), self.approach(start))
         } else {
@@ -158,13 +158,13 @@ impl SubintervalSolution {
     }
 
     /// u at the upper end, from u at the lower, dimensionless.
-    pub fn up(&self, square: f64) -> f64 {
+    pub(super) fn up(&self, square: f64) -> f64 {
         self.factor_end * (square + self.integral_end)
     }
 
     /// u at the lower end, from u at the upper, dimensionless, for the mirror image: the approach to the line of
     /// centres.
-    pub fn approach(&self, square: f64) -> f64 {
+    pub(super) fn approach(&self, square: f64) -> f64 {
         square / self.factor_end + self.integral_end
     }
 
@@ -188,7 +188,7 @@ impl SubintervalSolution {
     }
 
     /// e^Λ and J between the nodes, dimensionless.
-    pub fn interpolate(&self, shares: &NodalValues) -> (f64, f64) {
+    pub(super) fn interpolate(&self, shares: &NodalValues) -> (f64, f64) {
         (dot(shares, &self.factor), dot(shares, &self.integral))
     }
 }

@@ -78,7 +78,7 @@ impl Instant {
 }
 
 /// θ'' from the vectors alone, by the flank that the normal force agrees with.
-pub fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
+pub(super) fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
     let (parameters, joints) = (escapement.parameters(), escapement.joints());
     let solution = |flank| Instant::new(parameters, &joints, angle, speed, flank).solution;
     let [leading, trailing] = Sign::BOTH.map(solution);
@@ -86,7 +86,7 @@ pub fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> 
 }
 
 /// The flanks that agree with the normal force that they lead to, of an escapement that may jam.
-pub fn solutions(parameters: &Parameters, joints: &Joints, angle: f64, speed: f64) -> Vec<Sign> {
+pub(super) fn solutions(parameters: &Parameters, joints: &Joints, angle: f64, speed: f64) -> Vec<Sign> {
     let agrees = |flank: &Sign| flank.apply(Instant::new(parameters, joints, angle, speed, *flank).solution[2]) >= 0.0;
     Sign::BOTH.into_iter().filter(agrees).collect()
 }

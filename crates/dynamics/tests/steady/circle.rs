@@ -6,7 +6,7 @@ use source::Circle;
 use std::f64::consts::PI;
 
 /// The variable, compiled here by itself because the crate keeps it private.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/steady/circle.rs"]
 mod source;
 

@@ -1,6 +1,7 @@
 //! Are exponentials of many numbers at once right to the last places?
 
 /// The function, compiled here by itself because the crate keeps it private.
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/steady/exponential.rs"]
 mod source;
 

@@ -17,13 +17,13 @@ use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 /// An escapement with torque one and a follower's inertia of one.
-pub fn escapement(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Parameters {
+pub(crate) fn escapement(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Parameters {
     let inertias = Inertias::new(inertia_ratio, 1.0).expect("sound inertias");
     Parameters::new(mechanism, inertias, 1.0, friction).expect("a sound escapement")
 }
 
 /// Escapements of all kinds, with their engagement as it is, or reset sooner or later.
-pub fn samples() -> Vec<Engagement> {
+pub(crate) fn samples() -> Vec<Engagement> {
     let mut samples = Vec::new();
     for mechanism in Mechanism::ALL {
         for (inertia, friction) in [(0.07, 0.21), (0.7, 0.33), (0.7, 0.11), (3.0, 0.4)] {

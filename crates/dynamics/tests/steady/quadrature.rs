@@ -1,7 +1,7 @@
 //! Does the Gauss-Legendre rule integrate what it should, and how fast does its error fall?
 
 /// The rule, compiled here by itself because the crate keeps it private.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/steady/quadrature.rs"]
 mod source;
 

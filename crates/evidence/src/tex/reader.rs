@@ -15,7 +15,7 @@ const WRAPPERS: [&str; 6] = [r"\mathrm", r"\text", r"\dot", r"\ddot", r"\vec", r
 /// Pieces that say only how a name looks.
 const FACES: [&str; 5] = ["{", "}", r"\mathrm", r"\text", r"\rm"];
 /// What the name of a single letter begins with that is set upright.
-pub const UPRIGHT: &str = "upright ";
+pub(super) const UPRIGHT: &str = "upright ";
 /// What closes a bracket that is no bar.
 const CLOSING: [&str; 3] = [")", "]", r"\}"];
 /// Pieces behind a whole formula, where another may begin.
@@ -23,7 +23,7 @@ const ENDS: [&str; 5] = [",", ".", r"\qquad", r"\quad", r"\tag"];
 
 /// How brackets must match.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Brackets {
+pub(super) enum Brackets {
     /// Each is closed once, by its own kind.
     Matched,
     /// Each is closed once, by any kind.
@@ -34,7 +34,7 @@ pub enum Brackets {
 }
 
 /// Reads a display.
-pub fn read(tex: &str, brackets: Brackets) -> Read<Display> {
+pub(super) fn read(tex: &str, brackets: Brackets) -> Read<Display> {
     let pieces = without_layout(tex);
     let pieces: Vec<&str> = pieces.iter().map(String::as_str).collect();
     let mut reader = Reader { pieces: &pieces, at: 0, bars: 0, brackets };
@@ -62,7 +62,7 @@ pub fn read(tex: &str, brackets: Brackets) -> Read<Display> {
 }
 
 /// The one name that a formula is.
-pub fn name(tex: &str) -> Read<String> {
+pub(super) fn name(tex: &str) -> Read<String> {
     let pieces = without_layout(tex);
     name_of(&pieces.iter().map(String::as_str).collect::<Vec<_>>())
 }

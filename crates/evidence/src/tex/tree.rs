@@ -2,7 +2,7 @@
 
 /// A formula, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Node {
+pub(super) enum Node {
     /// A number: its digits, and how many of them stand behind the point.
     Number(i64, u32),
     /// A letter with all that hangs on it, in one spelling. See [`super::name`].
@@ -48,7 +48,7 @@ pub enum By {
 
 /// How two things are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Joint {
+pub(super) enum Joint {
     Plus,
     Times,
     Cross,
@@ -62,24 +62,24 @@ pub enum Joint {
 
 impl Node {
     /// A whole number.
-    pub fn integer(n: i64) -> Self {
+    pub(super) fn integer(n: i64) -> Self {
         Self::Number(n, 0)
     }
 
     /// A sign, a function or a rate of this.
     #[must_use]
-    pub fn of(self, function: Function) -> Self {
+    pub(super) fn of(self, function: Function) -> Self {
         Self::Of(function, Box::new(self))
     }
 
     /// This, joined with another.
     #[must_use]
-    pub fn join(self, joint: Joint, other: Self) -> Self {
+    pub(super) fn join(self, joint: Joint, other: Self) -> Self {
         Self::Two(joint, Box::new(self), Box::new(other))
     }
 
     /// Visits this and all its parts.
-    pub fn visit<'a>(&'a self, visitor: &mut dyn FnMut(&'a Self)) {
+    pub(super) fn visit<'a>(&'a self, visitor: &mut dyn FnMut(&'a Self)) {
         visitor(self);
         match self {
             Self::Number(..) | Self::Name(_) => {}
@@ -92,7 +92,7 @@ impl Node {
     }
 
     /// Whether this or a part of it is so.
-    pub fn contains(&self, is: impl Fn(&Self) -> bool) -> bool {
+    pub(super) fn contains(&self, is: impl Fn(&Self) -> bool) -> bool {
         let mut found = false;
         self.visit(&mut |node| found = found || is(node));
         found
@@ -100,7 +100,7 @@ impl Node {
 
     /// Renames each letter of the formula.
     #[must_use]
-    pub fn renamed(self, name: &dyn Fn(&str) -> String) -> Self {
+    pub(super) fn renamed(self, name: &dyn Fn(&str) -> String) -> Self {
         match self {
             Self::Number(..) => self,
             Self::Name(old) => Self::Name(name(&old)),
@@ -110,7 +110,7 @@ impl Node {
     }
 
     /// The derivative: only names are left behind a sign of differentiation. None if no rule is known.
-    pub fn rate(&self, by: By) -> Option<Self> {
+    pub(super) fn rate(&self, by: By) -> Option<Self> {
         use {Function::*, Joint::*};
         let rate = |node: &Self| node.rate(by);
         let (one, two) = (Self::integer(1), Self::integer(2));

@@ -18,7 +18,7 @@ const MOST_TICKS: usize = 100;
 
 /// How the values of an axis are spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AxisScale {
+pub(crate) enum AxisScale {
     /// Equal differences, equal lengths.
     Linear,
     /// Equal ratios, equal lengths; only for values above zero.
@@ -37,7 +37,7 @@ fn signed_decades(value: f64) -> f64 {
 
 /// One axis: what it covers, the ticks on it, and its title.
 #[derive(Clone, Debug)]
-pub struct ChartAxis {
+pub(crate) struct ChartAxis {
     /// From the least to the greatest value.
     pub range: Range<f64>,
     /// Where the ticks are.
@@ -57,17 +57,17 @@ pub struct ChartAxis {
 
 impl ChartAxis {
     /// An axis with these ticks, numbered with so many digits after the point.
-    pub fn new(scale: AxisScale, range: Range<f64>, ticks: Vec<f64>, decimals: usize) -> Self {
+    pub(crate) fn new(scale: AxisScale, range: Range<f64>, ticks: Vec<f64>, decimals: usize) -> Self {
         Self { range, ticks, decimals, scale, title: None, names: Vec::new(), numbered: true, grid: true }
     }
 
     /// A linear axis with ticks at whole numbers.
-    pub fn whole(range: Range<f64>, ticks: impl IntoIterator<Item = f64>) -> Self {
+    pub(crate) fn whole(range: Range<f64>, ticks: impl IntoIterator<Item = f64>) -> Self {
         Self::new(AxisScale::Linear, range, ticks.into_iter().collect(), 0)
     }
 
     /// An axis with a strip for each of several kinds, the first at the top: around 1, around 2, and so on.
-    pub fn of_kinds(names: impl IntoIterator<Item = String>) -> Self {
+    pub(crate) fn of_kinds(names: impl IntoIterator<Item = String>) -> Self {
         let names: Vec<String> = names.into_iter().collect();
         let count = names.len().max(1);
         let ticks = (1..=names.len()).map(|number| number as f64);
@@ -75,7 +75,7 @@ impl ChartAxis {
     }
 
     /// A symmetric logarithmic axis, with ticks at zero and at powers of ten to either side.
-    pub fn symmetric_log(limit: f64) -> Self {
+    pub(crate) fn symmetric_log(limit: f64) -> Self {
         let powers: Vec<f64> = (0..20).map(power).take_while(|tick| *tick <= limit).collect();
         let below = powers.iter().rev().map(|tick| -tick);
         let ticks = below.chain(std::iter::once(0.0)).chain(powers.iter().copied()).collect();
@@ -83,12 +83,12 @@ impl ChartAxis {
     }
 
     /// An axis in at least so many round steps that holds zero and both values, with some room beyond them.
-    pub fn from_zero(least: f64, greatest: f64, steps: f64) -> Self {
+    pub(crate) fn from_zero(least: f64, greatest: f64, steps: f64) -> Self {
         Self::in_steps(round_step(HEADROOM * (greatest - least) / steps), HEADROOM * least, HEADROOM * greatest)
     }
 
     /// An axis of angles in degrees, in at least so many steps that divide a turn, which holds zero and both values.
-    pub fn of_angles(least: f64, greatest: f64, steps: f64) -> Self {
+    pub(crate) fn of_angles(least: f64, greatest: f64, steps: f64) -> Self {
         let wanted = (greatest - least) / steps;
         let step = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0].into_iter().find(|step| *step >= wanted);
         Self::in_steps(step.unwrap_or(120.0), least, greatest)
@@ -96,7 +96,7 @@ impl ChartAxis {
 
     /// An axis in at least so many round steps that holds both values, and zero only if it must. The values differ by a
     /// millionth of their size or more.
-    pub fn spanning(least: f64, greatest: f64, steps: f64) -> Self {
+    pub(crate) fn spanning(least: f64, greatest: f64, steps: f64) -> Self {
         let step = round_step((greatest - least) / steps);
         let low = libm::floor(least / step + 1e-9) as i32;
         let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low.saturating_add(1));
@@ -104,17 +104,17 @@ impl ChartAxis {
     }
 
     /// An axis from −3 to 3 round steps that holds a value of this size: zero is at one height on any two of them.
-    pub fn symmetric(greatest: f64) -> Self {
+    pub(crate) fn symmetric(greatest: f64) -> Self {
         Self::stepped(round_step(SYMMETRIC_HEADROOM * greatest / f64::from(SYMMETRIC)), -SYMMETRIC, SYMMETRIC)
     }
 
     /// Driver angles in degrees over an engagement of this half angle, with ticks in so many parts of it.
-    pub fn of_engagement(half: f64, parts: i32) -> Self {
+    pub(crate) fn of_engagement(half: f64, parts: i32) -> Self {
         Self::whole(-half..half, (-parts..=parts).map(|k| half * f64::from(k) / f64::from(parts)))
     }
 
     /// Whole powers of ten that hold all values of the range, with a tick at each so many.
-    pub fn decades(least: f64, greatest: f64, each: usize) -> Self {
+    pub(crate) fn decades(least: f64, greatest: f64, each: usize) -> Self {
         let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
         let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
         let ticks = (low..=high).rev().step_by(each).map(power).collect();
@@ -123,7 +123,7 @@ impl ChartAxis {
 
     /// A logarithmic axis over a range, with ticks at 1, 2 and 5 times powers of ten; at powers of ten alone if those
     /// are too many.
-    pub fn logarithmic(range: Range<f64>) -> Self {
+    pub(crate) fn logarithmic(range: Range<f64>) -> Self {
         let within = |tick: &f64| (range.start..=range.end).contains(tick);
         let ticks: Vec<f64> = one_two_five().filter(within).collect();
         let wide = ticks.len() > 9;
@@ -132,29 +132,29 @@ impl ChartAxis {
     }
 
     /// A logarithmic axis over whole steps of 1, 2 and 5 times powers of ten that holds all values of the range.
-    pub fn logarithmic_about(values: Range<f64>) -> Self {
+    pub(crate) fn logarithmic_about(values: Range<f64>) -> Self {
         let low = one_two_five().filter(|step| *step <= values.start).fold(1e-9, f64::max);
         let high = one_two_five().find(|step| *step >= values.end && *step > low).unwrap_or(10.0 * low);
         Self::logarithmic(low..high)
     }
 
     /// Gives the axis a title.
-    pub fn titled(self, title: Label) -> Self {
+    pub(crate) fn titled(self, title: Label) -> Self {
         Self { title: Some(title), ..self }
     }
 
     /// Leaves out the axis's numbers.
-    pub fn unnumbered(self) -> Self {
+    pub(crate) fn unnumbered(self) -> Self {
         Self { numbered: false, ..self }
     }
 
     /// Leaves out the axis's lines across the frame.
-    pub fn without_grid(self) -> Self {
+    pub(crate) fn without_grid(self) -> Self {
         Self { grid: false, ..self }
     }
 
     /// An axis of these values without ticks and title: for a side of the frame that is not read.
-    pub fn blank(&self) -> Self {
+    pub(crate) fn blank(&self) -> Self {
         Self { ticks: Vec::new(), title: None, ..self.clone() }
     }
 
@@ -174,7 +174,7 @@ impl ChartAxis {
     }
 
     /// How far along the axis a value lies: 0 at its start, 1 at its end.
-    pub fn share(&self, value: f64) -> f64 {
+    pub(crate) fn share(&self, value: f64) -> f64 {
         let Range { start, end } = self.range;
         let share = match self.scale {
             AxisScale::Linear => (value - start) / (end - start),
@@ -188,7 +188,7 @@ impl ChartAxis {
     }
 
     /// The value so far along the axis.
-    pub fn value_at(&self, share: f64) -> f64 {
+    pub(crate) fn value_at(&self, share: f64) -> f64 {
         let Range { start, end } = self.range;
         match self.scale {
             AxisScale::Linear => start + share * (end - start),
@@ -203,7 +203,7 @@ impl ChartAxis {
     }
 
     /// A tick's number as it is written.
-    pub fn tick_label(&self, value: f64) -> String {
+    pub(crate) fn tick_label(&self, value: f64) -> String {
         let named = self.ticks.iter().position(|tick| *tick == value).and_then(|number| self.names.get(number));
         match self.scale {
             _ if !self.numbered => String::new(),
@@ -216,7 +216,7 @@ impl ChartAxis {
 
     /// Whether the ticks of a linear axis can be read: no number is wider than `room`, in pixels, or off its tick by
     /// more than a thousandth of a step.
-    pub fn is_readable(&self, room: f64) -> bool {
+    pub(crate) fn is_readable(&self, room: f64) -> bool {
         let step = self.ticks.get(1).zip(self.ticks.first()).map_or(0.0, |(second, first)| second - first);
         self.ticks.iter().all(|tick| {
             let read = format_fixed(*tick, self.decimals).parse().unwrap_or(f64::INFINITY);

@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 
 /// Where data lie on the page.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub(super) struct Frame {
     corners: [Pixels; 2],
     /// The x axis.
     pub x: ChartAxis,
@@ -15,40 +15,40 @@ pub struct Frame {
 
 impl Frame {
     /// The frame between two corners, the upper left and the lower right, with an x axis and the y axis at its left.
-    pub fn new(corners: [Pixels; 2], x: &ChartAxis, left: &ChartAxis) -> Self {
+    pub(super) fn new(corners: [Pixels; 2], x: &ChartAxis, left: &ChartAxis) -> Self {
         Self { corners, x: x.clone(), left: left.clone() }
     }
 
     /// The upper left and the lower right corner.
-    pub fn corners(&self) -> [Pixels; 2] {
+    pub(super) fn corners(&self) -> [Pixels; 2] {
         self.corners
     }
 
     /// Where values of the x axis and of the y axis meet.
-    pub fn place(&self, x: f64, y: f64) -> Pixels {
+    pub(super) fn place(&self, x: f64, y: f64) -> Pixels {
         self.at_share([self.x.share(x), self.left.share(y)])
     }
 
     /// A place in shares of the frame, from its lower left corner.
-    pub fn at_share(&self, [x, y]: [f64; 2]) -> Pixels {
+    pub(super) fn at_share(&self, [x, y]: [f64; 2]) -> Pixels {
         let [least, greatest] = self.corners;
         Vector2::new(least.x + x * (greatest.x - least.x), greatest.y + y * (least.y - greatest.y))
     }
 
     /// The places of points, as far as they lie within.
-    pub fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
+    pub(super) fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
         points.iter().map(|(x, y)| self.place(*x, *y)).filter(|at| self.contains(at)).collect()
     }
 
     /// Whether a place is within, or on the edge.
-    pub fn contains(&self, at: &Pixels) -> bool {
+    pub(super) fn contains(&self, at: &Pixels) -> bool {
         let [least, greatest] = self.corners;
         let slack = Vector2::new(1e-6, 1e-6);
         at.sup(&(least - slack)) == *at && at.inf(&(greatest + slack)) == *at
     }
 
     /// The parts of a curve that lie within: plotters would draw the rest along the edge.
-    pub fn parts(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    pub(super) fn parts(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
         let mut goes_on = false;
         for pair in points.windows(2) {

@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 
 /// How a line looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LineStyle {
+pub(crate) struct LineStyle {
     /// Its colour.
     pub colour: Colour,
     /// Its width in pixels.
@@ -19,42 +19,42 @@ pub struct LineStyle {
 
 impl LineStyle {
     /// An unbroken curve of this colour.
-    pub const fn new(colour: Colour) -> Self {
+    pub(crate) const fn new(colour: Colour) -> Self {
         Self { colour, width: 2.8, dashes: None, class: "curve" }
     }
 
     /// A thin line of reference.
-    pub const fn thin(class: &'static str) -> Self {
+    pub(crate) const fn thin(class: &'static str) -> Self {
         Self { colour: INK, width: 1.3, dashes: None, class }
     }
 
     /// A line that parts a frame.
-    pub const fn edge() -> Self {
+    pub(crate) const fn edge() -> Self {
         Self { colour: GRID, width: 1.2, dashes: None, class: "edge" }
     }
 
     /// Sets the line's width in pixels.
-    pub const fn wide(self, width: f64) -> Self {
+    pub(crate) const fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
 
     /// Dashes the line: lengths of dashes and gaps in turn, in pixels.
-    pub const fn dashed(self, dashes: &'static str) -> Self {
+    pub(crate) const fn dashed(self, dashes: &'static str) -> Self {
         Self { dashes: Some(dashes), ..self }
     }
 
     /// Draws the line in one piece, without dashes.
-    pub const fn undashed(self) -> Self {
+    pub(crate) const fn undashed(self) -> Self {
         Self { dashes: None, ..self }
     }
 
     /// Sets the class of the line's element, for a style sheet.
-    pub const fn class(self, class: &'static str) -> Self {
+    pub(crate) const fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
 
     /// A shape drawn with it.
-    pub fn apply_to(&self, shape: Shape) -> Shape {
+    pub(crate) fn apply_to(&self, shape: Shape) -> Shape {
         let shape = shape.stroke(self.colour, self.width).class(self.class);
         self.dashes.map_or(shape.clone(), |dashes| shape.dashed(dashes))
     }
@@ -62,7 +62,7 @@ impl LineStyle {
 
 /// The shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MarkShape {
+pub(crate) enum MarkShape {
     /// A disc.
     Disc,
     /// A square.
@@ -82,7 +82,7 @@ pub enum MarkShape {
 
 /// How the marks of a kind look.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Marker {
+pub(crate) struct Marker {
     /// Their colour.
     pub colour: Colour,
     /// Their shape.
@@ -95,17 +95,17 @@ pub struct Marker {
 
 impl Marker {
     /// A marker of the usual size.
-    pub const fn new(colour: Colour, mark: MarkShape) -> Self {
+    pub(crate) const fn new(colour: Colour, mark: MarkShape) -> Self {
         Self { colour, mark, size: 9.0, class: "marks" }
     }
 
     /// Sets the marker's size in pixels.
-    pub const fn sized(self, size: f64) -> Self {
+    pub(crate) const fn sized(self, size: f64) -> Self {
         Self { size, ..self }
     }
 
     /// Sets the class of the markers' elements, for a style sheet.
-    pub const fn class(self, class: &'static str) -> Self {
+    pub(crate) const fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
 }
@@ -115,7 +115,7 @@ const DASHES: [Option<&str>; 3] = [None, Some("9 4"), Some("3 4")];
 
 /// The curve and the marks of the first to the eighth of several kinds: from the fifth on in the colour of the text,
 /// and with other dashes.
-pub fn kind(number: usize) -> (LineStyle, Marker) {
+pub(crate) fn kind(number: usize) -> (LineStyle, Marker) {
     let (colour, mark) = match number % 4 {
         0 => (FOLLOWER, MarkShape::Disc),
         1 => (DRIVER, MarkShape::Square),
@@ -128,7 +128,7 @@ pub fn kind(number: usize) -> (LineStyle, Marker) {
 }
 
 /// The curve and the marks of a mechanism with so many slots: the same in all figures.
-pub fn of_mechanism(slots: u32) -> (LineStyle, Marker) {
+pub(crate) fn of_mechanism(slots: u32) -> (LineStyle, Marker) {
     kind(match slots {
         3 => 0,
         4 => 1,
@@ -140,7 +140,7 @@ pub fn of_mechanism(slots: u32) -> (LineStyle, Marker) {
 const RIMMED: f64 = 7.0;
 
 /// Draws equal marks at places of the page: they weigh little, for all are one path.
-pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
+pub(super) fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
     let Marker { colour, mark, size, class } = *marker;
     if matches!(mark, MarkShape::Ring | MarkShape::Circle) {
         for at in places {

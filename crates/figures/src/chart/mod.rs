@@ -12,10 +12,10 @@ mod panel;
 mod pen;
 mod trace;
 
-pub use axis::{AxisScale, ChartAxis};
-pub use look::{LineStyle, MarkShape, Marker, kind, of_mechanism};
-pub use names::Spot;
-pub use panel::{NUMBER_ROOM, Panel};
+pub(crate) use axis::{AxisScale, ChartAxis};
+pub(crate) use look::{LineStyle, MarkShape, Marker, kind, of_mechanism};
+pub(crate) use names::Spot;
+pub(crate) use panel::{NUMBER_ROOM, Panel};
 
 use crate::svg::{Canvas, DrawingKind, Label, Pixels, Shape, escape};
 use crate::{Figure, Series, Words};
@@ -37,7 +37,7 @@ const GAP: f64 = 9.0;
 
 /// An entry of a chart's key: a piece of a curve, marks, and what they stand for.
 #[derive(Clone, Debug)]
-pub struct LegendEntry {
+pub(crate) struct LegendEntry {
     stroke: Option<LineStyle>,
     markers: Vec<Marker>,
     label: Label,
@@ -45,22 +45,22 @@ pub struct LegendEntry {
 
 impl LegendEntry {
     /// A curve and what it stands for.
-    pub fn curve(stroke: LineStyle, label: Label) -> Self {
+    pub(crate) fn curve(stroke: LineStyle, label: Label) -> Self {
         Self { stroke: Some(stroke), markers: Vec::new(), label }
     }
 
     /// Marks and what they stand for.
-    pub fn marks(markers: impl IntoIterator<Item = Marker>, label: Label) -> Self {
+    pub(crate) fn marks(markers: impl IntoIterator<Item = Marker>, label: Label) -> Self {
         Self { stroke: None, markers: markers.into_iter().collect(), label }
     }
 
     /// A curve with marks on it, and what they stand for.
-    pub fn curve_with_marks((stroke, marker): (LineStyle, Marker), label: Label) -> Self {
+    pub(crate) fn curve_with_marks((stroke, marker): (LineStyle, Marker), label: Label) -> Self {
         Self { stroke: Some(stroke), markers: vec![marker], label }
     }
 
     /// Words alone.
-    pub fn words(label: Label) -> Self {
+    pub(crate) fn words(label: Label) -> Self {
         Self { stroke: None, markers: Vec::new(), label }
     }
 
@@ -87,7 +87,7 @@ impl LegendEntry {
 
 /// What a figure with axes shows.
 #[derive(Clone, Debug, Default)]
-pub struct Chart {
+pub(crate) struct Chart {
     key: Vec<LegendEntry>,
     panels: Vec<Panel>,
     columns: usize,
@@ -95,22 +95,22 @@ pub struct Chart {
 
 impl Chart {
     /// Panels one under another.
-    pub fn new(panels: impl IntoIterator<Item = Panel>) -> Self {
+    pub(crate) fn new(panels: impl IntoIterator<Item = Panel>) -> Self {
         Self { panels: panels.into_iter().collect(), ..Self::default() }
     }
 
     /// Sets the panels row by row in so many columns.
-    pub fn in_columns(self, columns: usize) -> Self {
+    pub(crate) fn in_columns(self, columns: usize) -> Self {
         Self { columns, ..self }
     }
 
     /// What curves and marks stand for, above the panels.
-    pub fn key(self, entries: impl IntoIterator<Item = LegendEntry>) -> Self {
+    pub(crate) fn key(self, entries: impl IntoIterator<Item = LegendEntry>) -> Self {
         Self { key: entries.into_iter().collect(), ..self }
     }
 
     /// The figure with its words and the numbers behind it.
-    pub fn figure(self, words: Words, series: Series) -> Figure {
+    pub(crate) fn figure(self, words: Words, series: Series) -> Figure {
         let places = self.key_places();
         let head = places.last().map_or(0.0, |at| at.y + LINE / 2.0);
         let rows = || self.panels.chunks(self.columns.max(1));
@@ -132,7 +132,13 @@ impl Chart {
     }
 
     /// The panels one under another, below what `draw` draws on so much of the page's height.
-    pub fn figure_below(self, words: Words, series: Series, above: f64, draw: impl FnOnce(&mut Canvas)) -> Figure {
+    pub(crate) fn figure_below(
+        self,
+        words: Words,
+        series: Series,
+        above: f64,
+        draw: impl FnOnce(&mut Canvas),
+    ) -> Figure {
         let height: f64 = self.panels.iter().map(Panel::room).sum();
         let size = Vector2::new(WIDTH, above + height + BOTTOM_MARGIN);
         let mut canvas = Canvas::new(size.x, size.y);

@@ -16,7 +16,7 @@ const BESIDE: f64 = 23.0;
 
 /// Where a name may stand.
 #[derive(Clone, Debug)]
-pub enum Spot {
+pub(crate) enum Spot {
     /// Near one of the points that lie in the frame, first in this direction (radians, counter-clockwise as seen).
     Near(Vec<(f64, f64)>, f64),
     /// In the middle of a range of the x axis, at this height: less of it, or beside it, where there is no room.
@@ -32,7 +32,7 @@ pub enum Spot {
 
 /// A name and where it may stand.
 #[derive(Clone, Debug)]
-pub struct Name {
+pub(super) struct Name {
     pub label: Label,
     pub spot: Spot,
 }
@@ -40,7 +40,7 @@ pub struct Name {
 /// Writes the names of a panel, each where it hides least of what has been drawn and written before.
 ///
 /// `all` keeps clear of all curves and marks, `off_curves` of all but those that have a name on them.
-pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curves: Placing, names: &[Name]) {
+pub(super) fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curves: Placing, names: &[Name]) {
     for Name { label, spot } in names {
         match spot {
             Spot::Near(points, first) => {

@@ -31,7 +31,7 @@ const LIFT: f64 = 6.0;
 /// Length of a tick; the numbers are twice as far from the frame.
 const TICK: f64 = 6.0;
 /// Room of the numbers at the left of a frame, in pixels.
-pub const NUMBER_ROOM: f64 = SIDE - 2.0 * TICK;
+pub(crate) const NUMBER_ROOM: f64 = SIDE - 2.0 * TICK;
 
 /// What is drawn in a frame, in data of its axes.
 #[derive(Clone, Debug)]
@@ -54,14 +54,14 @@ struct Impulse {
 
 /// From where to where on the page a panel goes, and its frame.
 #[derive(Clone, Copy, Debug)]
-pub struct PanelColumn {
+pub(crate) struct PanelColumn {
     panel: [f64; 2],
     frame: [f64; 2],
 }
 
 impl PanelColumn {
     /// The column of this number, of so many on a page of this width.
-    pub fn new(number: usize, columns: usize, width: f64) -> Self {
+    pub(crate) fn new(number: usize, columns: usize, width: f64) -> Self {
         if columns < 2 {
             return Self { panel: [0.0, width], frame: [SIDE, width - SIDE] };
         }
@@ -72,7 +72,7 @@ impl PanelColumn {
 
 /// A frame with axes and what it shows, drawn in the order in which it is added; areas lie under the grid.
 #[derive(Clone, Debug)]
-pub struct Panel {
+pub(crate) struct Panel {
     height: f64,
     x: ChartAxis,
     left: ChartAxis,
@@ -84,7 +84,7 @@ pub struct Panel {
 
 impl Panel {
     /// An empty frame of this height in pixels.
-    pub fn new(height: f64, x: &ChartAxis, left: &ChartAxis) -> Self {
+    pub(crate) fn new(height: f64, x: &ChartAxis, left: &ChartAxis) -> Self {
         let right = left.blank();
         Self {
             height,
@@ -98,72 +98,77 @@ impl Panel {
     }
 
     /// Other marks and words at the right: for what belongs to the same heights.
-    pub fn right_axis(self, right: ChartAxis) -> Self {
+    pub(crate) fn right_axis(self, right: ChartAxis) -> Self {
         Self { right, ..self }
     }
 
     /// A filled area, given by its corners.
-    pub fn area(mut self, corners: impl IntoIterator<Item = (f64, f64)>, colour: Colour, class: &'static str) -> Self {
+    pub(crate) fn area(
+        mut self,
+        corners: impl IntoIterator<Item = (f64, f64)>,
+        colour: Colour,
+        class: &'static str,
+    ) -> Self {
         self.layers.push(Layer::Area { corners: corners.into_iter().collect(), colour, class });
         self
     }
 
     /// A filled area over a range of the x axis, from the foot of the frame to its top.
-    pub fn band(self, range: Range<f64>, colour: Colour, class: &'static str) -> Self {
+    pub(crate) fn band(self, range: Range<f64>, colour: Colour, class: &'static str) -> Self {
         let Range { start, end } = self.left.range;
         let corners = [(range.start, start), (range.start, end), (range.end, end), (range.end, start)];
         self.area(corners, colour, class)
     }
 
     /// A curve, as far as it lies in the frame.
-    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: LineStyle) -> Self {
+    pub(crate) fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: LineStyle) -> Self {
         self.layers.push(Layer::Curve { points: points.into_iter().collect(), stroke });
         self
     }
 
     /// Equal marks at points, as far as they lie in the frame.
-    pub fn marks(mut self, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
+    pub(crate) fn marks(mut self, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
         self.layers.push(Layer::Marks { points: points.into_iter().collect(), marker });
         self
     }
 
     /// An arrow from zero to the top of the frame, or to its foot: what becomes infinite for an instant.
-    pub fn impulse(mut self, x: f64, upwards: bool, stroke: LineStyle) -> Self {
+    pub(crate) fn impulse(mut self, x: f64, upwards: bool, stroke: LineStyle) -> Self {
         self.impulses.push(Impulse { x, upwards, stroke });
         self
     }
 
     /// A line from the foot of the frame to its top.
-    pub fn vertical(self, x: f64, stroke: LineStyle) -> Self {
+    pub(crate) fn vertical(self, x: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.left.range;
         self.curve([(x, start), (x, end)], stroke)
     }
 
     /// A line across the frame.
-    pub fn horizontal(self, y: f64, stroke: LineStyle) -> Self {
+    pub(crate) fn horizontal(self, y: f64, stroke: LineStyle) -> Self {
         let Range { start, end } = self.x.range;
         self.curve([(start, y), (end, y)], stroke)
     }
 
     /// A name near one of the points, first in this direction (radians, counter-clockwise as seen).
-    pub fn name_near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
+    pub(crate) fn name_near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
         self.name(label, Spot::Near(points.into_iter().collect(), first))
     }
 
     /// A name where it may stand.
-    pub fn name(mut self, label: Label, spot: Spot) -> Self {
+    pub(crate) fn name(mut self, label: Label, spot: Spot) -> Self {
         self.names.push(Name { label, spot });
         self
     }
 
     /// The values at the foot of the frame and at its top.
-    pub fn ends(&self) -> [f64; 2] {
+    pub(crate) fn ends(&self) -> [f64; 2] {
         let Range { start, end } = self.left.range;
         [start, end]
     }
 
     /// The room that it takes, from the line above its frame to the end of what stands below.
-    pub fn room(&self) -> f64 {
+    pub(crate) fn room(&self) -> f64 {
         let below = match (self.x.numbered && !self.x.ticks.is_empty(), &self.x.title) {
             (true, Some(_)) => NUMBERS + TITLE,
             (true, None) => NUMBERS + APART,
@@ -193,7 +198,7 @@ impl Panel {
     }
 
     /// Draws it on a canvas of this size, in a column, from `top` on.
-    pub fn draw(
+    pub(crate) fn draw(
         &self,
         canvas: &mut Canvas,
         size: Pixels,

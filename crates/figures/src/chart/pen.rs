@@ -15,11 +15,11 @@ use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyl
 use std::convert::Infallible;
 
 /// How many times larger the page is for plotters.
-pub const ENLARGED: f64 = 100.0;
+pub(super) const ENLARGED: f64 = 100.0;
 
 /// How something looks.
 #[derive(Clone, Debug)]
-pub enum Look {
+pub(super) enum Look {
     /// Frame and marks of the axes, and their numbers.
     Frame,
     /// Lines across the frame.
@@ -33,13 +33,13 @@ pub enum Look {
 }
 
 /// The number of a look in the table as a colour for plotters.
-pub fn colour(number: usize) -> RGBColor {
+pub(super) fn colour(number: usize) -> RGBColor {
     let [_, red, green, blue] = u32::try_from(number).unwrap_or_default().to_be_bytes();
     RGBColor(red, green, blue)
 }
 
 /// Draws for plotters on a canvas.
-pub struct Pen<'a> {
+pub(super) struct Pen<'a> {
     canvas: &'a mut Canvas,
     size: (u32, u32),
     looks: &'a [Look],
@@ -52,7 +52,7 @@ type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
 impl<'a> Pen<'a> {
     /// A pen with these looks for a canvas of this size in pixels.
-    pub fn new(canvas: &'a mut Canvas, size: Pixels, looks: &'a [Look]) -> Self {
+    pub(super) fn new(canvas: &'a mut Canvas, size: Pixels, looks: &'a [Look]) -> Self {
         let size = ((size.x * ENLARGED) as u32, (size.y * ENLARGED) as u32);
         Self { canvas, size, looks, lines: Vec::new(), marks: Vec::new(), numbers: Vec::new() }
     }

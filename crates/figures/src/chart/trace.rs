@@ -6,7 +6,7 @@ use crate::svg::Pixels;
 const THIN: f64 = 0.1;
 
 /// The points without those that lie on the line between their neighbours, but for a part of a pixel.
-pub fn thin_out(points: &[Pixels]) -> Vec<Pixels> {
+pub(super) fn thin_out(points: &[Pixels]) -> Vec<Pixels> {
     let mut kept: Vec<Pixels> = points.first().copied().into_iter().collect();
     let mut parts = vec![(0, points.len().saturating_sub(1))];
     while let Some((from, to)) = parts.pop() {

@@ -5,13 +5,13 @@ use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{DynamicsError, Parameters};
 
 /// Steps from entry to exit that are kept; an even number, so that one ends on the line of centres.
-pub const STEPS: u32 = 180;
+pub(super) const STEPS: u32 = 180;
 /// Relative error of the motion: far below what a series is written to.
 const TOLERANCE: f64 = 1e-13;
 
 /// What acts at one instant of an engagement, over the driving torque K.
 #[derive(Clone, Copy, Debug)]
-pub struct EngagementState {
+pub(super) struct EngagementState {
     /// θ, in radians.
     pub theta: f64,
     /// θ', in radians per unit of time.
@@ -28,7 +28,7 @@ pub struct EngagementState {
 
 impl EngagementState {
     /// The forces at an angle and a speed.
-    pub fn new(parameters: &Parameters, theta: f64, speed: f64) -> Result<Self, DynamicsError> {
+    pub(super) fn new(parameters: &Parameters, theta: f64, speed: f64) -> Result<Self, DynamicsError> {
         let forces = parameters.contact_forces(theta, speed)?;
         let acceleration = parameters.acceleration(theta, speed)?.value;
         let (torque, drive) = (parameters.torque(), parameters.drive());
@@ -46,7 +46,7 @@ impl EngagementState {
 /// θ and θ' of a driver that has this speed (≥ 0) as a pin enters, at equal steps of θ from entry to exit.
 ///
 /// The speed at an angle is that at the end of an engagement that ends there.
-pub fn speeds(parameters: &Parameters, entry_speed: f64) -> Result<Vec<[f64; 2]>, FigureError> {
+pub(crate) fn speeds(parameters: &Parameters, entry_speed: f64) -> Result<Vec<[f64; 2]>, FigureError> {
     let half = parameters.mechanism().engagement_half_angle();
     let at = |step: u32| {
         // Counted from the line of centres, so that both halves have the same angles.
@@ -61,7 +61,7 @@ pub fn speeds(parameters: &Parameters, entry_speed: f64) -> Result<Vec<[f64; 2]>
 /// # Errors
 ///
 /// [`FigureError::Dynamics`] if the angle is not behind the entry, or if the motion cannot be followed so far.
-pub fn speed_at(parameters: &Parameters, entry_speed: f64, theta: f64) -> Result<f64, FigureError> {
+pub(super) fn speed_at(parameters: &Parameters, entry_speed: f64, theta: f64) -> Result<f64, FigureError> {
     let turned = parameters.mechanism().engagement_half_angle() + theta;
     Ok(Engagement::reset_after(parameters, turned, TOLERANCE)?.passage(entry_speed)?.end_speed())
 }

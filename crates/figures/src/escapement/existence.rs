@@ -133,7 +133,7 @@ fn rows(inertias: &Range<f64>, designs: &[MarkedEscapement]) -> Vec<[f64; 4]> {
 }
 
 #[cfg(test)]
-pub mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::checks::{ParsedDrawing, assert_sound};
 
@@ -142,7 +142,7 @@ pub mod tests {
     }
 
     /// Some designs, two of them close together.
-    pub fn designs() -> Vec<MarkedEscapement> {
+    pub(crate) fn designs() -> Vec<MarkedEscapement> {
         vec![
             design(Mechanism::FOUR_PIN, 0.03, 0.125),
             design(Mechanism::FOUR_PIN, 0.04, 0.2),

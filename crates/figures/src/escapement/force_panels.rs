@@ -42,7 +42,7 @@ fn friction_label() -> Label {
 }
 
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
-pub fn pin_and_driver(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses) {
+pub(super) fn pin_and_driver(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses) {
     let mut placing = at.placing();
     canvas.faint(0.5, "", |canvas| at.draw_follower(canvas, 1.3));
     at.draw_driver(canvas, 1.6);
@@ -84,7 +84,7 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses)
 }
 
 /// Panel 2: the pin in the slot, enlarged.
-pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
+pub(super) fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
     let corner = Vector2::new(0.0, top);
     title(canvas, &corner, 2, "The contact, enlarged");
     let centre = corner + Vector2::new(WIDTH / 4.0, height / 2.0 + 20.0);
@@ -134,7 +134,7 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
 }
 
 /// Panel 3: the follower by itself.
-pub fn follower(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses, top: f64, height: f64) {
+pub(super) fn follower(canvas: &mut Canvas, at: &EscapementPose, senses: &Senses, top: f64, height: f64) {
     let corner = Vector2::new(WIDTH / 2.0, top);
     title(canvas, &corner, 3, "The follower by itself");
     let scale = RIM / at.star.rim;

@@ -9,7 +9,7 @@ const STILL: f64 = 1e-9;
 
 /// Which way everything points on the page. Unit vectors.
 #[derive(Clone, Copy, Debug)]
-pub struct Senses {
+pub(super) struct Senses {
     /// Along the slot, away from the follower's axis.
     pub out: Pixels,
     /// Across the slot, as the follower turns.
@@ -24,7 +24,7 @@ pub struct Senses {
 
 impl Senses {
     /// The senses at these angles, for a normal force and a coefficient of friction.
-    pub fn new(theta: f64, phi: f64, normal: f64, friction: f64) -> Self {
+    pub(super) fn new(theta: f64, phi: f64, normal: f64, friction: f64) -> Self {
         let sign = |value: f64, least: f64| if value.abs() <= least { 0.0 } else { value.signum() };
         let (normal, sliding) = (sign(normal, 0.0), sign(theta, STILL));
         let rubs = friction > 0.0 && normal != 0.0 && sliding != 0.0;
@@ -40,7 +40,7 @@ impl Senses {
     }
 
     /// The flank, in words.
-    pub fn flank_words(&self) -> &'static str {
+    pub(super) fn flank_words(&self) -> &'static str {
         match self.flank() {
             Flank::Leading => "the pin bears on the leading flank and drives the follower",
             Flank::Trailing => "the follower drives the pin, which bears on the trailing flank",
@@ -49,7 +49,7 @@ impl Senses {
     }
 
     /// A sentence on what acts on the pin.
-    pub fn describe(&self) -> String {
+    pub(super) fn describe(&self) -> String {
         let towards = if self.sliding > 0.0 {
             "outwards, so that the friction on it points to O"
         } else {

@@ -21,7 +21,7 @@ const TO_ARROW: f64 = 14.0;
 
 /// Free space around the mechanism, in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct EscapementMargins {
+pub(super) struct EscapementMargins {
     pub side: f64,
     pub above: f64,
     pub below: f64,
@@ -29,7 +29,7 @@ pub struct EscapementMargins {
 
 /// Driver and follower in one position, and where they lie on the page.
 #[derive(Clone, Debug)]
-pub struct EscapementPose {
+pub(super) struct EscapementPose {
     /// The follower; lengths in crank radii.
     pub star: Star,
     /// Places of pins and slots.
@@ -48,7 +48,7 @@ pub struct EscapementPose {
 
 impl EscapementPose {
     /// The mechanism at a driver angle within ±π/m, as large as it can be.
-    pub fn at_driver_angle(
+    pub(super) fn at_driver_angle(
         escapement: &Mechanism,
         theta: f64,
         margins: EscapementMargins,
@@ -59,7 +59,7 @@ impl EscapementPose {
     }
 
     /// The mechanism at a driver angle within ±π/m in the middle of the page, of this height with its margins.
-    pub fn of_height(
+    pub(super) fn of_height(
         escapement: &Mechanism,
         theta: f64,
         height: f64,
@@ -76,7 +76,7 @@ impl EscapementPose {
     }
 
     /// The mechanism with its parts in these places.
-    pub fn new(
+    pub(super) fn new(
         escapement: &Mechanism,
         layout: Configuration<f64>,
         angles: [f64; 2],
@@ -93,61 +93,61 @@ impl EscapementPose {
     }
 
     /// Where the first pin lies on the page.
-    pub fn pin(&self) -> Pixels {
+    pub(super) fn pin(&self) -> Pixels {
         self.on_driver(1.0, self.theta)
     }
 
     /// A place so many crank radii from the driver's axis, at an angle as θ is counted.
-    pub fn on_driver(&self, radius: f64, theta: f64) -> Pixels {
+    pub(super) fn on_driver(&self, radius: f64, theta: f64) -> Pixels {
         self.axis + heading(theta) * (radius * self.view.scale)
     }
 
     /// A place so many crank radii from the follower's axis, at an angle as φ is counted.
-    pub fn on_follower(&self, radius: f64, phi: f64) -> Pixels {
+    pub(super) fn on_follower(&self, radius: f64, phi: f64) -> Pixels {
         self.pivot + heading(PI - phi) * (radius * self.view.scale)
     }
 
     /// Radius of a pin in pixels.
-    pub fn pin_radius(&self) -> f64 {
+    pub(super) fn pin_radius(&self) -> f64 {
         PIN_IN_SLOT * self.star.half_width * self.view.scale
     }
 
     /// How far a label may stand from the middle of a pin, in pixels.
-    pub fn near_pin(&self) -> [f64; 5] {
+    pub(super) fn near_pin(&self) -> [f64; 5] {
         [5.0, 8.0, 13.0, 20.0, 30.0].map(|beyond| self.pin_radius() + beyond)
     }
 
     /// Radius of the driver's disc in pixels.
-    pub fn disc(&self) -> f64 {
+    pub(super) fn disc(&self) -> f64 {
         DISC * self.view.scale
     }
 
     /// The follower about its axis.
-    pub fn draw_follower(&self, canvas: &mut Canvas, width: f64) {
+    pub(super) fn draw_follower(&self, canvas: &mut Canvas, width: f64) {
         let view = View { origin: self.pivot, ..self.view };
         canvas.draw(self.star.body(PI - self.phi, &view, width).class("follower"));
     }
 
     /// The driver's disc and the pins' circle.
-    pub fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
+    pub(super) fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
         let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).tint(DRIVER, 0.12);
         canvas.draw(disc.class("driver"));
         pin_circle(canvas, &self.axis, self.view.scale);
     }
 
     /// All pins.
-    pub fn draw_pins(&self, canvas: &mut Canvas) {
+    pub(super) fn draw_pins(&self, canvas: &mut Canvas) {
         self.layout.pins.iter().for_each(|at| pin(canvas, &self.view.place(at), self.pin_radius()));
     }
 
     /// The flank of the first pin's slot ahead of it in the follower's sense (1) or behind it (−1): its ends.
-    pub fn flank(&self, side: f64) -> [Pixels; 2] {
+    pub(super) fn flank(&self, side: f64) -> [Pixels; 2] {
         let across = heading(PI - self.phi - FRAC_PI_2) * (side * self.star.half_width * self.view.scale);
         [self.star.bottom, self.star.rim].map(|radius| self.on_follower(radius, self.phi) + across)
     }
 
     /// The marks of both axes.
-    pub fn draw_axes(&self, canvas: &mut Canvas) {
+    pub(super) fn draw_axes(&self, canvas: &mut Canvas) {
         for (at, colour) in [(&self.axis, DRIVER), (&self.pivot, FOLLOWER)] {
             axis(canvas, at, colour);
             canvas.draw(Shape::circle(at, 1.5).fill(colour));
@@ -155,13 +155,13 @@ impl EscapementPose {
     }
 
     /// The line of centres, somewhat longer than it is.
-    pub fn draw_line_of_centres(&self, canvas: &mut Canvas) {
+    pub(super) fn draw_line_of_centres(&self, canvas: &mut Canvas) {
         let beyond = Vector2::new(26.0, 0.0);
         construction(canvas, &(self.axis - beyond), &(self.pivot + beyond), "line-of-centres");
     }
 
     /// The sense of each body, as an arrow outside it with the symbol of its angle.
-    pub fn draw_senses(&self, canvas: &mut Canvas) {
+    pub(super) fn draw_senses(&self, canvas: &mut Canvas) {
         let [theta, phi] =
             [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, colour)| Label::symbol(letter).in_colour(colour));
         sense(canvas, &self.axis, self.disc() + TO_ARROW, PI, 1.0, &theta);
@@ -169,7 +169,7 @@ impl EscapementPose {
     }
 
     /// What labels on the mechanism keep clear of: lines of it, pins and axes.
-    pub fn placing(&self) -> Placing {
+    pub(super) fn placing(&self) -> Placing {
         let mut placing = Placing::new(Vector2::new(6.0, 6.0), Vector2::new(WIDTH - 6.0, self.height - 6.0));
         placing.avoid(&self.axis, &self.pivot, 0.7);
         for pin in &self.layout.pins {
@@ -195,7 +195,14 @@ impl EscapementPose {
 }
 
 /// A side of a triangle by the letter of its length, written to more digits than the rest so that the triangle can be checked from the file.
-pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, colour: Colour, letter: &str) {
+pub(super) fn side(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    from: &Pixels,
+    to: &Pixels,
+    colour: Colour,
+    letter: &str,
+) {
     let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
     let side = Shape::path(path).stroke(colour, 3.0).attribute("stroke-linecap", "round");
     canvas.draw(side.class(&format!("side-{letter}")).attribute("data-letter", letter));
@@ -203,11 +210,11 @@ pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixe
 }
 
 /// The id of a figure of this escapement: the name and the slots.
-pub fn id(name: &str, escapement: &Mechanism) -> String {
+pub(super) fn id(name: &str, escapement: &Mechanism) -> String {
     format!("escapement-{name}-{}", escapement.slots())
 }
 
 /// π over a whole number, as text.
-pub fn half_angle(count: u32) -> String {
+pub(super) fn half_angle(count: u32) -> String {
     format!("π/{count}")
 }

@@ -11,7 +11,7 @@ use nalgebra::Vector2;
 
 /// Position and motion of a pin in its slot at one instant. Lengths are in the mechanism's unit, speeds in that unit times the driver's.
 #[derive(Clone, Debug)]
-pub struct PinState {
+pub(super) struct PinState {
     /// φ in radians, in [0, 2π).
     pub crank_angle: f64,
     /// r / R.
@@ -34,7 +34,7 @@ pub struct PinState {
 
 impl PinState {
     /// The instant at crank angle φ, for a driver of this angular velocity (radians per time, counter-clockwise).
-    pub fn new(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> Self {
+    pub(super) fn new(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64) -> Self {
         let (ratio, unit) = (mechanism.ratio(), mechanism.crank_radius());
         let from_line_of_centres = crank.supplement();
         let in_radii = pin_slot::pin_from_pivot(&ratio, &from_line_of_centres);
@@ -59,18 +59,18 @@ impl PinState {
     }
 
     /// γ in radians: from 0 (the pin moves along the slot) to π/2 (across it).
-    pub fn velocity_angle(&self) -> f64 {
+    pub(super) fn velocity_angle(&self) -> f64 {
         libm::atan2(self.slot_point_velocity.norm(), self.sliding_velocity.norm())
     }
 
     /// The three speeds for display, rounding error taken for zero: of the pin, of the slot's point, along the slot.
-    pub fn speeds(&self) -> [f64; 3] {
+    pub(super) fn speeds(&self) -> [f64; 3] {
         let pin = self.pin_velocity.norm();
         [pin, self.slot_point_velocity.norm(), self.sliding_velocity.norm()].map(|speed| without_noise(speed, pin))
     }
 
     /// +1 if the pin is on or above the line of centres, −1 below it.
-    pub fn side(&self) -> f64 {
+    pub(super) fn side(&self) -> f64 {
         if self.position.y < 0.0 { -1.0 } else { 1.0 }
     }
 }

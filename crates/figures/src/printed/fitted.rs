@@ -16,7 +16,7 @@ const STEPS: [f64; 4] = [5.0, 4.0, 3.0, 2.0];
 
 /// An axis of values less an offset over a power of ten.
 #[derive(Clone, Debug)]
-pub struct Fitted {
+pub(super) struct Fitted {
     /// The axis, without a title.
     pub axis: ChartAxis,
     offset: f64,
@@ -28,7 +28,7 @@ impl Fitted {
     ///
     /// If they are narrow enough the values are shown as they are. Else they are over a power of ten; where they are
     /// nearly equal, less a round number too.
-    pub fn new(values: impl Iterator<Item = f64>, room: impl Fn(usize) -> f64) -> Self {
+    pub(super) fn new(values: impl Iterator<Item = f64>, room: impl Fn(usize) -> f64) -> Self {
         let (low, high) =
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let size = low.abs().max(high.abs());
@@ -68,17 +68,17 @@ impl Fitted {
     }
 
     /// Whether the values are shown as they are.
-    pub fn is_plain(&self) -> bool {
+    pub(super) fn is_plain(&self) -> bool {
         self.offset == 0.0 && self.exponent == 0
     }
 
     /// A value as the axis shows it.
-    pub fn rescale(&self, value: f64) -> f64 {
+    pub(super) fn rescale(&self, value: f64) -> f64 {
         if value.abs() < NOTHING && self.offset == 0.0 { 0.0 } else { (value - self.offset) / power(self.exponent) }
     }
 
     /// What the axis shows of what has this name.
-    pub fn tick_meaning(&self, name: &str) -> String {
+    pub(super) fn tick_meaning(&self, name: &str) -> String {
         let sign = if self.offset < 0.0 { '+' } else { '−' };
         let less = format!("{name} {sign} {}", whole(self.offset.abs()));
         match (self.offset != 0.0, self.exponent) {

@@ -13,7 +13,7 @@ const NOTHING: f64 = 1e-7;
 
 /// Position and motion of a linkage at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
-pub struct LeverState {
+pub(super) struct LeverState {
     /// From the direction O4 → O2, in [0, 2π).
     pub crank_angle: f64,
     /// φ, in (−π, π].
@@ -30,7 +30,7 @@ pub struct LeverState {
 
 impl LeverState {
     /// The motion of a linkage at a position. With the pin on the lever's pivot nothing moves.
-    pub fn new(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Self {
+    pub(super) fn new(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> Self {
         let motion =
             LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).unwrap_or_else(still);
         let crank_angle = position.crank.radians();
@@ -45,17 +45,17 @@ impl LeverState {
     }
 
     /// θ, from the line of centres O2 → O4, counter-clockwise positive, in [−π, π).
-    pub fn theta(&self) -> f64 {
+    pub(super) fn theta(&self) -> f64 {
         self.crank_angle - PI
     }
 
     /// φ′, counter-clockwise positive; zero where it is nothing but rounding error beside θ′.
-    pub fn lever_speed(&self, drive: &Drive<f64>) -> f64 {
+    pub(super) fn lever_speed(&self, drive: &Drive<f64>) -> f64 {
         cleared(self.motion.velocities.follower_speed, drive.speed)
     }
 
     /// φ″, counter-clockwise positive; zero where it is nothing but rounding error.
-    pub fn lever_acceleration(&self, drive: &Drive<f64>) -> f64 {
+    pub(super) fn lever_acceleration(&self, drive: &Drive<f64>) -> f64 {
         let scale = drive.speed * drive.speed + drive.acceleration.abs();
         cleared(self.motion.accelerations.follower_acceleration, scale)
     }
@@ -80,17 +80,17 @@ fn still() -> LeverMotion<f64> {
 }
 
 /// `value`, or zero where it is nothing beside a value of the size of `scale`.
-pub fn cleared(value: f64, scale: f64) -> f64 {
+pub(super) fn cleared(value: f64, scale: f64) -> f64 {
     if value.abs() <= NOTHING * scale.abs() { 0.0 } else { value }
 }
 
 /// A value with its unit, to four significant digits; zero without any.
-pub fn format_with_unit(value: f64, unit: &str) -> String {
+pub(super) fn format_with_unit(value: f64, unit: &str) -> String {
     format!("{} {unit}", short(value, 4))
 }
 
 /// The sense of a rate, after its value: nothing for a rate of zero.
-pub fn turning(rate: f64) -> &'static str {
+pub(super) fn turning(rate: f64) -> &'static str {
     match rate {
         rate if rate > 0.0 => ", counter-clockwise",
         rate if rate < 0.0 => ", clockwise",
@@ -99,39 +99,39 @@ pub fn turning(rate: f64) -> &'static str {
 }
 
 /// The sense of a rate as a label writes it: with a hyphen that the label does not take for a minus sign.
-pub fn turning_label(rate: f64) -> String {
+pub(super) fn turning_label(rate: f64) -> String {
     turning(rate).replace('-', "\u{2010}")
 }
 
 /// Velocity of the pin, "2", of the lever's point under it, "4", or of the one relative to the other, "rel".
-pub fn v(of: &str) -> Label {
+pub(super) fn v(of: &str) -> Label {
     Label::symbol("v").sub(of)
 }
 
 /// A part of the acceleration of the same: normal, n, or tangential, t.
-pub fn a(part: &str, of: &str) -> Label {
+pub(super) fn a(part: &str, of: &str) -> Label {
     Label::symbol("a").sup(part).sub(of)
 }
 
 /// The Coriolis acceleration.
-pub fn coriolis() -> Label {
+pub(super) fn coriolis() -> Label {
     Label::symbol("a").sub("Cor")
 }
 
 /// Rate of the angle of the crank, θ, or of the lever, φ.
-pub fn rate_of(angle: &str) -> Label {
+pub(super) fn rate_of(angle: &str) -> Label {
     Label::rate(angle, 1).of_part(&format!("{angle}'"))
 }
 
 /// Angular acceleration of the lever.
-pub fn lever_acceleration() -> Label {
+pub(super) fn lever_acceleration() -> Label {
     Label::rate("φ", 2)
 }
 
 /// The number of a vector in its series, its components, its magnitude and its direction in degrees.
 ///
 /// The direction is counted counter-clockwise from O4 → O2; that of a vector that is nothing beside `scale` is zero.
-pub fn row(number: usize, vector: &Vector2<f64>, scale: f64) -> [f64; 5] {
+pub(super) fn row(number: usize, vector: &Vector2<f64>, scale: f64) -> [f64; 5] {
     let magnitude = libm::hypot(vector.x, vector.y);
     let direction = if cleared(magnitude, scale) == 0.0 { 0.0 } else { libm::atan2(vector.y, vector.x).to_degrees() };
     [number as f64, vector.x, vector.y, magnitude, direction]

@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The other branch's pin is shown if it is so many pixels away.
 const APART: f64 = 14.0;
 /// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
-pub const WIDTH: f64 = 460.0;
+pub(super) const WIDTH: f64 = 460.0;
 /// The largest that the mechanism may be, in pixels.
 const ROOM: Pixels = Vector2::new(388.0, 380.0);
 /// Free space above and below the mechanism, in pixels: for the senses and the names.
@@ -23,13 +23,13 @@ const SWING_END: f64 = 1.1;
 /// How far the lever reaches beyond the pin's farthest point, over that distance.
 const REACH: f64 = 1.05;
 /// Half the widths of the lever, of its slot and of the crank, in pixels.
-pub const LEVER: f64 = 13.0;
+pub(super) const LEVER: f64 = 13.0;
 const SLOT: f64 = 7.0;
 const CRANK: f64 = 8.0;
 
 /// Where the parts of a linkage lie on the page.
 #[derive(Clone, Debug)]
-pub struct LinkagePose {
+pub(super) struct LinkagePose {
     /// The mechanism's plane about O4.
     pub view: View,
     /// O4, O2 and the pin.
@@ -53,12 +53,12 @@ pub struct LinkagePose {
 impl LinkagePose {
     /// The mechanism with its circle, its lever and the ends of the swing, as large as there is room, so far below the
     /// upper edge of the page.
-    pub fn new(linkage: &QuickReturn, instant: &LeverState, top: f64) -> Self {
+    pub(super) fn new(linkage: &QuickReturn, instant: &LeverState, top: f64) -> Self {
         Self::fitted(linkage, instant, top, false)
     }
 
     /// The mechanism with room for the lever at all angles, in the middle of the head of a page of this width.
-    pub fn of_the_turn(linkage: &QuickReturn, instant: &LeverState, width: f64) -> Self {
+    pub(super) fn of_the_turn(linkage: &QuickReturn, instant: &LeverState, width: f64) -> Self {
         let own = Self::fitted(linkage, instant, 0.0, true);
         let by = Pixels::new((width - WIDTH) / 2.0, 0.0);
         let view = View { origin: own.view.origin + by, ..own.view };
@@ -105,17 +105,17 @@ impl LinkagePose {
     }
 
     /// The tip of the lever at an angle.
-    pub fn tip(&self, angle: f64) -> Pixels {
+    pub(super) fn tip(&self, angle: f64) -> Pixels {
         self.pivot + heading(angle) * self.lever
     }
 
     /// The end of the line that marks an end of the swing.
-    pub fn swing_end(&self, angle: f64) -> Pixels {
+    pub(super) fn swing_end(&self, angle: f64) -> Pixels {
         self.pivot + heading(angle) * self.swing
     }
 
     /// The slot: its ends are the pin's nearest and farthest place, as far as the pivot leaves room.
-    pub fn slot(&self, angle: f64) -> Path {
+    pub(super) fn slot(&self, angle: f64) -> Path {
         let towards = heading(angle);
         let (near, far) = self.pin_range;
         let near = near.max((LEVER + SLOT + 2.0).min(far));
@@ -124,18 +124,18 @@ impl LinkagePose {
 }
 
 /// An angle in radians, brought into (−π, π].
-pub fn wrapped(angle: f64) -> f64 {
+pub(super) fn wrapped(angle: f64) -> f64 {
     let turn = Turn::from_radians(angle).radians();
     if turn <= -PI { PI } else { turn }
 }
 
 /// A length that was given, as text.
-pub fn length(value: f64, unit: &str) -> String {
+pub(super) fn length(value: f64, unit: &str) -> String {
     format!("{} {unit}", format_trimmed(value, 6))
 }
 
 /// Circle, ends of the swing, other branch, lever, crank, pivots.
-pub fn bodies(
+pub(super) fn bodies(
     canvas: &mut Canvas,
     placing: &mut Placing,
     at: &LinkagePose,
@@ -188,7 +188,7 @@ pub fn bodies(
 }
 
 /// Where the pin would be on the other branch at this lever angle, if that is another place.
-pub fn other_branch(at: &LinkagePose, linkage: &QuickReturn, instant: &LeverState) -> Option<Pixels> {
+pub(super) fn other_branch(at: &LinkagePose, linkage: &QuickReturn, instant: &LeverState) -> Option<Pixels> {
     let far = instant.angle_at_pin <= FRAC_PI_2;
     let other = if far { Branch::Near } else { Branch::Far };
     // The lever's pivot inside the circle: one place only.

@@ -11,7 +11,7 @@ use nalgebra::Vector2;
 ///
 /// Read backwards each order gives the same drawing, turned by half a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub(super) enum Order {
     /// Lever normal, lever tangential, sliding, Coriolis: the last one is drawn back from the common tip.
     Last,
     /// Coriolis, lever normal, lever tangential, sliding.
@@ -22,7 +22,7 @@ pub enum Order {
 
 /// The terms of the lever's side, each with its tail.
 #[derive(Clone, Debug)]
-pub struct Laid {
+pub(super) struct Laid {
     pub order: Order,
     pub lever_normal: Vector2<f64>,
     pub lever_tangential: Vector2<f64>,
@@ -34,7 +34,7 @@ pub struct Laid {
 
 impl Laid {
     /// The first of the orders with the fewest crossings.
-    pub fn new(motion: &LeverMotion<f64>) -> Self {
+    pub(super) fn new(motion: &LeverMotion<f64>) -> Self {
         use Order::{First, Last, Second};
         let mut best = Self::in_order(motion, Last);
         for order in [First, Second] {
@@ -61,7 +61,7 @@ impl Laid {
 
     /// The lines on which the two terms lie: the one from the end of what is known at the pole, the other through
     /// the end of what is known at the tip.
-    pub fn directions(&self, motion: &LeverMotion<f64>, along: Vector2<f64>) -> [Direction; 2] {
+    pub(super) fn directions(&self, motion: &LeverMotion<f64>, along: Vector2<f64>) -> [Direction; 2] {
         let tip = motion.pin_normal + motion.pin_tangential;
         let (across_from, along_from) = match self.order {
             Order::Last => (self.lever_tangential, self.coriolis),

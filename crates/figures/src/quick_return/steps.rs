@@ -33,7 +33,7 @@ const NEAR: [f64; 7] = [10.0, 16.0, 24.0, 36.0, 52.0, 72.0, 96.0];
 
 /// One vector of a diagram.
 #[derive(Clone, Debug)]
-pub struct DiagramArrow {
+pub(super) struct DiagramArrow {
     /// Its class in the drawing.
     pub name: &'static str,
     /// Its symbol.
@@ -50,7 +50,7 @@ pub struct DiagramArrow {
 
 /// A line of known direction on which a vector of unknown length ends.
 #[derive(Clone, Debug)]
-pub struct Direction {
+pub(super) struct Direction {
     /// Its class in the drawing.
     pub name: &'static str,
     /// A few words beside it.
@@ -67,7 +67,7 @@ pub struct Direction {
 
 /// One step: its words, and how much of the diagram has been drawn by then.
 #[derive(Clone, Debug)]
-pub struct DiagramStep {
+pub(super) struct DiagramStep {
     /// Lines of words.
     pub words: Vec<Label>,
     /// So many of the vectors.
@@ -78,7 +78,7 @@ pub struct DiagramStep {
 
 /// A diagram with its steps. The last one has the whole width, and the values.
 #[derive(Clone, Debug)]
-pub struct Diagram {
+pub(super) struct Diagram {
     /// The vectors, in the order of drawing.
     pub arrows: Vec<DiagramArrow>,
     /// The two directions that close the diagram.
@@ -93,7 +93,7 @@ pub struct Diagram {
 
 impl Diagram {
     /// The steps in two columns, the last one across both and larger, each with its scale bar.
-    pub fn draw(&self) -> Canvas {
+    pub(super) fn draw(&self) -> Canvas {
         let ends = self.arrows.iter().flat_map(|at| [at.tail, at.tail + at.vector]);
         let fitted = View::fitting(ends.clone(), ROOM, Pixels::zeros());
         let (scale, y) = (fitted.scale, |end: Vector2<f64>| end.y * fitted.scale);
@@ -142,7 +142,7 @@ impl Diagram {
     }
 
     /// The magnitude of the vector of this name, with its unit; zero needs none.
-    pub fn value_of(&self, name: &str) -> String {
+    pub(super) fn value_of(&self, name: &str) -> String {
         let arrow = self.arrows.iter().find(|arrow| arrow.name == name);
         arrow.map_or(String::new(), |arrow| self.written(arrow))
     }

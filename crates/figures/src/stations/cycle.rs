@@ -5,7 +5,7 @@ use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::PI;
 
 /// How far the wheel may be from its true angle between two keys, in degrees.
-pub const TOLERANCE: f64 = 0.05;
+pub(super) const TOLERANCE: f64 = 0.05;
 /// Places between two keys at which the angle is compared.
 const PROBES: u32 = 8;
 /// Halvings after which an interval is taken as it is.
@@ -13,7 +13,7 @@ const DEEPEST: u32 = 12;
 
 /// One key: a share of the cycle, and both angles in radians there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Key {
+pub(super) struct Key {
     /// From 0 to 1: from the middle of a dwell to the middle of the next.
     pub share: f64,
     /// Crank angle of the nearest pin from the line of centres.
@@ -25,7 +25,7 @@ pub struct Key {
 /// Keys of one cycle, from the middle of a dwell to the middle of the next, first and last included.
 ///
 /// Symmetric about the line of centres: the first half is found by halving intervals, the second mirrors it.
-pub fn keys(wheel: &Wheel) -> Vec<Key> {
+pub(super) fn keys(wheel: &Wheel) -> Vec<Key> {
     let (half, pitch) = (wheel.engagement_half_angle(), 2.0 * PI / f64::from(wheel.pins()));
     let phi = |theta: f64| wheel.engaged(theta).map_or(0.0, |motion| motion.angle);
     let mut thetas = vec![-half];

@@ -17,7 +17,7 @@ const NARROWEST: f64 = 1e-9;
 
 /// Lengths of a driver in crank radii, and its angles in radians.
 #[derive(Clone, Copy, Debug)]
-pub struct Driver {
+pub(super) struct Driver {
     /// How many pins.
     pub pins: u32,
     /// Radius of a pin.
@@ -39,7 +39,7 @@ pub struct Driver {
 
 impl Driver {
     /// The driver of this wheel. The cut-out is a circle through three points: its bottom and both edges.
-    pub fn of_wheel(wheel: &Wheel, star: &Star) -> Self {
+    pub(super) fn of_wheel(wheel: &Wheel, star: &Star) -> Self {
         let half_angle = wheel.engagement_half_angle();
         let locking_disc = star.locking.unwrap_or_default();
         let depth = LEFT_IN_GAP * (star.centre - star.rim);
@@ -59,12 +59,12 @@ impl Driver {
     }
 
     /// Angle between neighbouring pins, in radians.
-    pub fn pitch(&self) -> f64 {
+    pub(super) fn pitch(&self) -> f64 {
         2.0 * PI / f64::from(self.pins)
     }
 
     /// Directions of the pins on the page, the first at `crank` (radians, counter-clockwise).
-    pub fn pin_directions(&self, crank: f64) -> impl Iterator<Item = f64> {
+    pub(super) fn pin_directions(&self, crank: f64) -> impl Iterator<Item = f64> {
         let pitch = self.pitch();
         (0..self.pins).map(move |k| crank + pitch * f64::from(k))
     }
@@ -72,7 +72,7 @@ impl Driver {
     /// Outline of the locking disc about the view's origin, the first pin at `crank`.
     ///
     /// `None` where the cut-outs meet: a pin is always in a slot, and there is nothing to lock.
-    pub fn locking_disc_outline(&self, crank: f64, view: &View) -> Option<Path> {
+    pub(super) fn locking_disc_outline(&self, crank: f64, view: &View) -> Option<Path> {
         let whole = self.pitch() - 2.0 * self.half_angle;
         if whole < NARROWEST {
             return None;
@@ -90,7 +90,7 @@ impl Driver {
     }
 
     /// Outline of all arms about the view's origin, round about the pins, the first at `crank`.
-    pub fn arms_outline(&self, crank: f64, view: &View) -> Path {
+    pub(super) fn arms_outline(&self, crank: f64, view: &View) -> Path {
         let round = self.arm * view.scale;
         let at = |pin: f64, along: f64, aside: f64| {
             view.origin + (heading(pin) * along + heading(pin + FRAC_PI_2) * aside) * view.scale

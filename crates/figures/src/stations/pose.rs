@@ -14,7 +14,7 @@ const AXIS_IN_DRIVER: f64 = 0.8;
 
 /// Free space around the mechanism, in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct WheelMargins {
+pub(super) struct WheelMargins {
     pub left: f64,
     pub right: f64,
     pub above: f64,
@@ -23,7 +23,7 @@ pub struct WheelMargins {
 
 /// Wheel and driver in one position, and where they lie on the page: the wheel's axis at the left, the driver's at the right.
 #[derive(Clone, Copy, Debug)]
-pub struct WheelPose {
+pub(super) struct WheelPose {
     pub star: Star,
     pub driver: Driver,
     /// The plane about the wheel's axis, in crank radii.
@@ -38,7 +38,7 @@ pub struct WheelPose {
 
 impl WheelPose {
     /// The mechanism as large as it can be in a column of this width.
-    pub fn new(wheel: &Wheel, width: f64, margins: WheelMargins) -> Self {
+    pub(super) fn new(wheel: &Wheel, width: f64, margins: WheelMargins) -> Self {
         let star = Star::of_wheel(wheel);
         let driver = Driver::of_wheel(wheel, &star);
         let reach = 1.0 + driver.arm;
@@ -51,7 +51,7 @@ impl WheelPose {
     }
 
     /// The mechanism as large as it can be in the middle of this room.
-    pub fn fitting(wheel: &Wheel, room: Pixels, margins: WheelMargins) -> Self {
+    pub(super) fn fitting(wheel: &Wheel, room: Pixels, margins: WheelMargins) -> Self {
         let wide = Self::new(wheel, room.x, margins);
         let above = margins.above + margins.below;
         let share = ((room.y - above) / (wide.height - above)).min(1.0);
@@ -62,28 +62,28 @@ impl WheelPose {
     }
 
     /// Moves the bodies to another place of the page.
-    pub fn translate(&self, by: &Pixels) -> Self {
+    pub(super) fn translate(&self, by: &Pixels) -> Self {
         let view = View { origin: self.view.origin + by, ..self.view };
         Self { view, pivot: self.pivot + by, axis: self.axis + by, ..*self }
     }
 
     /// Direction on the page of a crank angle θ: clockwise from B → O, both in radians.
-    pub fn crank_direction(theta: f64) -> f64 {
+    pub(super) fn crank_direction(theta: f64) -> f64 {
         PI - theta
     }
 
     /// Where a pin at θ lies on the page.
-    pub fn pin(&self, theta: f64) -> Pixels {
+    pub(super) fn pin(&self, theta: f64) -> Pixels {
         self.axis + heading(Self::crank_direction(theta)) * self.view.scale
     }
 
     /// A place in polar coordinates about the wheel's axis: crank radii, and radians counter-clockwise from O → B.
-    pub fn on_wheel(&self, radius: f64, angle: f64) -> Pixels {
+    pub(super) fn on_wheel(&self, radius: f64, angle: f64) -> Pixels {
         self.pivot + heading(angle) * (radius * self.view.scale)
     }
 
     /// The arms, which turn behind the wheel, about this point of the page.
-    pub fn draw_arms(&self, canvas: &mut Canvas, about: &Pixels, theta: f64) {
+    pub(super) fn draw_arms(&self, canvas: &mut Canvas, about: &Pixels, theta: f64) {
         let view = View { origin: *about, ..self.view };
         let arms = self.driver.arms_outline(Self::crank_direction(theta), &view);
         let arms = Shape::path(arms).tint(DRIVER, 0.12).stroke(DRIVER, 1.3);
@@ -91,14 +91,14 @@ impl WheelPose {
     }
 
     /// The wheel about this point of the page, one slot at φ.
-    pub fn draw_wheel(&self, canvas: &mut Canvas, about: &Pixels, phi: f64, width: f64) {
+    pub(super) fn draw_wheel(&self, canvas: &mut Canvas, about: &Pixels, phi: f64, width: f64) {
         let view = View { origin: *about, ..self.view };
         canvas.draw(self.star.body(phi, &view, width).class("wheel"));
         canvas.draw(Shape::circle(about, self.dot()).fill(PAPER).stroke(FOLLOWER, width));
     }
 
     /// The locking disc and the pins, in the plane of the wheel, about this point of the page.
-    pub fn draw_locking_disc(&self, canvas: &mut Canvas, about: &Pixels, theta: f64, width: f64) {
+    pub(super) fn draw_locking_disc(&self, canvas: &mut Canvas, about: &Pixels, theta: f64, width: f64) {
         let (view, crank) = (View { origin: *about, ..self.view }, Self::crank_direction(theta));
         if let Some(outline) = self.driver.locking_disc_outline(crank, &view) {
             let locking_disc = Shape::path(outline).tint(DRIVER, 0.22).stroke(DRIVER, width);
@@ -112,7 +112,7 @@ impl WheelPose {
     }
 
     /// All of it at crank angle θ and wheel angle φ.
-    pub fn draw(&self, canvas: &mut Canvas, theta: f64, phi: f64, width: f64) {
+    pub(super) fn draw(&self, canvas: &mut Canvas, theta: f64, phi: f64, width: f64) {
         self.draw_arms(canvas, &self.axis, theta);
         self.draw_wheel(canvas, &self.pivot, phi, width);
         self.draw_locking_disc(canvas, &self.axis, theta, width);
@@ -125,6 +125,6 @@ impl WheelPose {
 }
 
 /// A count with its noun: "1 pin", "3 pins".
-pub fn count_noun(count: u32, noun: &str) -> String {
+pub(super) fn count_noun(count: u32, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// Values on a grid: columns at rising x, each with as many nodes at rising y. A value may be missing: not a number.
 #[derive(Clone, Debug)]
-pub struct ContourGrid {
+pub(super) struct ContourGrid {
     /// x of each column.
     pub columns: Vec<f64>,
     /// y of each node, column by column.
@@ -35,7 +35,7 @@ impl ContourGrid {
     }
 
     /// Where in each column the value is greatest, if that is not at an end: by a parabola through three nodes.
-    pub fn ridge(&self) -> Vec<(f64, f64)> {
+    pub(super) fn ridge(&self) -> Vec<(f64, f64)> {
         let greatest = |((x, heights), values): ((&f64, &Vec<f64>), &Vec<f64>)| {
             let row = (0..values.len()).reduce(|best, row| if values[row] > values[best] { row } else { best })?;
             let (below, above) = (row.checked_sub(1)?, row + 1);
@@ -48,7 +48,7 @@ impl ContourGrid {
     }
 
     /// The lines on which the value is this, each from one end to the other or round to its start.
-    pub fn lines(&self, level: f64) -> Vec<Vec<(f64, f64)>> {
+    pub(super) fn lines(&self, level: f64) -> Vec<Vec<(f64, f64)>> {
         let mut next: BTreeMap<Edge, Vec<Edge>> = BTreeMap::new();
         for column in 0..self.columns.len().saturating_sub(1) {
             for row in 0..self.heights.get(column).map_or(0, |column| column.len().saturating_sub(1)) {

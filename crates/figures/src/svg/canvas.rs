@@ -8,7 +8,7 @@ use crate::number::format_trimmed;
 
 /// The kind of a drawing: its class, for the page's style sheet.
 #[derive(Clone, Copy, Debug)]
-pub enum DrawingKind {
+pub(crate) enum DrawingKind {
     /// Bodies and joints, to scale.
     Mechanism,
     /// Vectors and angles, to scale.
@@ -20,7 +20,7 @@ pub enum DrawingKind {
 }
 
 /// Pixels of the view box to a millimetre of a drawing in true size: its type is 3.7 mm high.
-pub const PIXELS_PER_MILLIMETRE: f64 = 6.0;
+pub(crate) const PIXELS_PER_MILLIMETRE: f64 = 6.0;
 
 /// Width of a drawing on the screen over that of its view box: its letters are then as large as the body's. A narrower
 /// screen shows the same drawing smaller, as wide as the screen.
@@ -28,7 +28,7 @@ const ON_SCREEN: f64 = 0.75;
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]
-pub struct Canvas {
+pub(crate) struct Canvas {
     width: f64,
     height: f64,
     shapes: Vec<String>,
@@ -39,31 +39,31 @@ pub struct Canvas {
 
 impl Canvas {
     /// An empty page, in pixels of the view box.
-    pub fn new(width: f64, height: f64) -> Self {
+    pub(crate) fn new(width: f64, height: f64) -> Self {
         Self { width, height, shapes: Vec::new(), faces: Vec::new(), opacity: 1.0, labels: Vec::new() }
     }
 
     /// Draws a shape over the earlier ones.
-    pub fn draw(&mut self, shape: Shape) {
+    pub(crate) fn draw(&mut self, shape: Shape) {
         self.shapes.push(shape.markup());
         let shown = |face: FilledShape| FilledShape { share: self.opacity * face.share, ..face };
         self.faces.extend(shape.face().map(shown));
     }
 
     /// Draws finished markup, one element to a line, over the earlier shapes.
-    pub fn draw_markup(&mut self, markup: String) {
+    pub(crate) fn draw_markup(&mut self, markup: String) {
         self.shapes.push(markup);
     }
 
     /// Draws a group with these attributes over the earlier shapes; labels within it stay on top of all shapes.
-    pub fn group(&mut self, attributes: &str, draw: impl FnOnce(&mut Self)) {
+    pub(crate) fn group(&mut self, attributes: &str, draw: impl FnOnce(&mut Self)) {
         self.shapes.push(format!("<g {attributes}>"));
         draw(self);
         self.shapes.push("</g>".to_owned());
     }
 
     /// Draws a group that is so faint, between 0 and 1, and has these further attributes.
-    pub fn faint(&mut self, opacity: f64, attributes: &str, draw: impl FnOnce(&mut Self)) {
+    pub(crate) fn faint(&mut self, opacity: f64, attributes: &str, draw: impl FnOnce(&mut Self)) {
         let around = self.opacity;
         self.opacity *= opacity;
         self.group(format!("{attributes} opacity=\"{}\"", format_trimmed(opacity, 2)).trim_start(), draw);
@@ -72,17 +72,17 @@ impl Canvas {
 
     /// Writes a label over all shapes, so far from `point` in the direction of `towards`. Its halo has the colour of the
     /// faces below it.
-    pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
+    pub(crate) fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
         self.labels.push((label.clone(), LabelPosition { point: *point, towards: *towards, distance }));
     }
 
     /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
-    pub fn overhang(&self, corners: &[Pixels; 2]) -> f64 {
+    pub(crate) fn overhang(&self, corners: &[Pixels; 2]) -> f64 {
         overhang(&self.faces, corners)
     }
 
     /// The drawing as one `svg` element, named and described for those who cannot see it.
-    pub fn finish(self, kind: DrawingKind, id: &str, title: &str, description: &str) -> String {
+    pub(crate) fn finish(self, kind: DrawingKind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
             DrawingKind::Mechanism | DrawingKind::TrueSize => "mechanism",
             DrawingKind::Diagram => "diagram",

@@ -10,7 +10,7 @@ const DOWN: [f64; 3] = [0.5, 0.15, 0.85];
 
 /// The inside of a closed outline.
 #[derive(Clone, Debug)]
-pub enum Area {
+pub(crate) enum Area {
     /// A disc, by its centre and its radius.
     Disc(Pixels, f64),
     /// What is within an odd number of outlines.
@@ -37,7 +37,7 @@ fn is_within(at: &Pixels, outline: &[Pixels]) -> bool {
 
 /// A filled shape.
 #[derive(Clone, Debug)]
-pub struct FilledShape {
+pub(crate) struct FilledShape {
     pub area: Area,
     pub colour: Colour,
     /// How much it covers of what is below, between 0 and 1.
@@ -47,7 +47,7 @@ pub struct FilledShape {
 /// The colour of what is below a label between two corners: of the faces that are under most of it.
 ///
 /// The fully covering colours of arrow heads and dots are no ground: a label covers them.
-pub fn ground_colour(faces: &[FilledShape], corners: &[Pixels; 2]) -> String {
+pub(super) fn ground_colour(faces: &[FilledShape], corners: &[Pixels; 2]) -> String {
     let under = |place: Pixels| faces.iter().filter(move |face| face.area.contains(&place));
     let grounds = counted(corners, |place| under(place).fold(PAPER.0.to_owned(), over));
     let most = grounds.iter().map(|(_, count)| *count).max();
@@ -55,7 +55,7 @@ pub fn ground_colour(faces: &[FilledShape], corners: &[Pixels; 2]) -> String {
 }
 
 /// How much of a label between two corners is beyond the ground under most of it, between 0 and 1.
-pub fn overhang(faces: &[FilledShape], corners: &[Pixels; 2]) -> f64 {
+pub(super) fn overhang(faces: &[FilledShape], corners: &[Pixels; 2]) -> f64 {
     let grounds = counted(corners, |place| {
         let under = faces.iter().enumerate().filter(|(_, face)| face.area.contains(&place));
         under.fold(Vec::new(), |mut under, (k, face)| {

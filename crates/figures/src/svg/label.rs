@@ -5,10 +5,10 @@ use crate::number::{format_trimmed, with_minus_sign};
 use crate::theme::{Colour, INK};
 
 /// The look of a label's halo, but for its colour: attributes of a `text` element.
-pub const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+pub(crate) const HALO: &str = " stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
 
 /// Height of the letters of a label, in pixels of the view box.
-pub const TEXT_SIZE: f64 = 22.0;
+pub(crate) const TEXT_SIZE: f64 = 22.0;
 /// Height of a subscript's letters over that of its symbol.
 const SUBSCRIPT: f64 = 0.84;
 /// How far a subscript stands below the line.
@@ -35,7 +35,7 @@ enum Style {
 
 /// Where a label may stand: so far from a point, in a direction.
 #[derive(Clone, Copy, Debug)]
-pub struct LabelPosition {
+pub(crate) struct LabelPosition {
     /// What the label belongs to.
     pub point: Pixels,
     /// Which way from there, of any length.
@@ -46,7 +46,7 @@ pub struct LabelPosition {
 
 /// A line of text made of symbols, subscripts and words.
 #[derive(Clone, Debug)]
-pub struct Label {
+pub(crate) struct Label {
     runs: Vec<(Style, String)>,
     colour: Colour,
     haloed: bool,
@@ -55,33 +55,33 @@ pub struct Label {
 
 impl Label {
     /// A label that begins with a symbol, in italics.
-    pub fn symbol(letter: &str) -> Self {
+    pub(crate) fn symbol(letter: &str) -> Self {
         Self::words("").and_symbol(letter)
     }
 
     /// The symbol of a part of the drawing, as [`parts::part`](crate::parts::part) names it: the two light up together.
-    pub fn part(letter: &str) -> Self {
+    pub(crate) fn part(letter: &str) -> Self {
         Self::symbol(letter).of_part(letter)
     }
 
     /// Says which part of the drawing the label names.
-    pub fn of_part(mut self, letter: &str) -> Self {
+    pub(crate) fn of_part(mut self, letter: &str) -> Self {
         self.part = letter.to_owned();
         self
     }
 
     /// The part of the drawing that the label names.
-    pub fn names(&self) -> Option<&str> {
+    pub(crate) fn names(&self) -> Option<&str> {
         (!self.part.is_empty()).then_some(&self.part)
     }
 
     /// A label that begins with upright text.
-    pub fn words(text: &str) -> Self {
+    pub(crate) fn words(text: &str) -> Self {
         Self { runs: Vec::new(), colour: INK, haloed: true, part: String::new() }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
-    pub fn and(mut self, text: &str) -> Self {
+    pub(crate) fn and(mut self, text: &str) -> Self {
         if !text.is_empty() {
             self.runs.push((Style::Upright, with_minus_sign(text)));
         }
@@ -89,33 +89,33 @@ impl Label {
     }
 
     /// Adds a symbol in italics.
-    pub fn and_symbol(mut self, letter: &str) -> Self {
+    pub(crate) fn and_symbol(mut self, letter: &str) -> Self {
         self.runs.push((Style::Italic, letter.to_owned()));
         self
     }
 
     /// A label that begins with a rate of change: see [`and_rate`](Self::and_rate).
-    pub fn rate(letter: &str, order: usize) -> Self {
+    pub(crate) fn rate(letter: &str, order: usize) -> Self {
         Self::words("").and_rate(letter, order)
     }
 
     /// Adds a symbol's rate of change with time: the letter in italics under one dot, two or three.
-    pub fn and_rate(self, letter: &str, order: usize) -> Self {
+    pub(crate) fn and_rate(self, letter: &str, order: usize) -> Self {
         self.and_symbol(&with_dots(letter, order))
     }
 
     /// Adds a subscript.
-    pub fn sub(self, index: &str) -> Self {
+    pub(crate) fn sub(self, index: &str) -> Self {
         self.index(Style::Subscript, index)
     }
 
     /// Adds a superscript; a subscript that follows stands under it.
-    pub fn sup(self, index: &str) -> Self {
+    pub(crate) fn sup(self, index: &str) -> Self {
         self.index(Style::Superscript, index)
     }
 
     /// Whether a part of it stands below the line.
-    pub fn has_subscript(&self) -> bool {
+    pub(crate) fn has_subscript(&self) -> bool {
         self.runs.iter().any(|(style, _)| *style == Style::Subscript)
     }
 
@@ -128,36 +128,36 @@ impl Label {
     }
 
     /// Adds another label's text, in this one's colours.
-    pub fn and_label(mut self, other: &Self) -> Self {
+    pub(crate) fn and_label(mut self, other: &Self) -> Self {
         self.runs.extend(other.runs.iter().cloned());
         self
     }
 
     /// Sets the colour of the letters.
-    pub fn in_colour(mut self, colour: Colour) -> Self {
+    pub(crate) fn in_colour(mut self, colour: Colour) -> Self {
         self.colour = colour;
         self
     }
 
     /// Leaves out the halo, for a label on a plain face.
-    pub fn bare(mut self) -> Self {
+    pub(crate) fn bare(mut self) -> Self {
         self.haloed = false;
         self
     }
 
     /// The colour of the letters.
-    pub fn colour(&self) -> Colour {
+    pub(crate) fn colour(&self) -> Colour {
         self.colour
     }
 
     /// The label's first word alone.
-    pub fn first_word(&self) -> Self {
+    pub(crate) fn first_word(&self) -> Self {
         let first = self.runs.first().map(|(style, text)| (*style, text.split(' ').next().unwrap_or(text).to_owned()));
         Self { runs: first.into_iter().collect(), ..self.clone() }
     }
 
     /// The lines of a label of words, which are parted by line feeds.
-    pub fn lines(&self) -> Vec<Self> {
+    pub(crate) fn lines(&self) -> Vec<Self> {
         let text: String = self.runs.iter().map(|(_, text)| text.as_str()).collect();
         text.lines().map(|line| Self { runs: Vec::new(), ..self.clone() }.and(line)).collect()
     }
@@ -165,13 +165,13 @@ impl Label {
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
     /// Sideways the label begins or ends there; above and below it is centred. Its halo has the colour of the `ground`.
-    pub fn markup_beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
+    pub(crate) fn markup_beside(&self, point: &Pixels, towards: &Pixels, distance: f64, ground: &str) -> String {
         let (x, base, anchor) = anchored(point, towards, distance);
         self.markup(x, base, anchor, ground)
     }
 
     /// The least and the greatest corner of the room that the same label takes; `width` is its [width](Self::width).
-    pub fn extent(&self, width: f64, point: &Pixels, towards: &Pixels, distance: f64) -> [Pixels; 2] {
+    pub(crate) fn extent(&self, width: f64, point: &Pixels, towards: &Pixels, distance: f64) -> [Pixels; 2] {
         let (x, base, anchor) = anchored(point, towards, distance);
         let left = match anchor {
             "start" => x,
@@ -188,7 +188,7 @@ impl Label {
     }
 
     /// A generous guess at the label's width, in pixels: fonts differ.
-    pub fn width(&self) -> f64 {
+    pub(crate) fn width(&self) -> f64 {
         let shifts = self.runs.windows(2).map(|pair| aside(&pair[0], &pair[1]));
         let letters = self.runs.iter().map(|(style, text)| {
             let size = if matches!(style, Style::Subscript | Style::Superscript) { SUBSCRIPT } else { 1.0 };
@@ -271,7 +271,7 @@ fn aside((before, over): &(Style, String), (style, text): &(Style, String)) -> f
 const DOTS: [char; 3] = ['\u{307}', '\u{308}', '\u{20db}'];
 
 /// A letter under so many dots, at most three; without any for the letter itself.
-pub fn with_dots(letter: &str, dots: usize) -> String {
+pub(super) fn with_dots(letter: &str, dots: usize) -> String {
     letter.chars().chain(dots.checked_sub(1).and_then(|k| DOTS.get(k)).copied()).collect()
 }
 
@@ -288,6 +288,6 @@ fn letter_width(letter: char) -> f64 {
 }
 
 /// Text with the characters that mean something in XML written as entities.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

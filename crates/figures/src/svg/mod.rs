@@ -10,9 +10,9 @@ mod placing;
 mod shape;
 mod view;
 
-pub use canvas::{Canvas, DrawingKind, PIXELS_PER_MILLIMETRE};
-pub use label::{HALO, Label, LabelPosition, TEXT_SIZE, escape};
-pub use path::{Path, Sense};
-pub use placing::{Placing, leader, positions_around, positions_beside_line};
-pub use shape::{DASHED, Shape};
-pub use view::{Pixels, View, angle_of, heading, part_within};
+pub(crate) use canvas::{Canvas, DrawingKind, PIXELS_PER_MILLIMETRE};
+pub(crate) use label::{HALO, Label, LabelPosition, TEXT_SIZE, escape};
+pub(crate) use path::{Path, Sense};
+pub(crate) use placing::{Placing, leader, positions_around, positions_beside_line};
+pub(crate) use shape::{DASHED, Shape};
+pub(crate) use view::{Pixels, View, angle_of, heading, part_within};

@@ -9,7 +9,7 @@ const STEP: f64 = 0.1;
 
 /// Which way round, as seen on the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sense {
+pub(crate) enum Sense {
     /// Against the hands of a clock.
     CounterClockwise,
     /// With the hands of a clock.
@@ -18,12 +18,12 @@ pub enum Sense {
 
 impl Sense {
     /// Counter-clockwise for a positive rate, as angles are counted.
-    pub fn from_rate(rate: f64) -> Self {
+    pub(crate) fn from_rate(rate: f64) -> Self {
         if rate < 0.0 { Self::Clockwise } else { Self::CounterClockwise }
     }
 
     /// +1 counter-clockwise, −1 clockwise.
-    pub fn sign(self) -> f64 {
+    pub(crate) fn sign(self) -> f64 {
         match self {
             Self::CounterClockwise => 1.0,
             Self::Clockwise => -1.0,
@@ -33,7 +33,7 @@ impl Sense {
 
 /// The `d` attribute of a path, written as it goes.
 #[derive(Clone, Debug)]
-pub struct Path {
+pub(crate) struct Path {
     data: String,
     decimals: usize,
     loops: Vec<Vec<Pixels>>,
@@ -41,27 +41,27 @@ pub struct Path {
 
 impl Path {
     /// Begins at a point.
-    pub fn start(at: &Pixels) -> Self {
+    pub(crate) fn start(at: &Pixels) -> Self {
         Self::start_rounded(at, 2)
     }
 
     /// Begins at a point; all coordinates are written to so many decimals.
-    pub fn start_rounded(at: &Pixels, decimals: usize) -> Self {
+    pub(crate) fn start_rounded(at: &Pixels, decimals: usize) -> Self {
         Self::empty(decimals).again_at(at)
     }
 
     /// A path without a beginning, of which all coordinates are written to so many decimals.
-    pub fn empty(decimals: usize) -> Self {
+    pub(crate) fn empty(decimals: usize) -> Self {
         Self { data: String::new(), decimals, loops: Vec::new() }
     }
 
     /// Whether nothing has been drawn.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.data.is_empty()
     }
 
     /// An outline through points, returning to the first.
-    pub fn through(points: &[Pixels], decimals: usize) -> Self {
+    pub(crate) fn through(points: &[Pixels], decimals: usize) -> Self {
         let next = |path: Self, point: &Pixels| {
             if path.is_empty() { path.again_at(point) } else { path.line_to(point) }
         };
@@ -69,38 +69,38 @@ impl Path {
     }
 
     /// Goes straight on to a point.
-    pub fn line_to(mut self, to: &Pixels) -> Self {
+    pub(crate) fn line_to(mut self, to: &Pixels) -> Self {
         self.data += &format!(" L{}", pair(to, self.decimals));
         self.reaches(*to)
     }
 
     /// Begins again at another point: a further part of the same path.
-    pub fn again_at(mut self, at: &Pixels) -> Self {
+    pub(crate) fn again_at(mut self, at: &Pixels) -> Self {
         self.data += &format!("M{}", pair(at, self.decimals));
         self.loops.push(vec![*at]);
         self
     }
 
     /// Goes straight on by an offset.
-    pub fn line_by(mut self, offset: &Pixels) -> Self {
+    pub(crate) fn line_by(mut self, offset: &Pixels) -> Self {
         self.data += &format!("l{}", pair(offset, self.decimals));
         let to = self.end() + offset;
         self.reaches(to)
     }
 
     /// Goes on by nothing: a point, which shows if the line has round or square ends.
-    pub fn dot(mut self) -> Self {
+    pub(crate) fn dot(mut self) -> Self {
         self.data += "h0";
         self
     }
 
     /// Goes to a point along a circle of this radius, by no more than half of it.
-    pub fn arc_to(self, radius: f64, sense: Sense, to: &Pixels) -> Self {
+    pub(crate) fn arc_to(self, radius: f64, sense: Sense, to: &Pixels) -> Self {
         self.arc(radius, false, sense, to)
     }
 
     /// Goes to a point along a circle of this radius, by more than half of it if `large`.
-    pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
+    pub(crate) fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
         let (r, sweep) = (format_trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
         self.data += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to, self.decimals));
         let from = self.end();
@@ -111,18 +111,18 @@ impl Path {
     }
 
     /// Returns to the start.
-    pub fn close(mut self) -> Self {
+    pub(crate) fn close(mut self) -> Self {
         self.data += " Z";
         self
     }
 
     /// The finished data.
-    pub fn data(&self) -> &str {
+    pub(crate) fn data(&self) -> &str {
         &self.data
     }
 
     /// The outlines of its parts: their corners, with points along the arcs.
-    pub fn loops(self) -> Vec<Vec<Pixels>> {
+    pub(crate) fn loops(self) -> Vec<Vec<Pixels>> {
         self.loops
     }
 

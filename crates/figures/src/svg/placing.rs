@@ -49,7 +49,7 @@ impl Line {
 
 /// What labels must keep clear of within a part of the page.
 #[derive(Clone, Debug)]
-pub struct Placing {
+pub(crate) struct Placing {
     bounds: [Pixels; 2],
     taken: Vec<Bounds>,
     lines: Vec<Line>,
@@ -58,17 +58,17 @@ pub struct Placing {
 
 impl Placing {
     /// An empty part of the page, between its least and its greatest corner.
-    pub fn new(least: Pixels, greatest: Pixels) -> Self {
+    pub(crate) fn new(least: Pixels, greatest: Pixels) -> Self {
         Self { bounds: [least, greatest], taken: Vec::new(), lines: Vec::new(), spent: 0.0 }
     }
 
     /// Keeps labels off a line; a pixel of it under a label costs `weight`.
-    pub fn avoid(&mut self, from: &Pixels, to: &Pixels, weight: f64) {
+    pub(crate) fn avoid(&mut self, from: &Pixels, to: &Pixels, weight: f64) {
         self.lines.push(Line::new(from, to, weight));
     }
 
     /// Keeps labels off a line through several points.
-    pub fn avoid_all(&mut self, points: &[Pixels], weight: f64) {
+    pub(crate) fn avoid_all(&mut self, points: &[Pixels], weight: f64) {
         for pair in points.windows(2) {
             if let [from, to] = pair {
                 self.avoid(from, to, weight);
@@ -77,19 +77,19 @@ impl Placing {
     }
 
     /// Keeps labels off an arc about a centre, from one angle to another.
-    pub fn avoid_arc(&mut self, centre: &Pixels, radius: f64, from: f64, to: f64, weight: f64) {
+    pub(crate) fn avoid_arc(&mut self, centre: &Pixels, radius: f64, from: f64, to: f64, weight: f64) {
         let steps = (8.0 * (to - from).abs()) as u32 + 2;
         let at = |k: u32| centre + heading(from + (to - from) * f64::from(k) / f64::from(steps)) * radius;
         self.avoid_all(&(0..=steps).map(at).collect::<Vec<_>>(), weight);
     }
 
     /// Keeps labels off an area, given by its least and its greatest corner.
-    pub fn take(&mut self, corners: [Pixels; 2]) {
+    pub(crate) fn take(&mut self, corners: [Pixels; 2]) {
         self.taken.push(area(&corners, 0.0));
     }
 
     /// Writes the label at the place where it hides least, the earlier of equals, and keeps later ones off it.
-    pub fn put(
+    pub(crate) fn put(
         &mut self,
         canvas: &mut Canvas,
         label: &Label,
@@ -103,12 +103,12 @@ impl Placing {
     }
 
     /// What all labels so far have cost: the less, the more readable.
-    pub fn spent(&self) -> f64 {
+    pub(crate) fn spent(&self) -> f64 {
         self.spent
     }
 
     /// Whether the label has a place that hides hardly anything.
-    pub fn has_room(&self, label: &Label, places: impl IntoIterator<Item = LabelPosition>) -> bool {
+    pub(crate) fn has_room(&self, label: &Label, places: impl IntoIterator<Item = LabelPosition>) -> bool {
         self.best(label, places, |_| 0.0).is_some_and(|(cost, _)| cost < ROOMY)
     }
 
@@ -150,7 +150,7 @@ impl Placing {
 }
 
 /// Places on both sides of a line, its middle first, at each of the distances.
-pub fn positions_beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> Vec<LabelPosition> {
+pub(crate) fn positions_beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> Vec<LabelPosition> {
     let along = to - from;
     let across = Pixels::new(-along.y, along.x);
     let shares = [0.5, 0.38, 0.62, 0.25, 0.75];
@@ -164,7 +164,7 @@ pub fn positions_beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> V
 }
 
 /// Places all around a point, beginning at an angle, at each of the distances.
-pub fn positions_around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<LabelPosition> {
+pub(crate) fn positions_around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<LabelPosition> {
     let turns = (0..16).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
     let places = |turn: i32| {
         let towards = heading(first + f64::from(turn) * PI / 8.0);
@@ -174,7 +174,7 @@ pub fn positions_around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<La
 }
 
 /// A thin line to a label that stands far from what it names.
-pub fn leader(canvas: &mut Canvas, place: &LabelPosition) {
+pub(crate) fn leader(canvas: &mut Canvas, place: &LabelPosition) {
     let LabelPosition { point, towards, distance } = place;
     if let (true, Some(direction)) = (*distance > LEADER, towards.try_normalize(1e-12)) {
         let (from, to) = (point + direction * 4.0, point + direction * (distance - 3.0));

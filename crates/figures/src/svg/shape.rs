@@ -7,11 +7,11 @@ use crate::number::format_trimmed;
 use crate::theme::Colour;
 
 /// Dash pattern of construction lines.
-pub const DASHED: &str = "7 5";
+pub(crate) const DASHED: &str = "7 5";
 
 /// An element without content. Unless told otherwise it is neither filled nor stroked.
 #[derive(Clone, Debug)]
-pub struct Shape {
+pub(crate) struct Shape {
     tag: &'static str,
     attributes: Vec<(&'static str, String)>,
     area: Option<Area>,
@@ -20,20 +20,20 @@ pub struct Shape {
 
 impl Shape {
     /// A straight line.
-    pub fn line(from: &Pixels, to: &Pixels) -> Self {
+    pub(crate) fn line(from: &Pixels, to: &Pixels) -> Self {
         let ends = [("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)];
         Self::new("line", ends.map(|(name, value)| (name, format_trimmed(value, 2))).to_vec(), None)
     }
 
     /// A circle.
-    pub fn circle(centre: &Pixels, radius: f64) -> Self {
+    pub(crate) fn circle(centre: &Pixels, radius: f64) -> Self {
         let values = [("cx", centre.x), ("cy", centre.y), ("r", radius)];
         let attributes = values.map(|(name, value)| (name, format_trimmed(value, 2))).to_vec();
         Self::new("circle", attributes, Some(Area::Disc(*centre, radius))).attribute("fill", "none")
     }
 
     /// A path.
-    pub fn path(path: Path) -> Self {
+    pub(crate) fn path(path: Path) -> Self {
         let attributes = vec![("d", path.data().to_owned())];
         Self::new("path", attributes, Some(Area::Loops(path.loops()))).attribute("fill", "none")
     }
@@ -43,32 +43,32 @@ impl Shape {
     }
 
     /// Draws the outline in a colour, so many pixels wide.
-    pub fn stroke(self, colour: Colour, width: f64) -> Self {
+    pub(crate) fn stroke(self, colour: Colour, width: f64) -> Self {
         self.attribute("stroke", colour.0).attribute("stroke-width", &format_trimmed(width, 2))
     }
 
     /// Breaks the outline: lengths of dashes and gaps in pixels.
-    pub fn dashed(self, pattern: &str) -> Self {
+    pub(crate) fn dashed(self, pattern: &str) -> Self {
         self.attribute("stroke-dasharray", pattern)
     }
 
     /// Fills the inside with a colour.
-    pub fn fill(self, colour: Colour) -> Self {
+    pub(crate) fn fill(self, colour: Colour) -> Self {
         Self { filled: Some(colour), ..self.attribute("fill", colour.0) }
     }
 
     /// Fills the inside with a colour of which so little covers what is below: a share between 0 and 1.
-    pub fn tint(self, colour: Colour, share: f64) -> Self {
+    pub(crate) fn tint(self, colour: Colour, share: f64) -> Self {
         self.fill(colour).attribute("fill-opacity", &format_trimmed(share, 2))
     }
 
     /// Names what is drawn: a class by which pages and tests find it.
-    pub fn class(self, name: &str) -> Self {
+    pub(crate) fn class(self, name: &str) -> Self {
         self.attribute("class", name)
     }
 
     /// Sets an attribute, in place of an earlier value.
-    pub fn attribute(mut self, name: &'static str, value: &str) -> Self {
+    pub(crate) fn attribute(mut self, name: &'static str, value: &str) -> Self {
         match self.attributes.iter_mut().find(|(known, _)| *known == name) {
             Some((_, earlier)) => *earlier = value.to_owned(),
             None => self.attributes.push((name, value.to_owned())),
@@ -77,14 +77,14 @@ impl Shape {
     }
 
     /// What a label stands on that is written over it; nothing for what is not filled.
-    pub fn face(&self) -> Option<FilledShape> {
+    pub(crate) fn face(&self) -> Option<FilledShape> {
         let share = self.attributes.iter().find(|(name, _)| *name == "fill-opacity");
         let share = share.and_then(|(_, share)| share.parse().ok()).unwrap_or(1.0);
         Some(FilledShape { area: self.area.clone()?, colour: self.filled?, share })
     }
 
     /// The element as text.
-    pub fn markup(&self) -> String {
+    pub(crate) fn markup(&self) -> String {
         let attributes = self.attributes.iter().map(|(name, value)| format!(" {name}=\"{value}\""));
         format!("<{}{}/>", self.tag, attributes.collect::<String>())
     }

@@ -4,7 +4,7 @@ use crate::output::{TextLayout, heading};
 use geneva_mimic::language::{CARDS, DECKS, FUNCTIONS};
 
 /// The decks of this project, each with its first lines of comment.
-pub fn decks(layout: TextLayout) -> String {
+pub(super) fn decks(layout: TextLayout) -> String {
     let said = |text: &str| {
         let lines = text.lines().take_while(|line| line.len() > 1 && line.starts_with('*'));
         lines.map(|line| line.trim_start_matches('*').trim()).collect::<Vec<_>>().join(" ")
@@ -13,7 +13,7 @@ pub fn decks(layout: TextLayout) -> String {
 }
 
 /// The functions and the control cards, each with the evidence for it.
-pub fn functions(layout: TextLayout) -> String {
+pub(super) fn functions(layout: TextLayout) -> String {
     let bold = heading();
     let mut page = format!("{bold}Functions{bold:#}\n");
     for function in &FUNCTIONS {

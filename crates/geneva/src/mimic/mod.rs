@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva mimic`.
 #[derive(Args, Debug)]
-pub struct MimicArguments {
+pub(crate) struct MimicArguments {
     /// Action
     #[command(subcommand)]
     pub action: Action,
@@ -33,7 +33,7 @@ pub struct MimicArguments {
 
 /// Actions of `geneva mimic`.
 #[derive(Debug, Subcommand)]
-pub enum Action {
+pub(crate) enum Action {
     /// Check a deck: report each mistake with its card, its column and what is allowed there
     Check {
         /// Which deck.
@@ -73,7 +73,7 @@ pub enum Action {
 
 /// Which deck.
 #[derive(Args, Debug)]
-pub struct DeckArguments {
+pub(crate) struct DeckArguments {
     /// A file, - for standard input, or the name of a deck of this project (see geneva mimic decks)
     #[arg(value_name = "DECK", required_unless_present = "listing_in")]
     pub deck: Option<String>,
@@ -91,7 +91,7 @@ pub struct DeckArguments {
 
 /// Where the fields of a card are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LayoutName {
+pub(crate) enum LayoutName {
     /// Control before column 10, result from column 10, expression from column 19
     Columns,
     /// Separated by blanks
@@ -100,7 +100,7 @@ pub enum LayoutName {
 
 /// Options of `geneva mimic run`.
 #[derive(Args, Debug)]
-pub struct RunArguments {
+pub(crate) struct RunArguments {
     /// Which deck.
     #[command(flatten)]
     pub deck: DeckArguments,
@@ -145,14 +145,14 @@ pub struct RunArguments {
 
 /// Sets of data that the ledger knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum RunsName {
+pub(crate) enum RunsName {
     /// The runs of Appendix E, with the inertias of Fig. 11 for six pins
     AppendixE,
 }
 
 /// Which value of a step is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum KeptName {
+pub(crate) enum KeptName {
     /// The value of the whole step
     FullStep,
     /// The value of the two half steps
@@ -163,7 +163,7 @@ pub enum KeptName {
 
 /// What to do if a step would have to be shorter than DTMIN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AtDtmin {
+pub(crate) enum AtDtmin {
     /// Keep the step, and count it
     Keep,
     /// Stop the run
@@ -172,7 +172,7 @@ pub enum AtDtmin {
 
 /// How a delay interpolates between its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Between {
+pub(crate) enum Between {
     /// Along a straight line
     Linear,
     /// With the earlier of the two values
@@ -181,7 +181,7 @@ pub enum Between {
 
 /// How many values a delay keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DelayKeeps {
+pub(crate) enum DelayKeeps {
     /// The values of all steps
     All,
     /// As many as its third argument says
@@ -214,7 +214,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// The answer to the action that is wanted.
-pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
+pub(crate) fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
     apart_from(&destination(action).output, inputs(action))?;
     match action {
         Action::Check { deck, .. } => {
@@ -245,7 +245,7 @@ pub fn page(action: &Action, layout: TextLayout) -> anyhow::Result<String> {
 }
 
 /// Where the output of an action goes.
-pub fn destination(action: &Action) -> &Output {
+pub(crate) fn destination(action: &Action) -> &Output {
     match action {
         Action::Check { to, .. } | Action::Sort { to, .. } | Action::Decks { to, .. } | Action::Functions { to } => to,
         Action::Run(wanted) => &wanted.to,

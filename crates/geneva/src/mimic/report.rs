@@ -10,7 +10,7 @@ use std::io::Write;
 const MOST_PRINTED: usize = 64_000_000;
 
 /// The report on a deck without mistakes: its size and its notes.
-pub fn check_report(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
+pub(super) fn check_report(name: &str, deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let (integrals, instructions) = program.size();
     let dead = program.execution_order().iter().filter(|of| of.is_dead).count();
     let mut page = layout.wrapped(
@@ -30,7 +30,7 @@ pub fn check_report(name: &str, deck: &Deck, program: &Program, layout: TextLayo
 }
 
 /// The statements in their order.
-pub fn statements_in_order(deck: &Deck, program: &Program, layout: TextLayout) -> String {
+pub(super) fn statements_in_order(deck: &Deck, program: &Program, layout: TextLayout) -> String {
     let bold = heading();
     let (control, result) = (width(program, |of| of.control.as_deref().unwrap_or("")), width(program, |of| &of.result));
     let mut page = String::new();
@@ -57,7 +57,7 @@ fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::SortedSt
 }
 
 /// The print-outs of all runs.
-pub fn print_outs(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
+pub(super) fn print_outs(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let title =
         |at: usize| if runs.len() > 1 { format!("{name}, run {} of {}", at + 1, runs.len()) } else { name.to_owned() };
     let mut pages = String::new();
@@ -90,7 +90,7 @@ impl Serialize for Named<'_> {
 }
 
 /// An array of objects, with a row to a line.
-pub fn json(runs: &[DeckRun]) -> anyhow::Result<String> {
+pub(super) fn json(runs: &[DeckRun]) -> anyhow::Result<String> {
     // Written in one go: many rows as texts of their own would take several times the memory.
     let mut page = b"[\n".to_vec();
     for (at, run) in runs.iter().enumerate() {
@@ -116,7 +116,7 @@ pub fn json(runs: &[DeckRun]) -> anyhow::Result<String> {
 }
 
 /// One row per printed point: the run's number and parameters, and the columns.
-pub fn csv(runs: &[DeckRun]) -> anyhow::Result<String> {
+pub(super) fn csv(runs: &[DeckRun]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let Some(first) = runs.first() else { return Ok(String::new()) };
     let parameters = first.parameters.iter().map(|(name, _)| name.as_str());
@@ -132,7 +132,7 @@ pub fn csv(runs: &[DeckRun]) -> anyhow::Result<String> {
 }
 
 /// The first plot of the first run; the columns against the first if nothing is plotted.
-pub fn svg(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
+pub(super) fn svg(name: &str, runs: &[DeckRun]) -> anyhow::Result<String> {
     let Some(run) = runs.first() else { anyhow::bail!("{name}: no run") };
     let (names, points) = match run.plots.first() {
         Some((plot, points)) => (&plot.names, points),

@@ -13,7 +13,7 @@ const MOST_ROWS: u64 = 10_000_000;
 
 /// The values along each axis. Rows go through the torques fastest, then through the inertia ratios, then through the
 /// frictions, and through the slots last.
-pub struct SweepGrid {
+pub(super) struct SweepGrid {
     mechanisms: Vec<Mechanism>,
     frictions: Vec<f64>,
     inertia_ratios: Vec<f64>,
@@ -24,7 +24,7 @@ pub struct SweepGrid {
 
 /// One row's escapement.
 #[derive(Clone, Copy, Debug)]
-pub struct SweepCell {
+pub(super) struct SweepCell {
     pub mechanism: Mechanism,
     pub friction: f64,
     pub inertia_ratio: f64,
@@ -35,7 +35,7 @@ pub struct SweepCell {
 
 impl SweepGrid {
     /// The one that is wanted.
-    pub fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
+    pub(super) fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
         let mechanisms = wanted.slots.iter().map(|count| Mechanism::new(*count)).collect::<Result<Vec<_>, _>>()?;
         let again = wanted.slots.iter().enumerate().find(|(at, one)| wanted.slots[..*at].contains(one));
         ensure!(again.is_none(), "--slots lists {} twice; give each number once", again.map_or(0, |(_, slots)| *slots));
@@ -65,12 +65,12 @@ impl SweepGrid {
     }
 
     /// Number of rows.
-    pub fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.mechanisms.len() * self.frictions.len() * self.inertia_ratios.len() * self.torques.len()
     }
 
     /// The escapement of a row; none behind the last.
-    pub fn cell(&self, row: usize) -> Option<SweepCell> {
+    pub(super) fn cell(&self, row: usize) -> Option<SweepCell> {
         let (rest, torque) = (row / self.torques.len(), self.torques[row % self.torques.len()]);
         let (rest, ratio) = (rest / self.inertia_ratios.len(), self.inertia_ratios[rest % self.inertia_ratios.len()]);
         let (rest, friction) = (rest / self.frictions.len(), self.frictions[rest % self.frictions.len()]);

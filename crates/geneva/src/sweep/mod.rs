@@ -23,7 +23,7 @@ use std::num::NonZeroUsize;
 
 /// Options of `geneva sweep`.
 #[derive(Args, Debug)]
-pub struct SweepArguments {
+pub(crate) struct SweepArguments {
     /// Numbers of slots of the follower, each 3, 4 or 6, separated by commas
     #[arg(long, value_name = "N[,N...]", value_parser = typed::slots, value_delimiter = ',', required = true,
           allow_negative_numbers = true)]
@@ -62,7 +62,7 @@ const BLOCK: usize = 16;
 const HELD: usize = 128;
 
 /// Computes and writes the rows; returns a summary if they are in a file.
-pub fn write_sweep(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
+pub(crate) fn write_sweep(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
     let grid = SweepGrid::new(wanted)?;
     let pool = Threads::new(wanted.threads)?.pool()?;
     let mut destination = Destination::new(&wanted.to.output)?;

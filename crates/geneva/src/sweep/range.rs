@@ -6,7 +6,7 @@ use clap::ValueEnum;
 
 /// How the values of a range are spaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Spacing {
+pub(crate) enum Spacing {
     /// Equal differences between neighbouring values
     #[default]
     Linear,
@@ -16,7 +16,7 @@ pub enum Spacing {
 
 /// A range as it was typed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
+pub(crate) struct Range {
     from: f64,
     to: f64,
     count: u64,
@@ -28,12 +28,12 @@ const FORM: &str = "not a range; give FROM:TO:COUNT, such as 0.1:0.3:5, or FROM:
 
 impl Range {
     /// A range of numbers above zero.
-    pub fn positive(text: &str) -> Result<Self, String> {
+    pub(crate) fn positive(text: &str) -> Result<Self, String> {
         Self::of(text, typed::positive)
     }
 
     /// A range of numbers that are zero or more.
-    pub fn zero_or_more(text: &str) -> Result<Self, String> {
+    pub(crate) fn zero_or_more(text: &str) -> Result<Self, String> {
         Self::of(text, typed::zero_or_more)
     }
 
@@ -62,12 +62,12 @@ impl Range {
     }
 
     /// How many values it has.
-    pub fn count(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         self.count
     }
 
     /// The values of a range; `option` names it in errors.
-    pub fn values(&self, option: &str, usual: Spacing) -> anyhow::Result<Vec<f64>> {
+    pub(crate) fn values(&self, option: &str, usual: Spacing) -> anyhow::Result<Vec<f64>> {
         let spacing = self.spacing.unwrap_or(usual);
         ensure!(
             spacing == Spacing::Linear || (self.from > 0.0 && self.to > 0.0) || self.count == 1,

@@ -9,7 +9,7 @@ use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 
 /// Status of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
+pub(super) enum Status {
     /// Every number is there.
     Ok,
     /// The friction is critical or more.
@@ -24,10 +24,10 @@ pub enum Status {
 
 impl Status {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Ok, Self::Jams, Self::NoTerminalSpeed, Self::TooSharp, Self::LongRise];
+    pub(super) const ALL: [Self; 5] = [Self::Ok, Self::Jams, Self::NoTerminalSpeed, Self::TooSharp, Self::LongRise];
 
     /// As it stands in a row.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
             Self::Jams => "may-jam",
@@ -39,7 +39,7 @@ impl Status {
 }
 
 /// The row of an escapement. What there is no number for is missing, and the status says why.
-pub fn row(cell: &SweepCell) -> (DataRow, Status) {
+pub(super) fn row(cell: &SweepCell) -> (DataRow, Status) {
     let (steady, rise_time, status) = match motion(cell) {
         Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
         Ok((steady, None)) => (Some(steady), None, Status::LongRise),

@@ -220,7 +220,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
-    pub fn closest_approach_within(self, angles: u32, enough: f64) -> Result<ClosestApproach, KinematicsError> {
+    pub(super) fn closest_approach_within(self, angles: u32, enough: f64) -> Result<ClosestApproach, KinematicsError> {
         let limited = Self { enough, angles: Cell::new(angles), ..self };
         let found = limited.closest_approach();
         if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
@@ -237,14 +237,14 @@ impl<'a> Assembly<'a> {
     }
 
     /// The least of all distances.
-    pub fn closest_approach(&self) -> ClosestApproach {
+    pub(super) fn closest_approach(&self) -> ClosestApproach {
         let known = self.locking_disc().map_or(self.pin_in_slot(), |disc| self.pin_in_slot().or(disc));
         let known = self.pins_outside(Some(known)).map_or(known, |pins| known.or(pins));
         self.disc.as_ref().map_or(known, |disc| known.or(self.crescent(disc, Some(known))))
     }
 
     /// The crank angles, in radians, of the indexing or of the dwell, whichever has this one, and whether it is the dwell.
-    pub fn phase(&self, theta: f64) -> (f64, f64, bool) {
+    pub(super) fn phase(&self, theta: f64) -> (f64, f64, bool) {
         let is_at_rest = theta >= self.engaged && self.half_turn > self.engaged;
         let (from, to) =
             if is_at_rest { (self.engaged, self.half_turn) } else { (0.0, self.engaged.min(self.half_turn)) };
@@ -252,7 +252,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The distance of these two parts at this crank angle in radians, in millimetres, as the search for the least one sees it.
-    pub fn distance_at(&self, contact: ContactPair, theta: f64, is_at_rest: bool) -> f64 {
+    pub(super) fn distance_at(&self, contact: ContactPair, theta: f64, is_at_rest: bool) -> f64 {
         let pins = self.sizes.pin_directions().skip(1).chain(is_at_rest.then_some(0.0));
         match (contact, &self.disc) {
             (ContactPair::PinInSlot, _) => self.pin_in_slot().distance,

@@ -27,7 +27,7 @@ pub(super) struct WheelRegion {
 }
 
 impl WheelRegion {
-    pub fn new(sizes: &Sizes) -> Self {
+    pub(super) fn new(sizes: &Sizes) -> Self {
         let at = |radius: f64, angle: f64| Point::new(radius * libm::cos(angle), radius * libm::sin(angle));
         let (half_pitch, tip_angle) = (sizes.wheel.half_pitch_angle(), sizes.tip_angle());
         Self {
@@ -45,7 +45,7 @@ impl WheelRegion {
     }
 
     /// The corners and tips of slot `k`, and the centre of the locking arc after it.
-    pub fn sector(&self, k: i32) -> ([Point; 4], Point) {
+    pub(super) fn sector(&self, k: i32) -> ([Point; 4], Point) {
         let (sin, cos) = libm::sincos(2.0 * self.half_pitch * f64::from(k));
         let turned = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
         let mirrored = |p: Point| Point::new(p.x, -p.y);
@@ -54,12 +54,12 @@ impl WheelRegion {
     }
 
     /// Radius of the locking arcs, in millimetres.
-    pub fn locking_radius(&self) -> f64 {
+    pub(super) fn locking_radius(&self) -> f64 {
         self.locking_radius
     }
 
     /// Whether the rim is there at this angle from the middle of a slot, in radians.
-    pub fn has_rim_at(&self, angle: f64) -> bool {
+    pub(super) fn has_rim_at(&self, angle: f64) -> bool {
         (self.corner_angle..=self.tip_angle).contains(&self.folded(angle))
     }
 
@@ -69,7 +69,7 @@ impl WheelRegion {
     }
 
     /// Distance of a point from the wheel, in millimetres; its depth in the wheel with a minus sign.
-    pub fn distance(&self, point: &Point) -> f64 {
+    pub(super) fn distance(&self, point: &Point) -> f64 {
         let radius = point.norm();
         let angle = self.folded(libm::atan2(point.y, point.x));
         let (sin, cos) = libm::sincos(angle);
@@ -114,7 +114,7 @@ pub(super) struct DiscRegion {
 
 impl DiscRegion {
     /// The disc, if there is one.
-    pub fn new(sizes: &Sizes) -> Option<Self> {
+    pub(super) fn new(sizes: &Sizes) -> Option<Self> {
         let disc = sizes.locking_disc?;
         let (sin, cos) = libm::sincos(disc.crescent.half_angle);
         let pin = |angle| Point::new(libm::cos(angle), libm::sin(angle));
@@ -129,19 +129,19 @@ impl DiscRegion {
     }
 
     /// The edges of all openings.
-    pub fn edges(&self) -> Vec<Point> {
+    pub(super) fn edges(&self) -> Vec<Point> {
         let turned = |pin: &Point, x: f64, y: f64| Point::new(pin.x * x - pin.y * y, pin.y * x + pin.x * y);
         let both = |pin| [1.0, -1.0].map(|side| turned(pin, self.edge.x, side * self.edge.y));
         self.pins.iter().flat_map(both).collect()
     }
 
     /// The centres of all cuts.
-    pub fn cuts(&self) -> Vec<Point> {
+    pub(super) fn cuts(&self) -> Vec<Point> {
         self.pins.iter().map(|pin| pin * self.cut_centre).collect()
     }
 
     /// Distance of a point from the disc, in millimetres; its depth in the disc with a minus sign.
-    pub fn distance(&self, point: &Point) -> f64 {
+    pub(super) fn distance(&self, point: &Point) -> f64 {
         let along = |pin: &Point| Point::new(pin.dot(point), pin.perp(point).abs());
         let folded = self.pins.iter().map(along).max_by(|a, b| a.x.total_cmp(&b.x));
         let Some(p) = folded else { return f64::INFINITY };

@@ -38,7 +38,7 @@ impl Search<'_> {
     /// The least value of a function between two places that changes no faster than `rate` says between two of them, or
     /// what is known to be less; a value below the tolerance will do where `enough` is one, and any where no places are
     /// left.
-    pub fn minimize(
+    pub(super) fn minimize(
         &self,
         from: f64,
         to: f64,

@@ -9,10 +9,10 @@ type Wide = FBig<HalfEven, 2>;
 const BITS: usize = 240;
 
 /// Names of what [`Oracle::motion_errors`] gives.
-pub const MOTION: [&str; 4] = ["angle", "velocity ratio", "acceleration ratio", "jerk ratio"];
+pub(crate) const MOTION: [&str; 4] = ["angle", "velocity ratio", "acceleration ratio", "jerk ratio"];
 
 /// A wheel's α and centre distance to 240 bits.
-pub struct Oracle {
+pub(crate) struct Oracle {
     stations: u32,
     half_pitch_angle: Wide,
     ratio: Wide,
@@ -23,7 +23,7 @@ fn wide(x: f64) -> Wide {
 }
 
 /// Distance of `computed` from `exact` in units in the last place of `exact`; infinite if only one of them is zero.
-pub fn ulps(computed: f64, exact: &Wide) -> f64 {
+pub(crate) fn ulps(computed: f64, exact: &Wide) -> f64 {
     let near = exact.to_f64().value();
     if near == 0.0 || computed == 0.0 {
         return if near == computed { 0.0 } else { f64::INFINITY };
@@ -34,14 +34,14 @@ pub fn ulps(computed: f64, exact: &Wide) -> f64 {
 
 impl Oracle {
     /// For a wheel of so many stations.
-    pub fn new(stations: u32) -> Self {
+    pub(crate) fn new(stations: u32) -> Self {
         let half_pitch_angle = Wide::pi(BITS) / wide(f64::from(stations));
         let ratio = wide(1.0) / half_pitch_angle.sin();
         Self { stations, half_pitch_angle, ratio }
     }
 
     /// Errors of the motion at a crank angle, less so many parts of a whole turn in so many.
-    pub fn motion_errors(&self, motion: &WheelMotion, crank: f64, (part, parts): (i32, u32)) -> [f64; 4] {
+    pub(crate) fn motion_errors(&self, motion: &WheelMotion, crank: f64, (part, parts): (i32, u32)) -> [f64; 4] {
         let turn = wide(2.0) * Wide::pi(BITS) * wide(f64::from(part)) / wide(f64::from(parts));
         let (sin, cos) = (wide(crank) - turn).sin_cos();
         let (one, k) = (wide(1.0), &self.ratio);
@@ -59,7 +59,7 @@ impl Oracle {
     }
 
     /// Errors of what a wheel is asked without an angle, with their names.
-    pub fn size_errors(&self, wheel: &Wheel) -> Vec<(&'static str, f64)> {
+    pub(crate) fn size_errors(&self, wheel: &Wheel) -> Vec<(&'static str, f64)> {
         let (one, two) = (wide(1.0), wide(2.0));
         let (m, cos) = self.half_pitch_angle.sin_cos();
         let gamma = (&one + &m * &m) / (&two * &m);

@@ -4,10 +4,10 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
 /// The numbers and the table, compiled here by themselves because the crate keeps them private.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/wheel/accurate/double.rs"]
 mod double;
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/wheel/accurate/table.rs"]
 mod table;
 

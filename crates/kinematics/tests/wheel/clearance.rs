@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// The search, compiled here by itself because the crate keeps it private.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/wheel/search.rs"]
 mod source;
 

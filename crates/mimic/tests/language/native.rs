@@ -6,7 +6,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 /// What the deck computes at an instant, in the order of its cards.
-pub struct Escapement {
+pub(crate) struct Escapement {
     data: [f64; 6],
     line: Box<DelayLine<16_384>>,
     follower: f64,
@@ -49,7 +49,7 @@ impl System<2> for Escapement {
 
 impl Escapement {
     /// With the numbers of a data card, and where the accelerations and the follower's speeds of kept points go.
-    pub fn new(data: [f64; 6], kept: Rc<Cell<[f64; 2]>>) -> Self {
+    pub(crate) fn new(data: [f64; 6], kept: Rc<Cell<[f64; 2]>>) -> Self {
         let line = DelayLine::new(INTERVAL / 10.0, 0.0, Interpolation::Linear, Extrapolation::Hold);
         Self { data, line: Box::new(line.expect("a line")), follower: 0.0, kept }
     }
@@ -59,6 +59,6 @@ impl Escapement {
 const INTERVAL: f64 = 5e-4;
 
 /// The integrator as the deck uses it.
-pub fn parameters() -> SolverParameters {
+pub(crate) fn parameters() -> SolverParameters {
     SolverParameters { at_smallest_step: MinStepPolicy::Continue, ..SolverParameters::new(INTERVAL, 0.2) }
 }

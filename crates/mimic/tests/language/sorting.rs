@@ -5,7 +5,7 @@ use geneva_mimic::language::{DataSet, RunOptions, Schedule};
 use source::{circle, components};
 
 /// The order, compiled here by itself: no deck may be so long.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub, reason = "a file of the library, of which the tests use a part")]
 #[path = "../../src/language/sorting.rs"]
 mod source;
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// Lets two folders of one file system trade places. Whether the system can: if it cannot, both are where they were.
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
-pub fn at_once(one: &Path, other: &Path) -> io::Result<bool> {
+pub(super) fn at_once(one: &Path, other: &Path) -> io::Result<bool> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use rustix::io::Errno;
     match renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE) {
@@ -25,7 +25,7 @@ pub fn at_once(_: &Path, _: &Path) -> io::Result<bool> {
 /// Moves `out` to `old` and `new` to `out`. If the second move fails, the first one is undone.
 ///
 /// Between the two moves there is nothing at `out`. If the program is killed just then, the next build puts `old` back.
-pub fn in_two_steps(new: &Path, out: &Path, old: &Path) -> io::Result<()> {
+pub(super) fn in_two_steps(new: &Path, out: &Path, old: &Path) -> io::Result<()> {
     fs::rename(out, old)?;
     fs::rename(new, out).inspect_err(|_| {
         // If this fails too, the next build tries again.

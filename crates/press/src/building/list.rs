@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail, ensure};
 
 /// The name of the list. It does not list itself.
-pub const NAME: &str = ".geneva-book";
+pub(super) const NAME: &str = ".geneva-book";
 
 /// Writes the list of all files in the folder `book`: one path a line, with `/` between its parts, sorted.
-pub fn write(book: &Path) -> anyhow::Result<()> {
+pub(super) fn write(book: &Path) -> anyhow::Result<()> {
     let mut files = BTreeSet::new();
     collect(book, "", &mut files)?;
     let text: String = files.iter().map(|file| format!("{file}\n")).collect();
@@ -46,7 +46,7 @@ fn collect(folder: &Path, below: &str, files: &mut BTreeSet<String>) -> anyhow::
 }
 
 /// Refuses a folder that holds anything but a book with its list, and names what else it holds.
-pub fn refuse_foreign(folder: &Path) -> anyhow::Result<()> {
+pub(super) fn refuse_foreign(folder: &Path) -> anyhow::Result<()> {
     let cannot = || format!("cannot read {}: choose another output folder", folder.display());
     let listed = Listed::read(folder).with_context(cannot)?;
     let mut foreign = Vec::new();
@@ -84,7 +84,7 @@ fn named(names: &[String]) -> String {
 ///
 /// Files that are not on the list stay, and so do the folders that hold them. The list goes last: if the removal is cut
 /// short, the next one can finish it.
-pub fn remove(folder: &Path) -> bool {
+pub(super) fn remove(folder: &Path) -> bool {
     if !folder.symlink_metadata().is_ok_and(|there| there.is_dir()) {
         return folder.symlink_metadata().is_err_and(|error| error.kind() == ErrorKind::NotFound);
     }

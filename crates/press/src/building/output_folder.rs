@@ -9,7 +9,7 @@ use anyhow::{Context, bail, ensure};
 /// The output folder as an absolute path with links resolved. It may be absent; its parent is made if that is absent.
 ///
 /// The chapters are in `source`: a book that is built there would become part of the next one.
-pub fn find(out: &Path, source: &Path) -> anyhow::Result<PathBuf> {
+pub(super) fn find(out: &Path, source: &Path) -> anyhow::Result<PathBuf> {
     // Without a slash at the end, which would follow a link.
     let out: PathBuf = out.components().collect();
     ensure!(!out.as_os_str().is_empty(), "the output folder has no name: name one");

@@ -45,7 +45,7 @@ struct Paths {
 }
 
 /// A build's own folder. It goes away with the value.
-pub struct Site {
+pub(super) struct Site {
     paths: Paths,
     /// Locked as long as it is open.
     _lock: File,
@@ -58,7 +58,7 @@ impl Site {
     /// book away, the book comes back.
     ///
     /// Refuses if another build into `out` is under way, or if `out` holds anything but a book.
-    pub fn open(out: &Path) -> anyhow::Result<Self> {
+    pub(super) fn open(out: &Path) -> anyhow::Result<Self> {
         let paths = Paths::of(out)?;
         let mut builds = under_way();
         let lock = paths.lock()?;
@@ -75,14 +75,14 @@ impl Site {
     }
 
     /// The folder in which the book grows.
-    pub fn new_book(&self) -> PathBuf {
+    pub(super) fn new_book(&self) -> PathBuf {
         self.paths.new_book()
     }
 
     /// Puts the new book, which is complete and has its list, in its place, and removes the old one.
     ///
     /// Returns the folders that hold files which came into the output at the last moment.
-    pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
+    pub(super) fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
         // Let go before `self` is dropped, which asks for it again.
         let _builds = under_way();
         self.paths.check()?;

@@ -13,7 +13,7 @@ use tracing_core::span::{Attributes, Id, Record};
 use tracing_core::{Event, Level, Metadata, Subscriber};
 
 /// Does this work of mdBook, and fails if mdBook warns of something on the way.
-pub fn refuse<T>(work: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
+pub(super) fn refuse<T>(work: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
     let listener = Listener::default();
     let heard = Arc::clone(&listener.heard);
     let done = with_default(&Dispatch::new(listener), work);

@@ -41,7 +41,7 @@ pub(crate) enum Input {
 
 impl Input {
     /// The format of a file, or none for lines of JSON.
-    pub fn format(self) -> Option<TextFormat> {
+    pub(crate) fn format(self) -> Option<TextFormat> {
         match self {
             Self::One(format) => Some(format),
             Self::Lines => None,

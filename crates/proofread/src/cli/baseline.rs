@@ -31,7 +31,7 @@ fn plain(file: &str) -> String {
 
 impl Baseline {
     /// Reads the file.
-    pub fn read(path: &Path) -> Result<Self, String> {
+    pub(super) fn read(path: &Path) -> Result<Self, String> {
         let wrong = |why: String| format!("{}: {why}; give a file that --accept wrote", shown_path(path));
         let bytes = files::read(path, LONGEST as u64, "a file that --accept wrote")?;
         let text = String::from_utf8(bytes).map_err(|_| wrong("this is not text in UTF-8".to_owned()))?;
@@ -48,7 +48,7 @@ impl Baseline {
     }
 
     /// Whether the lines of a file are accepted cases, and no documents.
-    pub fn is_in(path: &Path) -> bool {
+    pub(super) fn is_in(path: &Path) -> bool {
         let mut line = Vec::new();
         let Ok(file) = files::open(path, "a file") else { return false };
         let read = BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line);
@@ -57,14 +57,14 @@ impl Baseline {
     }
 
     /// Whether a finding is accepted.
-    pub fn is_accepted(&self, file: &str, finding: &ChainFinding) -> bool {
+    pub(super) fn is_accepted(&self, file: &str, finding: &ChainFinding) -> bool {
         let found = self.cases.contains_key(&(plain(file), fingerprint(finding)));
         self.met.set(self.met.get() + usize::from(found));
         found
     }
 
     /// Accepts a finding; the reason of one that was accepted before is kept.
-    pub fn accept(&mut self, file: &str, finding: &ChainFinding) {
+    pub(super) fn accept(&mut self, file: &str, finding: &ChainFinding) {
         self.met.set(self.met.get() + 1);
         let case = fingerprint(finding);
         let file = plain(file);
@@ -73,12 +73,12 @@ impl Baseline {
     }
 
     /// How many findings were accepted.
-    pub fn accepted_count(&self) -> usize {
+    pub(super) fn accepted_count(&self) -> usize {
         self.met.get()
     }
 
     /// Writes the cases, and puts the file in its place.
-    pub fn write(&self, mut file: NewFile) -> Result<(), String> {
+    pub(super) fn write(&self, mut file: NewFile) -> Result<(), String> {
         for case in self.cases.values() {
             file.add(format!("{case}\n").as_bytes())?;
         }

@@ -37,13 +37,13 @@ pub(crate) struct Source {
 
 impl Source {
     /// The file with the folder in which it was found, if it is LaTeX.
-    pub fn latex_file(&self) -> Option<(&Path, Option<&Path>)> {
+    pub(super) fn latex_file(&self) -> Option<(&Path, Option<&Path>)> {
         let path = self.path.as_deref().filter(|_| self.format == Some(TextFormat::Latex))?;
         Some((path, self.folder.as_deref()))
     }
 
     /// Whether it is this file.
-    pub fn is_file(&self, file: &Path) -> bool {
+    pub(super) fn is_file(&self, file: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
         self.path.as_deref().and_then(real).is_some_and(|mine| real(file) == Some(mine))
     }

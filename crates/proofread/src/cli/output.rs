@@ -35,7 +35,7 @@ pub(crate) enum RunStatus {
 }
 
 impl RunStatus {
-    pub fn code(self) -> u8 {
+    pub(super) fn code(self) -> u8 {
         match self {
             Self::Clean => 0,
             Self::Found => 1,

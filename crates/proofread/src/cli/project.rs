@@ -101,7 +101,7 @@ impl Gathered {
 
 impl Project {
     /// Adds a file that is proofread, with the folder in which it was found.
-    pub fn add(&mut self, file: &Path, folder: Option<&Path>) {
+    pub(super) fn add(&mut self, file: &Path, folder: Option<&Path>) {
         let Ok(file) = file.canonicalize() else { return };
         let folder = folder.and_then(|folder| folder.canonicalize().ok());
         let top = top(&file, folder.as_deref());
@@ -122,7 +122,7 @@ impl Project {
     }
 
     /// What other files define for a file.
-    pub fn definitions(&mut self, file: &Path) -> Option<Arc<Definitions>> {
+    pub(super) fn definitions(&mut self, file: &Path) -> Option<Arc<Definitions>> {
         let file = file.canonicalize().ok()?;
         let top = self.tops.get(&file)?.clone();
         let contents = self.read(&file)?;

@@ -35,7 +35,7 @@ pub(crate) enum EarlierText {
 
 impl Since {
     /// Looks the revision up in the repositories around the arguments. What an argument that leads nowhere lacks is not told here.
-    pub fn new(revision: &str, arguments: &[PathBuf]) -> Result<Self, String> {
+    pub(super) fn new(revision: &str, arguments: &[PathBuf]) -> Result<Self, String> {
         let mut by_top: HashMap<PathBuf, Rc<Commit>> = HashMap::new();
         let mut commits = HashMap::new();
         for argument in arguments {
@@ -63,7 +63,7 @@ impl Since {
     }
 
     /// What a document was at the revision.
-    pub fn earlier_text(&self, document: &Document) -> Result<EarlierText, String> {
+    pub(super) fn earlier_text(&self, document: &Document) -> Result<EarlierText, String> {
         let (Some(path), Some(argument)) = (&document.path, &document.argument) else {
             return Err(format!(
                 "{}: a line of JSON has no earlier revision; give --since files, or leave it out",

@@ -13,12 +13,12 @@ pub(crate) struct Joiner<'t> {
 }
 
 impl<'t> Joiner<'t> {
-    pub fn new(text: &'t str) -> Self {
+    pub(super) fn new(text: &'t str) -> Self {
         Self { text, last: None }
     }
 
     /// Takes the next formula; the one before it is handed on unless both are one.
-    pub fn take(&mut self, mut next: Formula, each: &mut FormulaSink<'_>) {
+    pub(super) fn take(&mut self, mut next: Formula, each: &mut FormulaSink<'_>) {
         match self.last.take() {
             None => {}
             Some(last) if !self.adjoin(last.span, next.span) => each(last),
@@ -42,7 +42,7 @@ impl<'t> Joiner<'t> {
     }
 
     /// Hands on the last formula.
-    pub fn finish(&mut self, each: &mut FormulaSink<'_>) {
+    pub(super) fn finish(&mut self, each: &mut FormulaSink<'_>) {
         self.last.take().into_iter().for_each(each);
     }
 

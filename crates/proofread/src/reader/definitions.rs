@@ -39,14 +39,14 @@ pub(crate) struct Macros<'d> {
 
 impl<'d> Macros<'d> {
     /// Those that a part of a document of so many bytes defines, and those that are defined for it elsewhere.
-    pub fn from_text(part: &str, bytes: usize, elsewhere: Option<&'d NamedMacros>) -> Self {
+    pub(super) fn from_text(part: &str, bytes: usize, elsewhere: Option<&'d NamedMacros>) -> Self {
         let [some, each] = MOST_IN_ALL;
         let left = Cell::new(bytes.saturating_mul(each).saturating_add(some));
         Self { own: named_macros(part), elsewhere, left, ..Self::default() }
     }
 
     /// Whether they may add so many characters, `expanded` of them in the formula at hand; these are counted.
-    pub fn may_add(&self, characters: usize, expanded: usize) -> bool {
+    pub(super) fn may_add(&self, characters: usize, expanded: usize) -> bool {
         effort::count_steps(characters);
         let left = self.left.get().checked_sub(characters);
         self.left.set(left.unwrap_or_default());
@@ -54,7 +54,7 @@ impl<'d> Macros<'d> {
     }
 
     /// Notes a macro that is not to be used any more.
-    pub fn give_up(&self, name: &str) {
+    pub(super) fn give_up(&self, name: &str) {
         let known = self.own.get_key_value(name).or_else(|| self.elsewhere?.get_key_value(name));
         if let Some((name, of)) = known {
             self.endless.borrow_mut().insert(name.clone(), of.clone());
@@ -62,22 +62,22 @@ impl<'d> Macros<'d> {
     }
 
     /// Whether a macro has been given up.
-    pub fn is_endless(&self, name: &str) -> bool {
+    pub(super) fn is_endless(&self, name: &str) -> bool {
         self.endless.borrow().contains_key(name)
     }
 
     /// What a name stands for; the document's own definition counts first.
-    pub fn get(&self, name: &str) -> Option<&Macro> {
+    pub(super) fn get(&self, name: &str) -> Option<&Macro> {
         self.in_quantity(name).filter(|of| !of.unit)
     }
 
     /// What a name stands for in a quantity of siunitx.
-    pub fn in_quantity(&self, name: &str) -> Option<&Macro> {
+    pub(super) fn in_quantity(&self, name: &str) -> Option<&Macro> {
         self.own.get(name).or_else(|| self.elsewhere?.get(name)).map(AsRef::as_ref)
     }
 
     /// All names with what they stand for.
-    pub fn iter(&self) -> impl Iterator<Item = (&str, &Macro)> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&str, &Macro)> {
         self.own.iter().chain(self.elsewhere.into_iter().flatten()).map(|(name, of)| (name.as_ref(), of.as_ref()))
     }
 }

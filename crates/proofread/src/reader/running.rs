@@ -59,7 +59,7 @@ pub(crate) struct RunningText {
 
 impl RunningText {
     /// The lines of this page; none if it is no HTML.
-    pub fn from_page(page: &str, format: TextFormat) -> Self {
+    pub(crate) fn from_page(page: &str, format: TextFormat) -> Self {
         let mut out = Self::default();
         if format != TextFormat::Html || page.len() > LONGEST {
             return out;
@@ -78,12 +78,12 @@ impl RunningText {
     }
 
     /// Finds the formulas in the lines; their places are in the lines, too.
-    pub fn read(&self, each: &mut FormulaSink<'_>) {
+    pub(crate) fn read(&self, each: &mut FormulaSink<'_>) {
         plain::read(&self.text, &self.cut, each);
     }
 
     /// Where a stretch of the lines is in the page.
-    pub fn span_in_page(&self, span: Span) -> Span {
+    pub(crate) fn span_in_page(&self, span: Span) -> Span {
         let of = |byte: u32| {
             let at = self.places.partition_point(|(start, _)| *start <= byte as usize).max(1) - 1;
             let (start, page) = self.places.get(at).copied().unwrap_or_default();

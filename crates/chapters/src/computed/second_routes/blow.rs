@@ -7,7 +7,7 @@ use super::contact::{ContactModel, Stance, dot, moment};
 
 /// Speeds and energies of a blow.
 #[derive(Clone, Copy, Debug)]
-pub struct Impact {
+pub(crate) struct Impact {
     /// Speed with which pin and flank meet, across the slot, in crank radii per unit of time.
     pub closing_speed: f64,
     /// Kinetic energy that is gone, in the unit of the torque.
@@ -22,13 +22,13 @@ const INSTANTS: u32 = 4000;
 impl ContactModel {
     /// The blow on the trailing flank, after the pin has left the leading one at this angle and speed of the driver. None if the
     /// pin leaves the slot before.
-    pub fn crossing(&self, angle: f64, speed: f64, play: f64) -> Option<Impact> {
+    pub(crate) fn crossing(&self, angle: f64, speed: f64, play: f64) -> Option<Impact> {
         let stance = self.stance(angle);
         self.flight([angle, speed], stance.along, stance.ratio * speed, play)
     }
 
     /// The blow on the leading flank as a pin enters at this speed of the driver into a slot at rest, in whose middle it is.
-    pub fn entry(&self, speed: f64, play: f64) -> Option<Impact> {
+    pub(crate) fn entry(&self, speed: f64, play: f64) -> Option<Impact> {
         self.flight([-self.half, speed], self.stance(-self.half).along, 0.0, play / 2.0)
     }
 

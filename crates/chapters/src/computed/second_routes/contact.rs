@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 /// Sizes and loads of an escapement; torque and inertias in units that fit each other.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactModel {
+pub(crate) struct ContactModel {
     /// Centre distance over crank radius.
     pub ratio: f64,
     /// Crank angle from the line of centres at which the pin leaves its slot, in radians.
@@ -33,7 +33,7 @@ type SquareLine = [f64; 2];
 
 /// What the contact does at a crank angle, if the pin presses on the leading flank and if it presses on the trailing one.
 #[derive(Clone, Copy, Debug)]
-pub struct Flanks {
+pub(crate) struct Flanks {
     /// Twice the driver's acceleration, which is the slope of the square of its speed over the angle.
     slopes: [SquareLine; 2],
     /// Normal force times crank radius, positive on the leading flank.
@@ -44,7 +44,7 @@ pub struct Flanks {
 
 /// Crank and slot at a crank angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Stance {
+pub(crate) struct Stance {
     /// The pin's centre.
     pub pin: [f64; 2],
     /// The pin's velocity for each radian of the crank.
@@ -62,12 +62,12 @@ pub struct Stance {
 }
 
 /// The scalar product of two vectors.
-pub fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// The moment of a force about the origin, counter-clockwise.
-pub fn moment(place: [f64; 2], force: [f64; 2]) -> f64 {
+pub(crate) fn moment(place: [f64; 2], force: [f64; 2]) -> f64 {
     place[0] * force[1] - place[1] * force[0]
 }
 
@@ -77,18 +77,18 @@ fn quarter_turned([x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 /// One vector and so much of another.
-pub fn add_scaled(a: [f64; 2], times: f64, b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn add_scaled(a: [f64; 2], times: f64, b: [f64; 2]) -> [f64; 2] {
     [a[0] + times * b[0], a[1] + times * b[1]]
 }
 
 impl ContactModel {
     /// The escapement of a printed row as the mechanism is.
-    pub fn of_row(row: &Row) -> Self {
+    pub(crate) fn of_row(row: &Row) -> Self {
         Self::of_run(&Hypothesis::IDEAL, row)
     }
 
     /// The escapement of a printed row by a hypothesis: its inertias and its reset.
-    pub fn of_run(hypothesis: &Hypothesis, row: &Row) -> Self {
+    pub(crate) fn of_run(hypothesis: &Hypothesis, row: &Row) -> Self {
         let opening = PI / f64::from(row.mechanism.slots());
         Self {
             ratio: 1.0 / opening.sin(),
@@ -103,7 +103,7 @@ impl ContactModel {
     }
 
     /// Crank and slot at a crank angle from the line of centres, in radians.
-    pub fn stance(&self, angle: f64) -> Stance {
+    pub(crate) fn stance(&self, angle: f64) -> Stance {
         Stance::new(self.ratio, angle)
     }
 
@@ -117,7 +117,7 @@ impl ContactModel {
     }
 
     /// The crank angles within the engagement at which the sliding turns, in order: the ends of pieces in which all is smooth.
-    pub fn turns(&self) -> Vec<f64> {
+    pub(crate) fn turns(&self) -> Vec<f64> {
         const PLACES: u32 = 200;
         let end = self.reset - self.half;
         let angle = |k: u32| -self.half + (self.half + end) * f64::from(k) / f64::from(PLACES);
@@ -142,7 +142,7 @@ impl ContactModel {
     }
 
     /// The contact at a crank angle, where the pin slides in the sense in which it does at the angle `beside`.
-    pub fn flanks(&self, angle: f64, beside: f64) -> Flanks {
+    pub(crate) fn flanks(&self, angle: f64, beside: f64) -> Flanks {
         let stance = self.stance(angle);
         let [driver, follower] = self.inertias;
         let load = (1.0 + self.friction * self.friction).sqrt();
@@ -170,7 +170,7 @@ impl ContactModel {
 
 impl Stance {
     /// Crank and slot for a centre distance over crank radius, at a crank angle from the line of centres, in radians.
-    pub fn new(distance: f64, angle: f64) -> Self {
+    pub(crate) fn new(distance: f64, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();
         let pin = [cosine, sine];
         let from_follower = [cosine - distance, sine];
@@ -192,13 +192,13 @@ impl Flanks {
     }
 
     /// The slope of the square of the speed over the angle.
-    pub fn slope(&self, square: f64) -> f64 {
+    pub(crate) fn slope(&self, square: f64) -> f64 {
         let square = square.max(0.0);
         value_at(self.slopes[self.pressed(square)], square)
     }
 
     /// Normal force times crank radius, positive on the leading flank, in the unit of the torque.
-    pub fn force(&self, square: f64) -> f64 {
+    pub(crate) fn force(&self, square: f64) -> f64 {
         let square = square.max(0.0);
         value_at(self.forces[self.pressed(square)], square)
     }
@@ -206,7 +206,7 @@ impl Flanks {
 
 impl Flanks {
     /// Normal force times crank radius if the pin bore on the leading flank: below zero where it does not.
-    pub fn leading_force(&self, square: f64) -> f64 {
+    pub(crate) fn leading_force(&self, square: f64) -> f64 {
         value_at(self.forces[0], square)
     }
 }
@@ -234,12 +234,12 @@ impl ContactModel {
     }
 
     /// The least friction with which the motion is not determined.
-    pub fn critical_friction(&self) -> f64 {
+    pub(crate) fn critical_friction(&self) -> f64 {
         greatest_below(10.0, |friction| Self { friction, ..*self }.is_determined())
     }
 
     /// The least inertia of the driver over the follower's with which the motion is determined.
-    pub fn critical_inertia_ratio(&self) -> f64 {
+    pub(crate) fn critical_inertia_ratio(&self) -> f64 {
         let [_, follower] = self.inertias;
         greatest_below(10.0, |ratio| !Self { inertias: [ratio * follower, follower], ..*self }.is_determined())
     }

@@ -164,7 +164,7 @@ impl RowStart {
 
 /// How many rows the best of all definitions explains, of the runs or of the mechanisms: of all of them, and of those that let this
 /// part of a velocity be missing. None if a row has no steady motion.
-pub fn most_explained(rows: &[Row], missing: f64) -> Option<[usize; 2]> {
+pub(crate) fn most_explained(rows: &[Row], missing: f64) -> Option<[usize; 2]> {
     let parts = [missing / 2.0, missing, 2.0 * missing, 5.0 * missing];
     let mut most = [0, 0];
     for hypothesis in [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL] {

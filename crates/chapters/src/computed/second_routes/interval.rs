@@ -2,7 +2,7 @@
 
 /// The ends of the 95 % interval of a share, in per cent: the least and the greatest share from which what was found is no
 /// farther than the normal law lets 95 of 100 samples be.
-pub fn score_interval(part: usize, all: usize) -> [f64; 2] {
+pub(crate) fn score_interval(part: usize, all: usize) -> [f64; 2] {
     let (n, found) = (all as f64, part as f64 / all as f64);
     let quantile = normal_quantile();
     let is_allowed = |share: f64| (found - share).abs() <= quantile * (share * (1.0 - share) / n).sqrt();

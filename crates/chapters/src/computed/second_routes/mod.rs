@@ -5,15 +5,15 @@
 //! where the first route is no program. What both start from are the sizes of an escapement and the printed rows. The results are
 //! compared and never shown.
 
-pub mod blow;
-pub mod contact;
-pub mod definitions;
-pub mod interval;
-pub mod motion;
-pub mod outline;
-pub mod printed_rows;
-pub mod rise;
-pub mod spread;
+pub(super) mod blow;
+pub(super) mod contact;
+pub(super) mod definitions;
+pub(super) mod interval;
+pub(super) mod motion;
+pub(super) mod outline;
+pub(super) mod printed_rows;
+pub(super) mod rise;
+pub(super) mod spread;
 
 use crate::rows::NONE;
 use contact::ContactModel;
@@ -21,7 +21,7 @@ use geneva_evidence::{Agreement, Evidence, Numbers, Tolerance};
 use motion::{SteppedEngagement, SteppedPassage};
 
 /// Steps over which the friction changes its sign lose some digits.
-pub const NEWTON: &Evidence = &Evidence {
+pub(super) const NEWTON: &Evidence = &Evidence {
     slug: "newton",
     name: "newton",
     meaning: "Newton's laws in vectors, in equal steps of the crank",
@@ -33,7 +33,7 @@ pub const NEWTON: &Evidence = &Evidence {
 };
 
 /// The difference of two motions that are nearly alike keeps fewer digits than each of them.
-pub const NEWTON_DIFFERENCE: &Evidence = &Evidence {
+pub(super) const NEWTON_DIFFERENCE: &Evidence = &Evidence {
     slug: "newton-difference",
     name: "newton difference",
     meaning: "the difference of two motions by Newton's laws, in equal steps of the crank",
@@ -45,18 +45,18 @@ pub const NEWTON_DIFFERENCE: &Evidence = &Evidence {
 };
 
 /// A measure of the motion of an escapement that repeats itself.
-pub fn steady<T>(model: ContactModel, measure: impl FnOnce(&SteppedPassage<'_>) -> Option<T>) -> Numbers<T> {
+pub(super) fn steady<T>(model: ContactModel, measure: impl FnOnce(&SteppedPassage<'_>) -> Option<T>) -> Numbers<T> {
     let engagement = SteppedEngagement::new(model);
     Ok(engagement.steady_passage().as_ref().and_then(measure).ok_or(NONE)?)
 }
 
 /// Mean speed of the motion that repeats itself, in radians per unit of time.
-pub fn mean_speed(model: ContactModel) -> Numbers<f64> {
+pub(super) fn mean_speed(model: ContactModel) -> Numbers<f64> {
     Ok(SteppedEngagement::new(model).mean_speed().ok_or(NONE)?)
 }
 
 /// The power of the friction to which the mean speed is proportional: from a little more and a little less of it.
-pub fn friction_power(model: ContactModel) -> Numbers<f64> {
+pub(super) fn friction_power(model: ContactModel) -> Numbers<f64> {
     const LITTLE: f64 = 0.005;
     let with = |times: f64| mean_speed(ContactModel { friction: times * model.friction, ..model });
     Ok((with(1.0 + LITTLE)? / with(1.0 - LITTLE)?).ln() / ((1.0 + LITTLE) / (1.0 - LITTLE)).ln())

@@ -16,14 +16,14 @@ struct CrankStep {
 }
 
 /// An escapement with the steps of its engagement.
-pub struct SteppedEngagement {
+pub(crate) struct SteppedEngagement {
     /// The escapement.
     pub model: ContactModel,
     steps: Vec<CrankStep>,
 }
 
 /// An engagement as it was gone through: u at the ends of the steps, the first of which is the entry.
-pub struct SteppedPassage<'a> {
+pub(crate) struct SteppedPassage<'a> {
     of: &'a SteppedEngagement,
     /// The squares of the speeds, one more than there are steps.
     pub squares: Vec<f64>,
@@ -31,7 +31,7 @@ pub struct SteppedPassage<'a> {
 
 /// A speed, and the angle at which the driver has it.
 #[derive(Clone, Copy, Debug)]
-pub struct SpeedAt {
+pub(crate) struct SpeedAt {
     /// Crank angle from the line of centres, in radians.
     pub angle: f64,
     /// Speed of the driver, in radians per unit of time.
@@ -40,12 +40,12 @@ pub struct SpeedAt {
 
 impl SteppedEngagement {
     /// The steps of an escapement's engagement.
-    pub fn new(model: ContactModel) -> Self {
+    pub(crate) fn new(model: ContactModel) -> Self {
         Self::in_steps(model, STEPS)
     }
 
     /// About so many steps.
-    pub fn in_steps(model: ContactModel, count: u32) -> Self {
+    pub(crate) fn in_steps(model: ContactModel, count: u32) -> Self {
         let (start, end) = (-model.half, model.reset - model.half);
         let turns = model.turns().into_iter().filter(|turn| (start + 1e-9..end - 1e-9).contains(turn));
         let ends: Vec<f64> = std::iter::once(start).chain(turns).chain([end]).collect();
@@ -64,7 +64,7 @@ impl SteppedEngagement {
     }
 
     /// The engagement with this square of the speed at entry.
-    pub fn passage(&self, first: f64) -> SteppedPassage<'_> {
+    pub(crate) fn passage(&self, first: f64) -> SteppedPassage<'_> {
         let mut squares = vec![first];
         let mut square = first;
         for CrankStep { length, flanks: [start, middle, end], .. } in &self.steps {
@@ -79,7 +79,7 @@ impl SteppedEngagement {
     }
 
     /// The engagement that ends as it begins; none if none is found.
-    pub fn steady_passage(&self) -> Option<SteppedPassage<'_>> {
+    pub(crate) fn steady_passage(&self) -> Option<SteppedPassage<'_>> {
         const TRIALS: u32 = 60;
         let gain = |first: f64| {
             let passage = self.passage(first);
@@ -101,7 +101,7 @@ impl SteppedEngagement {
     }
 
     /// Part of a small difference of the squares of two speeds that the engagement that repeats itself leaves.
-    pub fn multiplier(&self) -> Option<f64> {
+    pub(crate) fn multiplier(&self) -> Option<f64> {
         const PART: f64 = 1e-3;
         let first = self.steady_passage()?.squares[0];
         let [more, less] = [1.0 + PART, 1.0 - PART].map(|times| self.passage(times * first).end_square());
@@ -109,25 +109,25 @@ impl SteppedEngagement {
     }
 
     /// Mean speed of the steady motion: the reset angle over the time that it takes.
-    pub fn mean_speed(&self) -> Option<f64> {
+    pub(crate) fn mean_speed(&self) -> Option<f64> {
         Some(self.model.reset / self.steady_passage()?.times().last()?)
     }
 }
 
 impl SteppedPassage<'_> {
     /// The square of the speed at the end.
-    pub fn end_square(&self) -> f64 {
+    pub(crate) fn end_square(&self) -> f64 {
         self.squares.last().copied().unwrap_or(f64::NAN)
     }
 
     /// The crank angles at the ends of the steps.
-    pub fn angles(&self) -> Vec<f64> {
+    pub(crate) fn angles(&self) -> Vec<f64> {
         let end = self.of.model.reset - self.of.model.half;
         self.of.steps.iter().map(|step| step.from).chain([end]).collect()
     }
 
     /// The times at the ends of the steps, from the entry.
-    pub fn times(&self) -> Vec<f64> {
+    pub(crate) fn times(&self) -> Vec<f64> {
         let mut times = vec![0.0];
         let mut time = 0.0;
         for (step, ends) in self.of.steps.iter().zip(self.squares.windows(2)) {
@@ -139,7 +139,7 @@ impl SteppedPassage<'_> {
     }
 
     /// The time from the entry at which the driver is at an angle.
-    pub fn time_at(&self, angle: f64) -> f64 {
+    pub(crate) fn time_at(&self, angle: f64) -> f64 {
         let (angles, times) = (self.angles(), self.times());
         let next = angles.partition_point(|known| *known < angle).clamp(1, angles.len() - 1);
         let part = (angle - angles[next - 1]) / (angles[next] - angles[next - 1]);
@@ -147,7 +147,7 @@ impl SteppedPassage<'_> {
     }
 
     /// The speed at a time from the entry, by the cubic through the speeds and accelerations at the ends of the step.
-    pub fn speed_after(&self, times: &[f64], time: f64) -> f64 {
+    pub(crate) fn speed_after(&self, times: &[f64], time: f64) -> f64 {
         let next = times.partition_point(|known| *known < time).clamp(1, times.len() - 1);
         let (step, ends) = (&self.of.steps[next - 1], [self.squares[next - 1], self.squares[next]]);
         let length = times[next] - times[next - 1];
@@ -161,32 +161,32 @@ impl SteppedPassage<'_> {
     }
 
     /// The speeds at the ends of the steps.
-    pub fn speeds(&self) -> Vec<f64> {
+    pub(crate) fn speeds(&self) -> Vec<f64> {
         self.squares.iter().map(|square| square.max(0.0).sqrt()).collect()
     }
 
     /// Least speed within the engagement, where it changes from less to more; at the ends if it never does.
-    pub fn least_speed(&self) -> SpeedAt {
+    pub(crate) fn least_speed(&self) -> SpeedAt {
         self.extreme(-1.0, |_, square| square.max(0.0).sqrt())
     }
 
     /// Greatest speed.
-    pub fn greatest_speed(&self) -> SpeedAt {
+    pub(crate) fn greatest_speed(&self) -> SpeedAt {
         self.extreme(1.0, |_, square| square.max(0.0).sqrt())
     }
 
     /// The mean of least and greatest speed.
-    pub fn mean_of_extremes(&self) -> f64 {
+    pub(crate) fn mean_of_extremes(&self) -> f64 {
         f64::midpoint(self.least_speed().speed, self.greatest_speed().speed)
     }
 
     /// Normal force times crank radius where it is greatest by its size.
-    pub fn greatest_force(&self) -> f64 {
+    pub(crate) fn greatest_force(&self) -> f64 {
         self.extreme(1.0, |flanks, square| flanks.force(square).abs()).speed
     }
 
     /// Where the pin leaves the leading flank for the trailing one; none if it never does.
-    pub fn reversal(&self) -> Option<SpeedAt> {
+    pub(crate) fn reversal(&self) -> Option<SpeedAt> {
         for (step, ends) in self.of.steps.iter().zip(self.squares.windows(2)) {
             // What the leading flank would have to do goes smoothly through zero.
             let [before, after] = [step.flanks[0].leading_force(ends[0]), step.flanks[2].leading_force(ends[1])];

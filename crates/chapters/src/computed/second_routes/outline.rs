@@ -4,7 +4,7 @@ use super::contact::{add_scaled, dot, moment};
 use std::f64::consts::PI;
 
 /// A wheel and a disc with a cut in it; lengths in one unit.
-pub struct Cut {
+pub(crate) struct Cut {
     /// Number of slots.
     pub slots: f64,
     /// Distance of the axes.
@@ -26,7 +26,7 @@ pub struct Cut {
 impl Cut {
     /// The least distance of a horn's tip from the disc while the crank turns through an engagement; below zero how deep a tip is in
     /// the disc.
-    pub fn least_gap(&self) -> f64 {
+    pub(crate) fn least_gap(&self) -> f64 {
         const PLACES: i32 = 5000;
         let (half, tip) = (PI / 2.0 - PI / self.slots, self.tip_angle());
         let axis = [self.centre_distance, 0.0];

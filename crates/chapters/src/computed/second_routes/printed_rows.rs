@@ -10,7 +10,7 @@ type RowResults = Option<[f64; 3]>;
 
 /// In how many cells of these rows a column comes within one unit of the last printed place. A run that comes to no end is
 /// near nothing.
-pub fn count_near<'a>(rows: impl Iterator<Item = (&'a Row, RowResults)>, columns: &[Column]) -> usize {
+pub(crate) fn count_near<'a>(rows: impl Iterator<Item = (&'a Row, RowResults)>, columns: &[Column]) -> usize {
     let is_near = |row: &Row, results: RowResults, column: Column| {
         let place = EXPLAINED.iter().position(|known| *known == column);
         let found = place.zip(results).map(|(place, results)| results[place]);
@@ -25,14 +25,14 @@ fn results_of_run(run: Run) -> [f64; 3] {
 }
 
 /// The rows, each as the program ran it, by Newton's laws.
-pub fn rows_as_run() -> impl Iterator<Item = (&'static Row, RowResults)> {
+pub(crate) fn rows_as_run() -> impl Iterator<Item = (&'static Row, RowResults)> {
     static RUNS: OnceLock<Vec<RowResults>> = OnceLock::new();
     let runs = RUNS.get_or_init(|| rows().iter().map(|row| lagged_run(row).map(results_of_run)).collect());
     rows().iter().zip(runs.iter().copied())
 }
 
 /// The rows with the sign late as it is listed, by Newton's laws, whatever else the hypothesis is.
-pub fn rows_with_listed_lag(hypothesis: Hypothesis) -> impl Iterator<Item = (&'static Row, RowResults)> {
+pub(crate) fn rows_with_listed_lag(hypothesis: Hypothesis) -> impl Iterator<Item = (&'static Row, RowResults)> {
     rows().iter().map(move |row| {
         let listing = &row.given.listing;
         let run = |program| run_with_lag(&program, listing.delay, listing.interval, listing.duration);
@@ -41,14 +41,14 @@ pub fn rows_with_listed_lag(hypothesis: Hypothesis) -> impl Iterator<Item = (&'s
 }
 
 /// The rows with the exact sign, on an integrator as the program's.
-pub fn rows_on_the_integrator(hypothesis: Hypothesis) -> impl Iterator<Item = (&'static Row, RowResults)> {
+pub(crate) fn rows_on_the_integrator(hypothesis: Hypothesis) -> impl Iterator<Item = (&'static Row, RowResults)> {
     rows()
         .iter()
         .map(move |row| (row, hypothesis.run_by_program(row, &row.given.listing.integrator()).map(results_of_run)))
 }
 
 /// The rows as the mechanisms are, in equal steps of the crank.
-pub fn rows_as_mechanisms() -> impl Iterator<Item = (&'static Row, RowResults)> {
+pub(crate) fn rows_as_mechanisms() -> impl Iterator<Item = (&'static Row, RowResults)> {
     static RUNS: OnceLock<Vec<RowResults>> = OnceLock::new();
     let cycle = |row| geneva_case1973::witness::steps::cycle_of_row(&Hypothesis::IDEAL, row);
     let runs = RUNS.get_or_init(|| {
@@ -87,14 +87,14 @@ fn groups_in_common(allowed: impl Fn(&Row) -> [f64; 2], misread: usize) -> usize
 }
 
 /// In how many groups the printed numbers of a column go as a power of the torque, each to one unit.
-pub fn groups_obeying(column: Column, power: f64) -> usize {
+pub(crate) fn groups_obeying(column: Column, power: f64) -> usize {
     let scaled = |row: &Row, units: f64| (row.number(column) + units * column.unit()) / row.torque().powf(power);
     groups_in_common(|row| [scaled(row, -1.0), scaled(row, 1.0)], 0)
 }
 
 /// In how many groups one number, over the root of the torque, fits all rise times to a unit and a print interval, but for so
 /// many rows (none or one).
-pub fn groups_with_one_rise(misread: usize) -> usize {
+pub(crate) fn groups_with_one_rise(misread: usize) -> usize {
     let scaled = |row: &Row, sign: f64| {
         let slack = Column::Rise.unit() + row.given.listing.interval;
         (row.number(Column::Rise) + sign * slack) * row.torque().sqrt()
@@ -104,7 +104,7 @@ pub fn groups_with_one_rise(misread: usize) -> usize {
 
 /// Pairs of rows that differ in one column and the mechanism and other columns have alike, with none between them: how many, and
 /// in how many the rise time is greater and the same in the row with more of that column.
-pub fn rises_with_more(of: Column, alike: Column) -> [usize; 3] {
+pub(crate) fn rises_with_more(of: Column, alike: Column) -> [usize; 3] {
     let more = |a: &Row, b: &Row| {
         a.mechanism == b.mechanism && a.number(alike) == b.number(alike) && b.number(of) > a.number(of)
     };

@@ -6,7 +6,7 @@ use super::motion::{SpeedAt, SteppedEngagement, SteppedPassage};
 const MOST: usize = 3000;
 
 /// A start from rest, beside the motion that it comes to.
-pub struct SteppedRise<'a> {
+pub(crate) struct SteppedRise<'a> {
     engagement: &'a SteppedEngagement,
     /// The engagement that repeats itself.
     pub steady: SteppedPassage<'a>,
@@ -14,12 +14,12 @@ pub struct SteppedRise<'a> {
 
 impl<'a> SteppedRise<'a> {
     /// The start of an escapement; none if it has no steady motion.
-    pub fn new(engagement: &'a SteppedEngagement) -> Option<Self> {
+    pub(crate) fn new(engagement: &'a SteppedEngagement) -> Option<Self> {
         Some(Self { engagement, steady: engagement.steady_passage()? })
     }
 
     /// The engagements from rest, one after the other, each with the time at which it begins.
-    pub fn passages(&self) -> impl Iterator<Item = (f64, SteppedPassage<'a>)> {
+    pub(crate) fn passages(&self) -> impl Iterator<Item = (f64, SteppedPassage<'a>)> {
         let (mut square, mut time) = (0.0, 0.0);
         let engagement = self.engagement;
         (0..MOST).map(move |_| {
@@ -31,12 +31,12 @@ impl<'a> SteppedRise<'a> {
     }
 
     /// Time from rest until the speed is within this part of the steady one, angle by angle, from then on.
-    pub fn until_profile(&self, part: f64) -> Option<f64> {
+    pub(crate) fn until_profile(&self, part: f64) -> Option<f64> {
         self.until_all_within(|steady| part * steady)
     }
 
     /// Time from rest until the speed is within what is allowed of the steady one, angle by angle, from then on.
-    pub fn until_all_within(&self, allowed: impl Fn(f64) -> f64) -> Option<f64> {
+    pub(crate) fn until_all_within(&self, allowed: impl Fn(f64) -> f64) -> Option<f64> {
         let steady = self.steady.speeds();
         let mut reached = 0.0;
         for (start, passage) in self.passages() {
@@ -58,7 +58,7 @@ impl<'a> SteppedRise<'a> {
 
     /// Time from rest until an engagement ends whose mean of least and greatest speed is within this part of the steady one.
     /// The start at rest is no least speed.
-    pub fn until_average(&self, part: f64) -> Option<f64> {
+    pub(crate) fn until_average(&self, part: f64) -> Option<f64> {
         let steady = self.steady.mean_of_extremes();
         let mut passages = self.passages().enumerate().peekable();
         while let Some((count, (_, passage))) = passages.next() {
@@ -72,14 +72,14 @@ impl<'a> SteppedRise<'a> {
     }
 
     /// Engagements from rest until one begins with at least so large a part of the steady speed at entry.
-    pub fn engagements_until_entry(&self, part: f64) -> Option<usize> {
+    pub(crate) fn engagements_until_entry(&self, part: f64) -> Option<usize> {
         let enough = part * part * self.steady.squares[0];
         self.passages().position(|(_, passage)| passage.end_square() >= enough).map(|before| before + 1)
     }
 
     /// Whether least and greatest speed of each engagement, and each speed at entry but that at rest, are less than so much from
     /// the steady ones.
-    pub fn is_steady_from_the_first_least(&self, difference: f64) -> Option<bool> {
+    pub(crate) fn is_steady_from_the_first_least(&self, difference: f64) -> Option<bool> {
         const LOOKED_AT: usize = 40;
         let steady =
             [self.steady.least_speed().speed, self.steady.greatest_speed().speed, self.steady.squares[0].sqrt()];
@@ -97,7 +97,7 @@ impl<'a> SteppedRise<'a> {
 }
 
 /// The least speed of an engagement after its first greatest one.
-pub fn first_least(passage: &SteppedPassage<'_>) -> Option<SpeedAt> {
+pub(crate) fn first_least(passage: &SteppedPassage<'_>) -> Option<SpeedAt> {
     let speeds = passage.speeds();
     let at = speeds.windows(3).position(|three| three[1] < three[0] && three[1] <= three[2])?;
     let (before, here, after) = (speeds[at], speeds[at + 1], speeds[at + 2]);

@@ -4,7 +4,7 @@ use geneva_case1973::likelihood::Law;
 use std::f64::consts::{PI, SQRT_2};
 
 /// The spread, in units of the last place, with which errors of these sizes are most likely.
-pub fn best_spread(law: Law, units: &[f64]) -> f64 {
+pub(crate) fn best_spread(law: Law, units: &[f64]) -> f64 {
     let log = |spread: f64| units.iter().map(|off| chance(law, *off, spread).ln()).sum::<f64>();
     // Wide steps of a factor first, then between the neighbours of the best.
     const OCTAVES: std::ops::RangeInclusive<i32> = -8..=8;

@@ -25,7 +25,7 @@ const BETWEEN_PINS: &str = "For the reset we take the angle between two pins, be
 
 const AFTER: Locator = at("Appendix B, paragraphs after the program");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [start(), lines(), angle(), end()].concat()
 }
 

@@ -12,7 +12,7 @@ use geneva_kinematics::Mechanism;
 const BEFORE: Locator = at("Appendix B, paragraphs before the program");
 const AFTER: Locator = at("Appendix B, paragraphs after the program");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [letters(), runs(), vec![angle(), varies(), from_zero()]].concat()
 }
 
@@ -261,14 +261,14 @@ fn from_zero() -> Claim {
 }
 
 /// Whether a run that begins with the driver turned so far begins as a pin enters along its slot, by the line of H.
-pub fn begins_in_line(turned: impl Fn(Mechanism) -> f64) -> Finding {
+pub(super) fn begins_in_line(turned: impl Fn(Mechanism) -> f64) -> Finding {
     let holds =
         Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, turned(*at) - at.engagement_half_angle())["H"]));
     Finding::new(holds, "for the X with which a run begins, the line of H is zero, because a pin enters along its slot")
 }
 
 /// Whether a run that begins with the driver turned so far begins as a pin enters, by the place of the pin.
-pub fn begins_at_the_rim(turned: impl Fn(Mechanism) -> f64) -> Finding {
+pub(super) fn begins_at_the_rim(turned: impl Fn(Mechanism) -> f64) -> Finding {
     let holds = Mechanism::ALL.iter().all(|at| {
         let first = Turn::from_radians(turned(*at) - at.engagement_half_angle());
         agrees(at.pin_distance(&first), at.rim_radius())

@@ -16,7 +16,7 @@ use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named};
 
 const PROGRAM: Locator = at("Appendix B, paragraphs before the program");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [solved(), lines(), described(), old_acceleration()].concat()
 }
 
@@ -324,12 +324,12 @@ fn old_acceleration() -> Vec<Claim> {
 }
 
 /// The escapement's deck's expression for being at the start.
-pub const SMALL_TIME: &str = "FSW(T,TRUE,TRUE,FALSE)";
+pub(super) const SMALL_TIME: &str = "FSW(T,TRUE,TRUE,FALSE)";
 
 /// The time and two truth values at each printed line of a run of the escapement's deck.
 ///
 /// The expressions tell whether it is the start, and whether it is later.
-pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
+pub(super) fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
     let cards = deck_named("escapement")?.lines().map(|card| match card.split_whitespace().next() {
         Some("REST") if card.contains(SMALL_TIME) => format!("         REST   = {rest}"),
         Some("MOVING") if card.contains("NOT(REST)") => format!("         MOVING = {moving}"),
@@ -349,7 +349,7 @@ const LISTED: ([f64; 3], [bool; 3]) = ([-1.0, 1.0, 1.0], [true, true, false]);
 /// The values that SMT may have before time zero, at it and after it, by the listing.
 ///
 /// FSW picks one of three values by the sign of the first, and S tells in which orders they may stand.
-pub fn listed() -> impl Iterator<Item = [bool; 3]> {
+pub(super) fn listed() -> impl Iterator<Item = [bool; 3]> {
     let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let (signs, truths) = LISTED;
     let fitting = orders.into_iter().filter(move |at| signs[at[0]] < 0.0 && signs[at[2]] > 0.0);
@@ -357,7 +357,7 @@ pub fn listed() -> impl Iterator<Item = [bool; 3]> {
 }
 
 /// The number by which a place divides the print interval.
-pub fn parts_of_the_interval(id: &str) -> Option<f64> {
+pub(super) fn parts_of_the_interval(id: &str) -> Option<f64> {
     parts_of(MEYER.printed_text(id))
 }
 
@@ -376,7 +376,7 @@ fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
 /// Whether a delay of one part of the print interval gives the acceleration another part before.
 ///
 /// We test it in a run of our deck whose lines, and therefore its steps, are much closer.
-pub fn is_late_by(card: f64, said: f64) -> Finding {
+pub(super) fn is_late_by(card: f64, said: f64) -> Finding {
     const CLOSER: f64 = 0.00001;
     let lines = || -> Option<Vec<[f64; 3]>> {
         let delay = format!("TDL(ACCEL,{:.9},100.)", listing().interval / card);

@@ -3,7 +3,7 @@
 use super::contact::{SMALL_TIME, in_force, listed};
 use super::*;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![orders(), subintervals(), until_zero()]
 }
 

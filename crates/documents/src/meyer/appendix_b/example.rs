@@ -9,7 +9,7 @@ use geneva_mimic::{SolverParameters, integrate};
 
 const TEXT: Locator = at("Appendix B, after the lines of the example");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [equations(), lines()].concat()
 }
 
@@ -213,7 +213,7 @@ fn vibrates_exactly(line: &str) -> Finding {
 }
 
 /// A place in the text where the copy has LDX.
-pub fn first_derivative(
+pub(super) fn first_derivative(
     (id, place): (&'static str, Locator),
     meaning: &'static str,
     [printed, corrected]: [&'static str; 2],

@@ -21,7 +21,7 @@ use std::cmp::Ordering;
 
 const PROGRAM: Locator = at("Appendix B, program");
 
-pub fn claims() -> Vec<Claim> {
+pub(crate) fn claims() -> Vec<Claim> {
     [constants(), factors(), motion()].concat()
 }
 
@@ -295,7 +295,7 @@ fn turned_at_first(stated: Stated) -> impl Fn(Mechanism) -> f64 {
 
 /// A line of the program that computes a quantity of chapter I. Both routes read the card, and what it says in the letters of
 /// mathematics.
-pub fn line(
+pub(crate) fn line(
     place: Locator,
     id: &'static str,
     meaning: &'static str,

@@ -10,7 +10,7 @@ use geneva_kinematics::Mechanism;
 
 const PROGRAM: Locator = at("Appendix B, program, lines of SMT");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     vec![
         line(PROGRAM, "meyer.listing.p", "P is L at the start", "P 1.+(G*G)-(2.*G*COS(X0))", program::P, PLACES_AT_START),
         line(PROGRAM, "meyer.listing.q", "Q is H at the start, which is zero", "Q (G*COS(X0))-1.", program::Q, PLACES_AT_START),
@@ -81,7 +81,7 @@ fn poses(friction: f64) -> impl Iterator<Item = (Letters, Coefficients<f64>)> {
 }
 
 /// Whether the first acceleration satisfies the equation of motion at the entry at this speed, whatever the friction.
-pub fn start_solves(speed: f64) -> Finding {
+pub(crate) fn start_solves(speed: f64) -> Finding {
     let holds = Mechanism::ALL.iter().all(|mechanism| {
         [0.0, 0.125, 0.25].iter().all(|friction| {
             let (letters, c) = pose(*mechanism, -mechanism.engagement_half_angle(), *friction);

@@ -16,7 +16,7 @@ const HEART: Locator = at("Appendix B, paragraph on the integration subroutine")
 const DIVISION: Locator = at("Appendix B, paragraph on the subintervals");
 const ADVANTAGES: Locator = at("Appendix B, paragraph on the two advantages");
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [described(), formulas(), advantages()].concat()
 }
 

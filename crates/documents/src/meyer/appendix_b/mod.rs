@@ -5,7 +5,7 @@ mod cards;
 mod contact;
 mod counts;
 mod example;
-pub mod listing;
+pub(super) mod listing;
 mod listing_start;
 mod method;
 mod print_out;
@@ -14,14 +14,14 @@ mod program_letters;
 mod reset;
 mod stages;
 
-pub use listing_start::start_solves;
-pub use program::{start_formula, start_line};
-pub use program_letters::holds_from_rest;
+pub(super) use listing_start::start_solves;
+pub(super) use program::{start_formula, start_line};
+pub(super) use program_letters::holds_from_rest;
 
 use super::instants::{equal, holds, instants, letters_of, moments};
 use super::*;
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [
         example::claims(),
         method::claims(),

@@ -11,7 +11,7 @@ use geneva_mimic::language::{CardLayout, Deck, Program, RunOptions, deck_named, 
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, OnceLock};
 
-pub fn claims() -> Vec<Claim> {
+pub(super) fn claims() -> Vec<Claim> {
     [columns(), vec![output()]].concat()
 }
 
@@ -54,7 +54,7 @@ fn by_program() -> &'static [Option<Vec<Columns>>] {
 }
 
 /// The time of the last line of the first run by the program, if runs end at this time, in s.
-pub fn last_line(end: f64) -> Option<f64> {
+pub(super) fn last_line(end: f64) -> Option<f64> {
     let integrator = geneva_mimic::SolverParameters { run_length: end, ..listing().integrator() };
     let lines = Hypothesis::AS_RUN.program(rows().first()?)?.run(&integrator).ok()?.lines;
     lines.last().map(|line| line.time)

@@ -8,39 +8,39 @@ use geneva_mimic::language::{CardLayout, Deck, Problem};
 use std::sync::OnceLock;
 
 // What the lines say, in the letters of mathematics; the names are the program's.
-pub const G: &str = r"G = \frac{1}{\sin(\pi/N)}";
-pub const H: &str = r"H = G \cos X - 1";
-pub const I: &str = r"I = G \sin X";
-pub const J: &str = r"J = 1 - G^2";
-pub const L: &str = r"L = 1 + G^2 - 2 G \cos X";
-pub const A: &str = r"A = \frac{\text{IC}}{\text{IW}} + \frac{H^2}{L^2}";
-pub const B: &str = r"B = \frac{I J H}{L^3}";
-pub const C: &str = r"C = \frac{I^2 U J}{L^3}";
-pub const D: &str = r"D = \frac{I U H}{L^2}";
-pub const E: &str = r"E = \frac{K}{\text{IW}}";
-pub const F: &str = r"F = C (\text{1DX})^2 + D \text{OLD2DX}";
-pub const ACCELERATION: &str = r"\text{2DX} = \frac{E - (B + S C) (\text{1DX})^2}{A + S D}";
-pub const FOLLOWER_SPEED: &str = r"\text{PHIDOT} = \frac{H \text{1DX}}{L}";
-pub const P: &str = r"P = 1 + G^2 - 2 G \cos \text{X0}";
-pub const Q: &str = r"Q = G \cos \text{X0} - 1";
-pub const R: &str = r"R = \frac{\text{IC}}{\text{IW}} + \frac{Q^2}{P^2}";
-pub const V: &str = r"V = \left| \frac{U G Q \sin \text{X0}}{P^2} \right|";
-pub const START: &str = r"\text{2DX} = \frac{E}{R + V}";
+pub(super) const G: &str = r"G = \frac{1}{\sin(\pi/N)}";
+pub(super) const H: &str = r"H = G \cos X - 1";
+pub(super) const I: &str = r"I = G \sin X";
+pub(super) const J: &str = r"J = 1 - G^2";
+pub(super) const L: &str = r"L = 1 + G^2 - 2 G \cos X";
+pub(super) const A: &str = r"A = \frac{\text{IC}}{\text{IW}} + \frac{H^2}{L^2}";
+pub(super) const B: &str = r"B = \frac{I J H}{L^3}";
+pub(super) const C: &str = r"C = \frac{I^2 U J}{L^3}";
+pub(super) const D: &str = r"D = \frac{I U H}{L^2}";
+pub(super) const E: &str = r"E = \frac{K}{\text{IW}}";
+pub(super) const F: &str = r"F = C (\text{1DX})^2 + D \text{OLD2DX}";
+pub(super) const ACCELERATION: &str = r"\text{2DX} = \frac{E - (B + S C) (\text{1DX})^2}{A + S D}";
+pub(super) const FOLLOWER_SPEED: &str = r"\text{PHIDOT} = \frac{H \text{1DX}}{L}";
+pub(super) const P: &str = r"P = 1 + G^2 - 2 G \cos \text{X0}";
+pub(super) const Q: &str = r"Q = G \cos \text{X0} - 1";
+pub(super) const R: &str = r"R = \frac{\text{IC}}{\text{IW}} + \frac{Q^2}{P^2}";
+pub(super) const V: &str = r"V = \left| \frac{U G Q \sin \text{X0}}{P^2} \right|";
+pub(super) const START: &str = r"\text{2DX} = \frac{E}{R + V}";
 
 /// What the program reads, beside the number of slots and the angle. Any will do.
 const CARDS: [(&str, f64); 4] = [("U", 0.25), ("K", 1.5), ("IW", 2.0), ("IC", 1.25)];
 /// Speed of the driver in the comparison with the equation of motion.
-pub const SPEED: f64 = 1.25;
+pub(super) const SPEED: f64 = 1.25;
 
 /// The name that a line gives to what it computes, and the formula.
-pub fn named(line: &str) -> (String, &str) {
+pub(super) fn named(line: &str) -> (String, &str) {
     let (name, formula) = line.split_once('=').unwrap_or_default();
     (name.trim().trim_start_matches(r"\text{").trim_end_matches('}').to_owned(), formula)
 }
 
 /// A formula of a card in the letters of mathematics: its names are words, its stars are left out, SIN, COS and ABS are
 /// functions, and the rounded π is π, which is a claim of its own.
-pub fn as_formula(card: &str) -> String {
+pub(super) fn as_formula(card: &str) -> String {
     let (mut formula, mut word) = (String::new(), String::new());
     // For each bracket that is open, whether it closes the bars of ABS.
     let (mut open, mut is_size) = (Vec::new(), false);
@@ -72,7 +72,7 @@ pub fn as_formula(card: &str) -> String {
 
 /// What a card says as an equation in the letters of mathematics: the name before its first blank equals the formula after it.
 /// What is an equation stays as it is, and so does what the language refuses, which equates nothing then.
-pub fn as_equation(card: &str) -> String {
+pub(super) fn as_equation(card: &str) -> String {
     match card.split_once(' ') {
         Some((name, formula)) if !card.contains('=') && is_card(card) => {
             format!("{} = {}", as_formula(name), as_formula(formula))
@@ -110,7 +110,7 @@ fn motion(mut letters: Letters) -> Letters {
 }
 
 /// What a line of the start computes, from the ratio G, the angle X0 and the cards.
-pub fn start_line(name: &str, letters: &Letters) -> f64 {
+pub(crate) fn start_line(name: &str, letters: &Letters) -> f64 {
     let mut letters = letters.clone();
     for line in [P, Q, R, V] {
         run(line, &mut letters);
@@ -119,19 +119,19 @@ pub fn start_line(name: &str, letters: &Letters) -> f64 {
 }
 
 /// The formula of the line for the first acceleration.
-pub fn start_formula() -> &'static str {
+pub(crate) fn start_formula() -> &'static str {
     named(START).1
 }
 
 /// What the lines of the motion compute at an angle, with the acceleration at that instant in place of the old one.
-pub fn at(mechanism: Mechanism, x: f64) -> Letters {
+pub(super) fn at(mechanism: Mechanism, x: f64) -> Letters {
     let old = Truth::at(mechanism, x).acceleration;
     let motion_of = [("N", f64::from(mechanism.slots())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
     motion(reading::by_name(CARDS.into_iter().chain(motion_of)))
 }
 
 /// The program's quantities at an angle, from the equation of motion.
-pub struct Truth {
+pub(super) struct Truth {
     pub ratio: f64,
     pub pose: Pose<f64>,
     pub coefficients: Coefficients<f64>,
@@ -152,7 +152,7 @@ impl Truth {
 }
 
 /// Whether lines agree with the equation of motion, all over the engagements of the three mechanisms.
-pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64, f64); N]) -> Finding {
+pub(super) fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64, f64); N]) -> Finding {
     // The program's lines are computed once for all that is asked of them.
     static AT: OnceLock<Vec<(Letters, Truth)>> = OnceLock::new();
     let all = AT.get_or_init(|| {

@@ -13,19 +13,19 @@ use std::array::from_fn;
 use std::sync::OnceLock;
 
 /// The ratio and the number of slots.
-pub const RATIO: Vocabulary = Vocabulary::new(ratio, Evidence::VECTORS, ratios);
+pub(super) const RATIO: Vocabulary = Vocabulary::new(ratio, Evidence::VECTORS, ratios);
 /// Where the pin is and how it moves.
-pub const PLACES: Vocabulary = Vocabulary::new(places, Evidence::VECTORS, lines);
+pub(super) const PLACES: Vocabulary = Vocabulary::new(places, Evidence::VECTORS, lines);
 /// The factors of the equation of motion.
-pub const FACTORS: Vocabulary = Vocabulary::new(of_mechanism, Evidence::VECTORS, lines);
+pub(super) const FACTORS: Vocabulary = Vocabulary::new(of_mechanism, Evidence::VECTORS, lines);
 /// The equation of motion, solved for the acceleration.
-pub const SOLVED: Vocabulary = Vocabulary::new(solved, Evidence::VECTORS, lines);
+pub(super) const SOLVED: Vocabulary = Vocabulary::new(solved, Evidence::VECTORS, lines);
 /// Where the pin is at the start, which may be at any angle: most of it vanishes at the start itself.
-pub const PLACES_AT_START: Vocabulary = Vocabulary::new(places, Evidence::VECTORS, rests);
+pub(super) const PLACES_AT_START: Vocabulary = Vocabulary::new(places, Evidence::VECTORS, rests);
 /// The factors at the start.
-pub const FACTORS_AT_START: Vocabulary = Vocabulary::new(of_mechanism, Evidence::VECTORS, rests);
+pub(super) const FACTORS_AT_START: Vocabulary = Vocabulary::new(of_mechanism, Evidence::VECTORS, rests);
 /// The equation of motion at the start, solved for the acceleration.
-pub const START: Vocabulary = Vocabulary::new(start_of_program, Evidence::VECTORS, rests);
+pub(super) const START: Vocabulary = Vocabulary::new(start_of_program, Evidence::VECTORS, rests);
 
 /// Variables as in [`FOOT`].
 fn ratio(bars: i64) -> Moment<Expression> {
@@ -122,13 +122,13 @@ fn letters(moment: &Moment) -> Letters {
 }
 
 /// The program's letters at all instants.
-pub fn lines() -> &'static [Moment] {
+pub(super) fn lines() -> &'static [Moment] {
     static LINES: OnceLock<Vec<Moment>> = OnceLock::new();
     LINES.get_or_init(|| moments().iter().map(|moment| Moment::of(letters(moment))).collect())
 }
 
 /// Whether a line of the program holds at all instants.
-pub fn holds(line: &str) -> Option<bool> {
+pub(super) fn holds(line: &str) -> Option<bool> {
     reading::holds(line, lines())
 }
 
@@ -156,6 +156,6 @@ fn rests() -> &'static [Moment] {
 }
 
 /// Whether a line of the start holds at all instants.
-pub fn holds_from_rest(line: &str) -> Option<bool> {
+pub(crate) fn holds_from_rest(line: &str) -> Option<bool> {
     reading::holds(line, rests())
 }

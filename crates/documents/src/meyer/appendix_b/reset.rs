@@ -6,7 +6,7 @@ use geneva_evidence::Decimal;
 use geneva_evidence::agreement::joined;
 
 /// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
-pub fn reset(
+pub(super) fn reset(
     id: &'static str,
     place: Locator,
     meaning: &'static str,
@@ -80,7 +80,7 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
 
 /// Distance of the pin nearest to the follower's axis, of all pins by coordinates, when the driver has turned so far
 /// from the entry of one of them.
-pub fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
+pub(super) fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
     let axis = Vector2::new(at.centre_distance_ratio(), 0.0);
     let place = |pin: u32| {
         Turn::from_radians(turned - at.engagement_half_angle() + at.driver_pitch_angle() * f64::from(pin)).direction()

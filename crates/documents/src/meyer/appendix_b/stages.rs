@@ -10,10 +10,10 @@ use std::convert::Infallible;
 const STAGES: [&str; 4] =
     ["meyer.app-b.method.f1", "meyer.app-b.method.f2", "meyer.app-b.method.f3", "meyer.app-b.method.f4"];
 /// The length of a step.
-pub const STEP: f64 = 0.125;
+pub(super) const STEP: f64 = 0.125;
 
 /// Whether a formula of the method holds for the steps of an implementation of the classical method.
-pub fn holds_in_a_step(tex: &str) -> Option<bool> {
+pub(super) fn holds_in_a_step(tex: &str) -> Option<bool> {
     let slopes: [Slope; 3] = [|x, y| x * y, |x, y| y * y - x, |x, y| x + 1.0 / y];
     let moments = slopes.iter().flat_map(|slope| {
         [(0.5, 1.25, STEP), (0.75, 0.5, 2.0 * STEP)].map(|(x, y, h)| {
@@ -29,15 +29,15 @@ pub fn holds_in_a_step(tex: &str) -> Option<bool> {
 }
 
 /// The slope y' as a function of x and y.
-pub type Slope = fn(f64, f64) -> f64;
+pub(super) type Slope = fn(f64, f64) -> f64;
 
 /// Where the printed formulas ask for the slope, one after the other.
-pub fn printed_places(slope: Slope, x: f64, y: f64, h: f64) -> Option<[(f64, f64); 4]> {
+pub(super) fn printed_places(slope: Slope, x: f64, y: f64, h: f64) -> Option<[(f64, f64); 4]> {
     printed_stages(slope, x, y, h).map(|(places, _)| places)
 }
 
 /// The next value by the printed formulas.
-pub fn printed_step(slope: Slope, x: f64, y: f64, h: f64) -> Option<f64> {
+pub(super) fn printed_step(slope: Slope, x: f64, y: f64, h: f64) -> Option<f64> {
     let (_, letters) = printed_stages(slope, x, y, h)?;
     Some(value(MEYER.right_side("meyer.app-b.method.step"), &letters))
 }
@@ -55,7 +55,7 @@ fn printed_stages(slope: Slope, x: f64, y: f64, h: f64) -> Option<([(f64, f64); 
     Some((places, letters))
 }
 /// Where an implementation of the classical method asks for the slope.
-pub fn places_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> [(f64, f64); 4] {
+pub(super) fn places_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> [(f64, f64); 4] {
     let mut places = vec![(x, y)];
     let rate = |x: f64, y: &Vector1<f64>| {
         places.push((x, y[0]));
@@ -67,7 +67,7 @@ pub fn places_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> [(f64, f64); 4] 
 }
 
 /// One step of an implementation of the classical method.
-pub fn step_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> f64 {
+pub(super) fn step_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> f64 {
     let rate = |x: f64, y: &Vector1<f64>| Ok::<_, Infallible>(Vector1::new(slope(x, y[0])));
     runge_kutta_step(rate, x, x + h, &Vector1::new(y), &Vector1::new(slope(x, y))).map_or(f64::NAN, |end| end[0])
 }
@@ -87,13 +87,13 @@ fn halved(step: impl Fn(Slope, f64, f64, f64) -> Option<f64>) -> Option<[f64; 2]
 }
 
 /// How many times smaller the error of a printed step is for half its length, for two equations.
-pub fn halvings() -> [f64; 2] {
+pub(super) fn halvings() -> [f64; 2] {
     halved(printed_step).unwrap_or([f64::NAN; 2])
 }
 
 /// Whether the error of a step is of the fifth order, with these characters in the place of those of a claim; none if they cannot
 /// be read.
-pub fn is_of_fifth_order(own: &str, tex: &str) -> Option<bool> {
+pub(super) fn is_of_fifth_order(own: &str, tex: &str) -> Option<bool> {
     let step = |slope: Slope, x: f64, y: f64, h: f64| {
         let mut moment = Moment::default().with([("x_n", x), ("y_n", y), ("h", h)]).sloping(slope);
         for id in STAGES.into_iter().chain(["meyer.app-b.method.step"]) {
@@ -108,13 +108,13 @@ pub fn is_of_fifth_order(own: &str, tex: &str) -> Option<bool> {
 }
 
 /// Which power of two a number is nearest to, if it is near to one.
-pub fn power_of_two(ratio: f64) -> Option<i32> {
+pub(super) fn power_of_two(ratio: f64) -> Option<i32> {
     let power = libm::log2(ratio);
     ((power - power.round()).abs() < 0.25).then_some(power.round() as i32)
 }
 
 /// Whether the error of a run falls with half the step as this order has it.
-pub fn of_order(order: i32, ratio: f64) -> Finding {
+pub(super) fn of_order(order: i32, ratio: f64) -> Finding {
     Finding::new(
         power_of_two(ratio) == Some(order),
         format!("with half the step, the error of a run is {ratio:.1} times smaller"),

@@ -5,10 +5,10 @@ use geneva_case1973::Row;
 use std::sync::OnceLock;
 
 /// The results of all rows, in the order of the tables, each computed once.
-pub type CachedResults<const N: usize> = OnceLock<Vec<[f64; N]>>;
+pub(super) type CachedResults<const N: usize> = OnceLock<Vec<[f64; N]>>;
 
 /// The results of a row; not numbers if it has none, as there is no such motion.
-pub fn cached_result<const N: usize>(
+pub(super) fn cached_result<const N: usize>(
     results: &'static CachedResults<N>,
     row: &Row,
     compute: fn(&Row) -> Option<[f64; N]>,

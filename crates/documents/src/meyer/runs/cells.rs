@@ -24,7 +24,7 @@ const RESULTS: [(Column, &str, &str, &str); 4] = [
 ];
 
 /// The claims of all rows of a mechanism, after the claims of its heading.
-pub fn claims() -> Vec<Claim> {
+pub(crate) fn claims() -> Vec<Claim> {
     let of_table = |mechanism| {
         let own = rows().iter().filter(move |row| row.mechanism == mechanism);
         headings::claims(mechanism).into_iter().chain(own.flat_map(of_row))

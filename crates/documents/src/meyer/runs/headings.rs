@@ -17,7 +17,7 @@ use geneva_kinematics::Mechanism;
 const MEMBERS: [&str; 2] = ["driver", "follower"];
 
 /// The claims of a table's heading.
-pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
+pub(crate) fn claims(mechanism: Mechanism) -> Vec<Claim> {
     let numbers = headed(mechanism);
     let place = at(intern(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
     let of = |member: usize| inertia(place, intern(heading_id(mechanism, MEMBERS[member])), numbers, mechanism, member);
@@ -44,7 +44,7 @@ fn inertia(place: Locator, id: &'static str, numbers: [&'static str; 2], mechani
 }
 
 /// What the headings say the tables are of.
-pub fn of_headings() -> Claim {
+pub(crate) fn of_headings() -> Claim {
     at("Appendix E, headings of the six-pin and the three-pin mechanism")
         .statement(
             "meyer.app-e.mechanisms",
@@ -89,7 +89,7 @@ fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) ->
 }
 
 /// The claims of the axes of Figs. 10 and 11.
-pub fn of_figures() -> Vec<Claim> {
+pub(crate) fn of_figures() -> Vec<Claim> {
     let of = |mechanism: Mechanism| {
         let (figure, numbers) = drawn(mechanism)?;
         let place = at(intern(format!("Fig. {figure}, upper plot")));

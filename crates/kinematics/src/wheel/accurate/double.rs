@@ -46,42 +46,42 @@ const fn halves(x: f64) -> (f64, f64) {
 
 impl Double {
     /// π; its own rounding is below 2⁻¹⁰⁸.
-    pub const PI: Self = Self { hi: std::f64::consts::PI, lo: f64::from_bits(0x3ca1_a626_3314_5c07) };
+    pub(crate) const PI: Self = Self { hi: std::f64::consts::PI, lo: f64::from_bits(0x3ca1_a626_3314_5c07) };
     /// What [`Double::PI`] leaves out of π, dimensionless.
-    pub const PI_REST: f64 = f64::from_bits(0xb92f_1976_b7ed_8fbc);
+    pub(crate) const PI_REST: f64 = f64::from_bits(0xb92f_1976_b7ed_8fbc);
     /// One.
-    pub const ONE: Self = Self::from(1.0);
+    pub(crate) const ONE: Self = Self::from(1.0);
 
     /// A number of working precision.
-    pub const fn from(hi: f64) -> Self {
+    pub(crate) const fn from(hi: f64) -> Self {
         Self { hi, lo: 0.0 }
     }
 
     /// The sum.
-    pub const fn plus(self, other: Self) -> Self {
+    pub(crate) const fn plus(self, other: Self) -> Self {
         let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
         let first = ordered_sum(high.hi, high.lo + low.hi);
         ordered_sum(first.hi, first.lo + low.lo)
     }
 
     /// The number with the opposite sign.
-    pub const fn negate(self) -> Self {
+    pub(crate) const fn negate(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 
     /// The difference.
-    pub const fn minus(self, other: Self) -> Self {
+    pub(crate) const fn minus(self, other: Self) -> Self {
         self.plus(other.negate())
     }
 
     /// The product.
-    pub const fn times(self, other: Self) -> Self {
+    pub(crate) const fn times(self, other: Self) -> Self {
         let high = product(self.hi, other.hi);
         ordered_sum(high.hi, high.lo + (self.hi * other.lo + self.lo * other.hi))
     }
 
     /// The quotient.
-    pub const fn over(self, other: Self) -> Self {
+    pub(crate) const fn over(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self.minus(other.times(Self::from(first)));
         let second = rest.hi / other.hi;
@@ -90,25 +90,25 @@ impl Double {
     }
 
     /// The square root, of a positive number.
-    pub fn root(self) -> Self {
+    pub(crate) fn root(self) -> Self {
         let first = Self::from(self.hi.sqrt());
         let rest = self.minus(first.times(first));
         first.plus(Self::from(rest.hi / (2.0 * first.hi)))
     }
 
     /// Half the number.
-    pub const fn half(self) -> Self {
+    pub(crate) const fn half(self) -> Self {
         Self { hi: 0.5 * self.hi, lo: 0.5 * self.lo }
     }
 
     /// Twice the number.
-    pub const fn twice(self) -> Self {
+    pub(crate) const fn twice(self) -> Self {
         Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
     }
 
     /// The number as an integer number of parts of one (a power of two) and the rest, both in its own unit: the product of
     /// the first with a short factor is exact.
-    pub fn split(self, parts_of_one: f64) -> (f64, f64) {
+    pub(crate) fn split(self, parts_of_one: f64) -> (f64, f64) {
         let head = libm::floor(self.hi * parts_of_one) / parts_of_one;
         (head, (self.hi - head) + self.lo)
     }
