@@ -162,8 +162,7 @@ impl Layout {
 
 /// What the arrows say, in words, from the top.
 fn description(arrows: &Crates) -> String {
-    let mut names: Vec<_> = arrows.keys().map(|name| (floor(arrows, name), name)).collect();
-    names.sort();
+    let names: BTreeSet<_> = arrows.keys().map(|name| (floor(arrows, name), name)).collect();
     let words = |used: &BTreeSet<String>| used.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
     let using = names.iter().map(|(_, name)| (name, &arrows[*name])).filter(|(_, used)| !used.is_empty());
     using.map(|(name, used)| format!("{name} uses {}.", words(used))).collect::<Vec<_>>().join(" ")
