@@ -133,11 +133,12 @@ impl Layout {
     /// The picture: arrows first, and the boxes over them.
     fn svg(&self, description: &str) -> String {
         let top = |spot: &Spot| spot.floor as f64 * FLOOR + 1.0;
-        let (mut lines, mut boxes) = (String::new(), String::new());
+        let (down, mut lines, mut boxes) = (format!("v{BOX}"), String::new(), String::new());
         for through in &self.arrows {
-            let ends = through.iter().map(|at| &self.spots[*at]).map(|spot| format!("{} {}v{BOX}", spot.x, top(spot)));
+            let ends = through.iter().map(|at| format!("{} {}{down}", self.spots[*at].x, top(&self.spots[*at])));
             let path = ends.collect::<Vec<_>>().join("L");
-            lines += &format!("<path d=\"M{}\"/>\n", path.trim_end_matches(&format!("v{BOX}")));
+            let path = path.trim_end_matches(&down).replacen(&down, &format!("m0 {BOX}"), 1);
+            lines += &format!("<path d=\"M{path}\"/>\n");
         }
         for spot @ Spot { name, width, x, .. } in self.spots.iter().filter(|spot| !spot.name.is_empty()) {
             let (left, y) = (x - width / 2.0, top(spot));
@@ -161,8 +162,7 @@ impl Layout {
 
 /// What the arrows say, in words, from the top.
 fn description(arrows: &Crates) -> String {
-    let mut names: Vec<_> = arrows.keys().map(|name| (floor(arrows, name), name)).collect();
-    names.sort();
+    let names: BTreeSet<_> = arrows.keys().map(|name| (floor(arrows, name), name)).collect();
     let words = |used: &BTreeSet<String>| used.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
     let using = names.iter().map(|(_, name)| (name, &arrows[*name])).filter(|(_, used)| !used.is_empty());
     using.map(|(name, used)| format!("{name} uses {}.", words(used))).collect::<Vec<_>>().join(" ")
