@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::output::{TextLayout, count, heading, style, truncate_to_width};
-use crate::typed::{self, Output, OutputFormat, formats};
+use crate::typed::{self, CommandFormat, Output, formats};
 use clap::Args;
 use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
@@ -21,11 +21,11 @@ pub(crate) struct ClaimsArguments {
     pub verdict: Option<Verdict>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (OutputFormat::Text, "A readable table"),
-        (OutputFormat::Json, "An array of objects, with everything known about each claim"),
-        (OutputFormat::Csv, "The data of the JSON, one row per claim"),
+        (CommandFormat::Text, "A readable table"),
+        (CommandFormat::Json, "An array of objects, with everything known about each claim"),
+        (CommandFormat::Csv, "The data of the JSON, one row per claim"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -37,8 +37,8 @@ pub(crate) fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Resu
     let rows: Vec<_> = wanted_verdicts(wanted).into_iter().filter(of_verdict).collect();
     let row = |judged| records::claim(BOOK.ledger, judged);
     match wanted.format {
-        OutputFormat::Json => fields::json(&rows.into_iter().map(row).collect::<Vec<_>>()),
-        OutputFormat::Csv => fields::csv(
+        CommandFormat::Json => fields::json(&rows.into_iter().map(row).collect::<Vec<_>>()),
+        CommandFormat::Csv => fields::csv(
             LEDGER.claims().first().and_then(|claim| LEDGER.verdict(claim.id)).map(row).as_ref(),
             rows.into_iter().map(row),
         ),

@@ -3,7 +3,7 @@
 use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{TextLayout, count, field, heading};
-use crate::typed::{self, Output, OutputFormat, formats};
+use crate::typed::{self, CommandFormat, Output, formats};
 use clap::Args;
 use geneva_documents::LEDGER;
 use geneva_evidence::Document;
@@ -25,12 +25,12 @@ pub(crate) struct ErrataArguments {
     pub all: bool,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (OutputFormat::Text, "Readable paragraphs"),
-        (OutputFormat::Json, "An array of objects"),
-        (OutputFormat::Csv, "The data of the JSON, one row per mistake"),
-        (OutputFormat::Markdown, "A list by source"),
+        (CommandFormat::Text, "Readable paragraphs"),
+        (CommandFormat::Json, "An array of objects"),
+        (CommandFormat::Csv, "The data of the JSON, one row per mistake"),
+        (CommandFormat::Markdown, "A list by source"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -50,13 +50,13 @@ pub(crate) fn page(wanted: &ErrataArguments, layout: TextLayout) -> anyhow::Resu
     let first = all.first().cloned();
     let slips: Vec<_> = all.into_iter().filter(|places| of_source(places) && of_consequence(places)).collect();
     match wanted.format {
-        OutputFormat::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
-        OutputFormat::Csv => {
+        CommandFormat::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
+        CommandFormat::Csv => {
             // A source without mistakes has the header of the others.
             let header = first.or_else(|| LEDGER.slips().first().cloned());
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
-        OutputFormat::Markdown => {
+        CommandFormat::Markdown => {
             Ok(markdown(&slips, wanted.source.as_ref().map_or(LEDGER.mirrored(), slice::from_ref)))
         }
         _ => Ok(text(&slips, layout)),

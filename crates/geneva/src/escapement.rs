@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Output, OutputFormat, as_typed, formats, name_of};
+use crate::typed::{self, CommandFormat, Output, as_typed, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::escapement::{EscapementDesign, EscapementDrawing, EscapementQuestion, Further, UnitSystem};
 
@@ -42,13 +42,13 @@ pub(crate) struct EscapementArguments {
     pub interval: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (OutputFormat::Text, "A readable sheet, which says where everything is measured from"),
-        (OutputFormat::Json, "An object with all digits: the steady state and the rise from rest"),
-        (OutputFormat::Csv, "The run from rest, one row per time"),
-        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (OutputFormat::Svg, "A drawing as a standalone file; --figure chooses which"),
+        (CommandFormat::Text, "A readable sheet, which says where everything is measured from"),
+        (CommandFormat::Json, "An object with all digits: the steady state and the rise from rest"),
+        (CommandFormat::Csv, "The run from rest, one row per time"),
+        (CommandFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (CommandFormat::Svg, "A drawing as a standalone file; --figure chooses which"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
     pub figure: Option<EscapementFigureName>,
@@ -100,16 +100,16 @@ impl EscapementArguments {
 
 /// The escapement that is wanted, in the format that is wanted.
 pub(crate) fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::Result<String> {
-    OutputFormat::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
-    OutputFormat::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
-    OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    CommandFormat::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
+    CommandFormat::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
+    CommandFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let design = EscapementDesign::new(wanted.question())?;
     match wanted.format {
-        OutputFormat::Csv => {
+        CommandFormat::Csv => {
             let rows = design.run(wanted.duration, wanted.interval)?;
             fields::csv(rows.first(), rows.iter().cloned())
         }
-        OutputFormat::Svg => {
+        CommandFormat::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
                 EscapementFigureName::Mechanism => EscapementDrawing::Mechanism,
                 EscapementFigureName::NormalForce => EscapementDrawing::NormalForce,
@@ -117,8 +117,8 @@ pub(crate) fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::
             };
             Ok(design.drawing(drawing)?.standalone())
         }
-        OutputFormat::Json => fields::json(&design.answer()?),
-        OutputFormat::Fields => fields::table(&design.answer()?),
+        CommandFormat::Json => fields::json(&design.answer()?),
+        CommandFormat::Fields => fields::table(&design.answer()?),
         _ => Ok(fields::sheet(&design.answer()?, layout)),
     }
 }

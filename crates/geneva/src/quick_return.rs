@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Output, OutputFormat, formats, name_of};
+use crate::typed::{self, CommandFormat, Output, formats, name_of};
 use clap::{Args, ValueEnum};
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnDrawing, QuickReturnQuestion};
 use geneva_kinematics::quick_return::Branch;
@@ -29,12 +29,12 @@ pub(crate) struct QuickReturnArguments {
     pub rpm: f64,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (OutputFormat::Text, "A readable sheet, which says where everything is measured from and in which sense"),
-        (OutputFormat::Json, "An object with all digits; a zero vector has null for its direction"),
-        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (OutputFormat::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
+        (CommandFormat::Text, "A readable sheet, which says where everything is measured from and in which sense"),
+        (CommandFormat::Json, "An object with all digits; a zero vector has null for its direction"),
+        (CommandFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (CommandFormat::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
     pub figure: Option<QuickReturnFigureName>,
@@ -96,13 +96,13 @@ impl QuickReturnArguments {
 
 /// The mechanism that is wanted, in the format that is wanted.
 pub(crate) fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
-    OutputFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    CommandFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let design = QuickReturnDesign::new(&wanted.question())?;
     let answer = design.answer()?;
     match wanted.format {
-        OutputFormat::Json => fields::json(&answer),
-        OutputFormat::Fields => fields::table(&answer),
-        OutputFormat::Svg => {
+        CommandFormat::Json => fields::json(&answer),
+        CommandFormat::Fields => fields::table(&answer),
+        CommandFormat::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
                 QuickReturnFigureName::Mechanism => QuickReturnDrawing::Mechanism,
                 QuickReturnFigureName::Velocity => QuickReturnDrawing::Velocity,

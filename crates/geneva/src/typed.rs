@@ -171,7 +171,7 @@ pub(crate) struct Output {
 
 /// Output formats. A word means the same to every command that knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum OutputFormat {
+pub(crate) enum CommandFormat {
     /// Readable text.
     Text,
     /// Text as a line printer wrote it.
@@ -194,7 +194,7 @@ pub(crate) enum OutputFormat {
     Markdown,
 }
 
-impl OutputFormat {
+impl CommandFormat {
     /// Its name at the command line.
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -223,10 +223,10 @@ impl OutputFormat {
 }
 
 /// The formats of a command, each with its help. A command without a series says what to use instead of CSV.
-pub(crate) fn formats(known: &'static [(OutputFormat, &'static str)]) -> impl TypedValueParser<Value = OutputFormat> {
-    let has_series = known.iter().any(|(format, _)| *format == OutputFormat::Csv);
+pub(crate) fn formats(known: &'static [(CommandFormat, &'static str)]) -> impl TypedValueParser<Value = CommandFormat> {
+    let has_series = known.iter().any(|(format, _)| *format == CommandFormat::Csv);
     let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
-    let refused = (!has_series).then(|| PossibleValue::new(OutputFormat::Csv.name()).hide(true));
+    let refused = (!has_series).then(|| PossibleValue::new(CommandFormat::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
         format.ok_or(

@@ -5,7 +5,7 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, Output, OutputFormat, as_typed, formats};
+use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use anyhow::bail;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
@@ -29,16 +29,16 @@ pub(crate) struct WheelArguments {
     pub dwell_time: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (OutputFormat::Text, "A readable sheet, which says where everything is measured from"),
-        (OutputFormat::Json, "An object with all digits; null for values that need an option you didn't give"),
-        (OutputFormat::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
-        (OutputFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
-        (OutputFormat::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
-        (OutputFormat::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
-        (OutputFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
-        (OutputFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
+        (CommandFormat::Text, "A readable sheet, which says where everything is measured from"),
+        (CommandFormat::Json, "An object with all digits; null for values that need an option you didn't give"),
+        (CommandFormat::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
+        (CommandFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
+        (CommandFormat::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
+        (CommandFormat::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
+        (CommandFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
+        (CommandFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -138,27 +138,27 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
             None => proposals(times, question.kind),
         };
         return match format {
-            OutputFormat::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
-            OutputFormat::Json => fields::json(&answer),
+            CommandFormat::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
+            CommandFormat::Json => fields::json(&answer),
             _ => Ok(fields::sheet(&answer, layout)),
         };
     }
     let design = WheelDesign::new(question)?;
-    if matches!(format, OutputFormat::Dxf | OutputFormat::Scad | OutputFormat::Stl) {
+    if matches!(format, CommandFormat::Dxf | CommandFormat::Scad | CommandFormat::Stl) {
         design.require_external(format.name())?;
     }
     reject_without_effect(&design.question, format)?;
     Ok(match format {
-        OutputFormat::Svg => design.drawing().standalone(),
-        OutputFormat::Dxf => design.dxf()?,
-        OutputFormat::Scad => design.scad()?,
-        OutputFormat::Stl => design.stl()?,
-        OutputFormat::Csv => {
+        CommandFormat::Svg => design.drawing().standalone(),
+        CommandFormat::Dxf => design.dxf()?,
+        CommandFormat::Scad => design.scad()?,
+        CommandFormat::Stl => design.stl()?,
+        CommandFormat::Csv => {
             let rows = design.cycle()?;
             fields::csv(rows.first(), rows.iter().cloned())?
         }
-        OutputFormat::Json => fields::json(&design.answer()?)?,
-        OutputFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Json => fields::json(&design.answer()?)?,
+        CommandFormat::Fields => fields::table(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -172,7 +172,7 @@ fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: 
 }
 
 /// Refuses options that have no effect beside the wanted times.
-fn reject_with_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+fn reject_with_times(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     reject_any(
         wanted,
         |argument| argument.name != "stations",
@@ -186,7 +186,7 @@ fn reject_with_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Re
             material.name
         );
     }
-    if format == OutputFormat::Fields {
+    if format == CommandFormat::Fields {
         bail!(
             "--format fields is for one wheel, but --index-time and --dwell-time propose several; choose --format csv, which has \
              a row for each"
@@ -203,7 +203,7 @@ fn reject_with_times(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Re
 }
 
 /// Refuses options that have no effect for this one wheel.
-fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow::Result<()> {
+fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
@@ -222,7 +222,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow
             reject_any(wanted, acts_on(ActsOn::Size), &why)?;
         }
     }
-    if format == OutputFormat::Fields {
+    if format == CommandFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
         reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
@@ -240,7 +240,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow
                    for the pressure";
         reject_any(wanted, is_named(&["thickness"]), why)?;
     }
-    if matches!(format, OutputFormat::Svg | OutputFormat::Dxf) {
+    if matches!(format, CommandFormat::Svg | CommandFormat::Dxf) {
         let why = format!(
             "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
             format.name()
@@ -260,7 +260,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: OutputFormat) -> anyhow
         "because only external wheels have parts in mm; leave it out, or choose --type external"
     } else if !gives_numbers(format) {
         "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
-    } else if format == OutputFormat::Csv {
+    } else if format == CommandFormat::Csv {
         "on --format csv, which has no pressures; leave it out, or choose --format text or json"
     } else if !has_load || !is_sized {
         "without a load; add --crank-radius MM, --rpm R and --inertia KGM2"
@@ -283,8 +283,8 @@ fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
 }
 
 /// Whether a format gives numbers, and not shapes.
-fn gives_numbers(format: OutputFormat) -> bool {
-    matches!(format, OutputFormat::Text | OutputFormat::Json | OutputFormat::Csv | OutputFormat::Fields)
+fn gives_numbers(format: CommandFormat) -> bool {
+    matches!(format, CommandFormat::Text | CommandFormat::Json | CommandFormat::Csv | CommandFormat::Fields)
 }
 
 #[cfg(test)]

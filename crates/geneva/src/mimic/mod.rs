@@ -9,7 +9,7 @@ use crate::output::{TextLayout, count};
 use crate::printable::{escape_and_shorten, shown_path};
 use crate::progress;
 use crate::threads::Threads;
-use crate::typed::{self, Output, OutputFormat, as_typed, formats};
+use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use anyhow::{Error, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_case1973::Hypothesis;
@@ -132,12 +132,12 @@ pub(crate) struct RunArguments {
     pub delay_keeps: DelayKeeps,
     /// Output format
     #[arg(long, default_value = "print", value_parser = formats(&[
-        (OutputFormat::Print, "Tables and character plots, as the line printer wrote them"),
-        (OutputFormat::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
-        (OutputFormat::Csv, "One row per printed point, with the number of its run"),
-        (OutputFormat::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
+        (CommandFormat::Print, "Tables and character plots, as the line printer wrote them"),
+        (CommandFormat::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
+        (CommandFormat::Csv, "One row per printed point, with the number of its run"),
+        (CommandFormat::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
     ]))]
-    pub format: OutputFormat,
+    pub format: CommandFormat,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -362,9 +362,9 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     };
     let _step = progress::step("writing the numbers");
     match wanted.format {
-        OutputFormat::Json => report::json(&all),
-        OutputFormat::Csv => report::csv(&all),
-        OutputFormat::Svg => report::svg(&name, &all),
+        CommandFormat::Json => report::json(&all),
+        CommandFormat::Csv => report::csv(&all),
+        CommandFormat::Svg => report::svg(&name, &all),
         _ => report::print_outs(&name, &all),
     }
 }
