@@ -5,7 +5,7 @@
 //! acceleration of a moment before. Both are fields here, beside the choices that describe the mechanism: a reset angle
 //! of 2π/m and the exact sign. For the motion itself there is a faster and sharper way,
 //! [`steady`](geneva_dynamics::steady).
-//! Work::Meyer1973, Appendix B.
+//! MEYER, Appendix B.
 
 use geneva_dynamics::steady::PrintedLine;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Pose, Sign};

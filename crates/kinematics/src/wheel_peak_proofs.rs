@@ -1,6 +1,6 @@
 //! Where the quadratic for the peak of a wheel's acceleration has its root, as identities.
 //!
-//! Notation: s = sin α, c = cos θ, γ = (1 + s²)/(2 s). Work::Jazar2003, example (e), Eqs. (5.33) and (5.34).
+//! Notation: s = sin α, c = cos θ, γ = (1 + s²)/(2 s). JAZAR, example (e), Eqs. (5.33) and (5.34).
 //!
 //! ```
 //! use geneva_kinematics::prove;

@@ -32,7 +32,7 @@ pub enum Extrapolation {
 ///
 /// The thesis has one such line, the crank's angular acceleration a tenth of the print interval before; how MIMIC read
 /// between its entries is not said, nor what the third argument of `TDL`, 100, is: perhaps this capacity.
-/// Work::Meyer1973, Appendix B.
+/// MEYER, Appendix B.
 ///
 /// ```
 /// use geneva_mimic::{DelayLine, Extrapolation, Interpolation};

@@ -18,7 +18,7 @@
 //! # Ok::<(), geneva_mimic::IntegrationError<2, std::convert::Infallible>>(())
 //! ```
 //!
-//! What is known of MIMIC is in Work::Meyer1973, Appendix B: the classical method of order four; the error of a step
+//! What is known of MIMIC is in MEYER, Appendix B: the classical method of order four; the error of a step
 //! judged by taking it once whole and once in two halves; a relative error below 5·10⁻⁶; results printed every `DT`
 //! until the run ends; a time delay `TDL` for a value of a moment before. What is not known is a parameter here, with
 //! a default and the reason for it: see [`SolverParameters`].

@@ -28,7 +28,7 @@ pub enum MinStepPolicy {
 /// Parameters of a run.
 ///
 /// The thesis gives the print interval `DT`, the run length and the relative error. The other fields are named because
-/// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
+/// it does not give them: a result that depends on them is not a result of the thesis. MEYER, Appendix B.
 ///
 /// ```
 /// use geneva_mimic::{SolverParameters, integrate};

@@ -50,7 +50,7 @@ pub struct Solution<const D: usize> {
 ///
 /// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, if
 /// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way
-/// from point to point of the print grid does not change the times of the points. Work::Meyer1973, Appendix B, and
+/// from point to point of the print grid does not change the times of the points. MEYER, Appendix B, and
 /// [`SolverParameters`] for what is not said there.
 ///
 /// ```

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 ///
 /// With h = `to` − `from`: x + h/6 (f₁ + 2 f₂ + 2 f₃ + f₄), where f₁ = `first` is the derivative at the start, f₂ and
 /// f₃ are two at the middle and f₄ is one at the end. Three evaluations of `rate`. The error of one step is of order
-/// h⁵. Work::Meyer1973, Appendix B.
+/// h⁵. MEYER, Appendix B.
 ///
 /// ```
 /// use geneva_mimic::runge_kutta_step;

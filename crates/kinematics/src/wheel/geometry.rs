@@ -84,13 +84,13 @@ impl Wheel {
     }
 
     /// Centre distance in crank radii, k = 1 / sin α: the slot is tangent to the pin's circle as the pin enters.
-    /// Work::Jazar2003, text before Eq. (5.30).
+    /// JAZAR, text before Eq. (5.30).
     pub fn centre_distance_ratio(&self) -> f64 {
         Double::ONE.over(self.constants.sine).hi
     }
 
     /// Outer radius of the wheel in crank radii, 1 / tan α: where the pin's centre enters.
-    /// Work::Jazar2003, text before Eq. (5.30).
+    /// JAZAR, text before Eq. (5.30).
     pub fn wheel_radius_ratio(&self) -> f64 {
         self.constants.cosine.over(self.constants.sine).hi
     }
@@ -127,7 +127,7 @@ impl Wheel {
     }
 }
 
-/// γ = (1 + sin² α) / (2 sin α), dimensionless, never below 1. Work::Jazar2003, Eq. (5.33).
+/// γ = (1 + sin² α) / (2 sin α), dimensionless, never below 1. JAZAR, Eq. (5.33).
 ///
 /// ```
 /// use geneva_kinematics::wheel::{Wheel, gamma};

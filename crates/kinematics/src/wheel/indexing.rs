@@ -28,7 +28,7 @@ impl Indexing for Wheel {
 
     /// Position, velocity, acceleration and jerk while the pin is at this crank angle, from the line of centres.
     ///
-    /// Both ends of the engagement belong to it. Work::Jazar2003, Eqs. (5.30) to (5.32).
+    /// Both ends of the engagement belong to it. JAZAR, Eqs. (5.30) to (5.32).
     ///
     /// ```
     /// use geneva_kinematics::indexing::Indexing;
@@ -67,7 +67,7 @@ impl Indexing for Wheel {
         Ok((libm::asin(sine) - angle).clamp(-most, most))
     }
 
-    /// sin α / (1 − sin α), on the line of centres. Work::Jazar2003, example (d).
+    /// sin α / (1 − sin α), on the line of centres. JAZAR, example (d).
     ///
     /// ```
     /// use geneva_kinematics::indexing::Indexing;
@@ -94,7 +94,7 @@ impl Indexing for Wheel {
         self.constants.sine.over(self.constants.cosine).hi
     }
 
-    /// cos θ = (−γ + √(γ² + 8)) / 2, inside the engagement for every N. Work::Jazar2003, Eqs. (5.33), (5.34) and (5.32).
+    /// cos θ = (−γ + √(γ² + 8)) / 2, inside the engagement for every N. JAZAR, Eqs. (5.33), (5.34) and (5.32).
     ///
     /// ```
     /// use geneva_kinematics::indexing::Indexing;

@@ -8,7 +8,7 @@ use crate::{Field, Turn};
 /// Angular acceleration of the wheel over the square of the driver's constant angular velocity, dimensionless:
 /// −k (k² − 1) sin θ / (1 + k² − 2 k cos θ)².
 ///
-/// Positive while the wheel speeds up (θ < 0). Work::Jazar2003, Eq. (5.32); Eq. (5.29) with its lost sign for N = 4.
+/// Positive while the wheel speeds up (θ < 0). JAZAR, Eq. (5.32); Eq. (5.29) with its lost sign for N = 4.
 ///
 /// ```
 /// use geneva_kinematics::Turn;
@@ -29,7 +29,7 @@ pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
 /// −k (k² − 1) {(1 + k² − 2 k cos θ) cos θ − 4 k sin² θ} / (1 + k² − 2 k cos θ)³.
 ///
 /// Inside the engagement; at its ends the acceleration jumps and the jerk has no finite value.
-/// Work::Jazar2003, example (e), derivative of Eq. (5.32).
+/// JAZAR, example (e), derivative of Eq. (5.32).
 ///
 /// ```
 /// use geneva_kinematics::wheel::{acceleration_ratio, jerk_ratio};
@@ -53,7 +53,7 @@ pub fn jerk_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
 /// Angular acceleration of the wheel for a driver that speeds up: θ'' times the velocity ratio, plus θ'² times the
 /// acceleration ratio. In the unit of the driver's acceleration.
 ///
-/// Work::Jazar2003, display before Eq. (5.29), for any N.
+/// JAZAR, display before Eq. (5.29), for any N.
 ///
 /// ```
 /// use geneva_kinematics::Turn;

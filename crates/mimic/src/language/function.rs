@@ -5,7 +5,7 @@ use super::code::Operation;
 /// Evidence for a word of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum WordEvidence {
-    /// The thesis uses it, and its text or its results show what it does: Work::Meyer1973, Appendix B.
+    /// The thesis uses it, and its text or its results show what it does: MEYER, Appendix B.
     Thesis,
     /// The predators and prey of the encyclopedia use it: <https://en.wikipedia.org/wiki/MIMIC>.
     Encyclopedia,

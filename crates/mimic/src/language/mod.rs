@@ -1,7 +1,7 @@
 //! The simulation language MIMIC: a deck of cards is read, sorted, compiled and run.
 //!
 //! No implementation and no manual of MIMIC are at hand. What is known comes from the program and the text of
-//! Work::Meyer1973, Appendix B, and from one other deck, the predators and prey of an encyclopedia
+//! MEYER, Appendix B, and from one other deck, the predators and prey of an encyclopedia
 //! (<https://en.wikipedia.org/wiki/MIMIC>). Whatever goes beyond these two is assumed: the tables
 //! [`FUNCTIONS`] and [`CARDS`] say of each word where it comes from, and what is open in the running of a deck is a
 //! field of [`RunOptions`].
