@@ -92,6 +92,25 @@ fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
     }
 }
 
+#[test]
+fn an_example_uses_only_crates_that_the_test_of_the_book_links() {
+    let mut used = 0;
+    for (file, text) in chapters() {
+        for (at, _) in text.match_indices("geneva_") {
+            let rest = &text[at..];
+            let name = &rest[..rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len())];
+            if rest[name.len()..].starts_with("::") {
+                used += 1;
+                assert!(
+                    geneva_chapters::EXAMPLES.crates.contains(&name),
+                    "{file}: add {name} to the crates of the examples"
+                );
+            }
+        }
+    }
+    assert!(used > 50, "only {used} uses of our crates were found");
+}
+
 /// Computed numbers that stand in prose with more digits than the source prints: page, claim, and why.
 const MORE_DIGITS: [(&str, &str, &str); 2] = [
     ("pin.md", "pin.follower-speed", "it is what the printed number is compared with"),

@@ -69,6 +69,7 @@ pub const EXAMPLES: Examples = Examples {
         "geneva_dynamics",
         "geneva_mimic",
         "geneva_case1973",
+        "geneva_evidence",
         "geneva_documents",
         "geneva_figures",
         "approx",
