@@ -1,9 +1,9 @@
 //! Does every claim still have its recorded verdict, and would a change be noticed?
 
-use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::data::inputs;
-use geneva_evidence::Finding;
+use geneva_documents::{JAZAR, LEDGER, MEYER, PIN, QUICK_RETURN, WILD};
 use geneva_evidence::testing::{self, Guarded};
+use geneva_evidence::{Document, Finding};
 
 #[path = "verdicts/kinds.rs"]
 mod kinds;
@@ -24,6 +24,41 @@ const FREE_NUMBERS: &[(&str, &str)] = &[
 #[test]
 fn every_claim_stands_as_recorded() {
     testing::differing_claims(GUARDED).expect(900);
+}
+
+/// The claims of one document, for who changes it: the others are not judged.
+#[track_caller]
+fn stands(document: &Document) {
+    let verdicts = LEDGER.verdicts_of(document);
+    let wrong = verdicts.iter().filter(|judged| !judged.matches_record());
+    let wrong: Vec<_> =
+        wrong.map(|judged| format!("{}: {}", judged.claim.id, judged.complaints().join("; "))).collect();
+    assert!(!verdicts.is_empty() && wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn pin_stands() {
+    stands(&PIN);
+}
+
+#[test]
+fn quick_return_stands() {
+    stands(&QUICK_RETURN);
+}
+
+#[test]
+fn jazar_stands() {
+    stands(&JAZAR);
+}
+
+#[test]
+fn meyer_stands() {
+    stands(&MEYER);
+}
+
+#[test]
+fn wild_stands() {
+    stands(&WILD);
 }
 
 #[test]
@@ -93,10 +128,10 @@ fn the_routes_of_a_value_share_no_printed_result() {
 
 #[test]
 fn a_misspelt_id_names_the_nearest_and_never_becomes_a_number() {
-    let stopped = std::panic::catch_unwind(|| geneva_documents::PIN.printed_number("pin.crank-radios"));
+    let stopped = std::panic::catch_unwind(|| PIN.printed_number("pin.crank-radios"));
     let message = *stopped.expect_err("no such claim").downcast::<String>().expect("a message");
     assert_eq!(message, "no claim has the id pin.crank-radios; the nearest is pin.crank-radius");
-    let stopped = std::panic::catch_unwind(|| geneva_documents::PIN.printed_number("pin.pin-speed-equation"));
+    let stopped = std::panic::catch_unwind(|| PIN.printed_number("pin.pin-speed-equation"));
     let message = *stopped.expect_err("no number").downcast::<String>().expect("a message");
     assert!(message.starts_with("pin.pin-speed-equation: `"), "{message}");
 }
