@@ -1,6 +1,7 @@
 //! The verdict on every equation of a source hangs on its own characters: each misprint changes it. The record of that tells the
 //! book.
 
+use crate::book_sources::stood_written;
 use geneva_documents::LEDGER;
 use geneva_evidence::testing::{Guarded, equation_misprints, further_misprints};
 use geneva_evidence::tex::Class;
@@ -42,9 +43,7 @@ fn a_further_misprint_in_a_wrong_equation_is_noticed() {
 /// Whether a record of the book is up to date; it is written if it is not.
 #[track_caller]
 fn is_recorded(name: &str, record: &str) {
-    let file = crate::path("book/records").join(name);
-    if !std::fs::read_to_string(&file).is_ok_and(|standing| standing == record) {
-        std::fs::write(&file, record).expect("written");
-        panic!("{} was not up to date and is now: look at the difference and test again", file.display());
-    }
+    let file = format!("book/records/{name}");
+    let stood = stood_written(&file, record);
+    assert!(stood, "{file} was not up to date and is now: look at the difference and test again");
 }

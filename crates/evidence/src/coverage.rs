@@ -84,7 +84,7 @@ mod tests {
             ]
         },
         answers: &[],
-        given: &[],
+        given: Vec::new,
         conclusions: &[],
         symbols: &[],
         units: &[],

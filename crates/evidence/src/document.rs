@@ -2,7 +2,8 @@
 
 use crate::slugs::slugs;
 use crate::{
-    Check, Decimal, Erratum, Finding, InventoryFile, Line, Malformed, Symbol, Verdict, inventory_file, numeric_tokens,
+    Check, Decimal, Erratum, Finding, InventoryFile, Line, Malformed, Symbol, Verdict, inventory_file, nearest_name,
+    numeric_tokens,
 };
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
@@ -21,13 +22,13 @@ pub struct Document {
     pub citation: &'static str,
     /// The inventory of a document that is mirrored line by line; none for statements that are in no one document.
     pub inventory: Option<InventoryFile>,
-    /// Makes the claims, in the order of the document. It may not look up a claim of the document while it does so; the routes
-    /// of the claims may.
+    /// Makes the claims, in the order of the document. It may not look up a claim of the document while it does so, and stops if it
+    /// does; the routes of the claims may.
     pub claims: fn() -> Vec<Claim>,
     /// The claims that print the answers to what a problem asks for; none if the document asks for no numbers.
     pub answers: &'static [&'static str],
     /// The claims that print what the document takes as given and computes with: both routes of its other numbers may use them.
-    pub given: &'static [&'static str],
+    pub given: fn() -> Vec<String>,
     /// What the document concludes and a slip may make false: the claim, and what shows that it is a conclusion and no
     /// remark, its place or the words before it.
     pub conclusions: &'static [(&'static str, &'static str)],
@@ -110,6 +111,27 @@ thread_local! {
     static LOOKED_UP: RefCell<BTreeSet<&'static str>> = const { RefCell::new(BTreeSet::new()) };
 }
 
+thread_local! {
+    /// The documents whose claims this thread is making.
+    static MAKING: RefCell<Vec<&'static str>> = const { RefCell::new(Vec::new()) };
+}
+
+/// While it lives, this thread is making the claims of a document.
+struct Making;
+
+impl Making {
+    fn begin(slug: &'static str) -> Self {
+        MAKING.with_borrow_mut(|making| making.push(slug));
+        Self
+    }
+}
+
+impl Drop for Making {
+    fn drop(&mut self) {
+        MAKING.with_borrow_mut(Vec::pop);
+    }
+}
+
 /// Runs a route of a claim. Returns its result with the ids of the claims that it looks up by id on the way, so that a test can
 /// tell what the route rests on. What an earlier run has kept for later, or looks up on another thread, is not among them.
 pub fn looked_up_by<T>(route: impl FnOnce() -> T) -> (T, BTreeSet<&'static str>) {
@@ -132,8 +154,19 @@ impl Document {
     }
 
     /// Its claims, in their order.
+    ///
+    /// # Panics
+    /// If it is called by the function that makes them, which would wait for itself for ever.
     pub fn claims(&'static self) -> &'static [Claim] {
-        self.cache.claims.get_or_init(self.claims)
+        if let Some(claims) = self.cache.claims.get() {
+            return claims;
+        }
+        let makes_them = MAKING.with_borrow(|making| making.contains(&self.slug));
+        assert!(!makes_them, "{self}: a claim is looked up while the claims are being made; look it up in a route");
+        self.cache.claims.get_or_init(|| {
+            let _making = Making::begin(self.slug);
+            (self.claims)()
+        })
     }
 
     /// The claim with this id; none if there is no such claim.
@@ -168,8 +201,7 @@ impl Document {
     /// [`judge`](crate::judge).
     pub fn lookup(&'static self, id: &str) -> &'static Claim {
         let claim = self.claim(id).unwrap_or_else(|| {
-            let ids = self.claims().iter().map(|claim| claim.id);
-            let nearest = ids.max_by(|a, b| strsim::jaro(id, a).total_cmp(&strsim::jaro(id, b)));
+            let nearest = nearest_name(id, self.claims().iter().map(|claim| claim.id));
             panic!(
                 "no claim has the id {id}; the nearest is {}",
                 nearest.unwrap_or("that of no claim, as there is none")
@@ -315,6 +347,44 @@ impl Claim {
         match also {
             Some(also) => read.and((also.run)()),
             None => read,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Locator;
+
+    /// A document that looks up a number of its own while its claims are being made.
+    static HASTY: Document = Document {
+        slug: "hasty",
+        title: "hasty",
+        citation: "A document that is made up",
+        inventory: None,
+        claims: || {
+            let number = HASTY.printed_number("hasty.number");
+            vec![
+                Locator::new(&HASTY, "line 1")
+                    .value("hasty.number", "1", "", "a number")
+                    .missing(crate::intern(number.to_string())),
+            ]
+        },
+        answers: &[],
+        given: Vec::new,
+        conclusions: &[],
+        symbols: &[],
+        units: &[],
+        cache: Cache::new(),
+    };
+
+    #[test]
+    fn a_claim_that_is_looked_up_while_the_claims_are_made_stops_and_does_not_wait_for_itself() {
+        // A second time, too: nothing half-made is left.
+        for _ in 0..2 {
+            let stopped = std::panic::catch_unwind(|| HASTY.claims().len()).expect_err("it looks up what is not there");
+            let message = stopped.downcast_ref::<String>().expect("a message");
+            assert_eq!(message, "hasty: a claim is looked up while the claims are being made; look it up in a route");
         }
     }
 }

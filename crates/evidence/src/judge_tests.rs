@@ -11,7 +11,7 @@ static MADE_UP: Document = Document {
     inventory: None,
     claims: Vec::new,
     answers: &[],
-    given: &[],
+    given: Vec::new,
     conclusions: &[],
     symbols: &[],
     units: &[],

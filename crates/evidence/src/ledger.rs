@@ -56,11 +56,6 @@ impl Ledger {
         self.documents.iter().copied().find(|document| document.slug == slug)
     }
 
-    /// The place of a document in the order of the ledger; behind all others if it is none of them.
-    pub fn position(&self, document: &Document) -> usize {
-        self.documents.iter().position(|other| *other == document).unwrap_or(self.documents.len())
-    }
-
     /// The kinds of evidence.
     pub fn evidence(&self) -> &'static [&'static Evidence] {
         self.evidence

@@ -16,7 +16,7 @@
 //!     inventory: None,
 //!     claims,
 //!     answers: &["leaflet.time"],
-//!     given: &["leaflet.gravity"],
+//!     given: || vec!["leaflet.gravity".to_owned()],
 //!     conclusions: &[],
 //!     symbols: &[],
 //!     units: &[("time", "s"), ("acceleration", "m/s²")],
@@ -66,6 +66,7 @@ mod inventory_file;
 mod judge;
 mod kind_of_evidence;
 mod ledger;
+mod nearest;
 pub mod number_format;
 mod number_words;
 mod own_number;
@@ -91,6 +92,7 @@ pub use inventory_file::{Fault, InventoryFile, Malformed};
 pub use judge::{Judged, judge};
 pub use kind_of_evidence::{Agreement, Evidence};
 pub use ledger::Ledger;
+pub use nearest::nearest_name;
 pub use number_words::{next_number_word, number_in_word};
 pub use own_number::{Backing, Form, GIVEN, IntoNumbers, Numbers, OwnNumber, RECORD, ids_with_backing};
 pub use printed::{Decimal, Mark, Marked, Unreadable};

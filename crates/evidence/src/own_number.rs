@@ -3,6 +3,7 @@
 //! No source prints such a number, so nothing says what it should be and no verdict is passed on it. What is concluded from
 //! it must not hang on one program, though: [`OwnNumber::check`] holds the two routes against each other.
 
+use crate::agreement::range;
 use crate::number_format::{fixed, signed, significant};
 use crate::{Agreement, Evidence, Tolerance};
 use std::error::Error;
@@ -94,7 +95,7 @@ impl Backing {
             Self::TwoRoutes => "computed by two routes, which agree",
             Self::OneRoute => "computed by one route only",
             Self::Count => "counted in our own records",
-            Self::Given => "cited, or chosen by us",
+            Self::Given => GIVEN.meaning,
         }
     }
 }
@@ -223,22 +224,16 @@ impl Form {
         match self {
             Self::Text(text) => fill(text, numbers),
             Self::Range(hole, unit) => {
-                let ends = [numbers.iter().copied().fold(f64::INFINITY, f64::min), most(numbers)];
                 if numbers.is_empty() {
                     return Err("there are no numbers".into());
                 }
-                let [least, greatest] = ends.map(|end| fill(hole, &[end]));
+                let [least, greatest] = range(numbers.iter().copied()).map(|end| fill(hole, &[end]));
                 let (least, greatest) = (least?, greatest?);
                 Ok(if least == greatest { least + unit } else { format!("{least} to {greatest}{unit}") })
             }
             Self::Written(write) => Ok(write(numbers)),
         }
     }
-}
-
-/// The greatest of some numbers.
-fn most(numbers: &[f64]) -> f64 {
-    numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// A text with its holes filled, one for each number.

@@ -1,7 +1,7 @@
 //! Finding things by name; the error tells the nearest name.
 
 use anyhow::anyhow;
-use geneva_evidence::{Claim, Consequence, Document, Judged, Ledger};
+use geneva_evidence::{Claim, Consequence, Document, Judged, Ledger, nearest_name};
 
 /// What bears this name in a list. The error tells the nearest name and all there are.
 pub fn find_named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -46,8 +46,7 @@ pub fn verdicts_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'
 
 /// That nothing of this kind bears the name, with the nearest that something bears.
 pub fn unknown<'a>(what: &str, name: &str, names: impl Iterator<Item = &'a str>) -> anyhow::Error {
-    let closest = names.max_by(|a, b| strsim::jaro(name, a).total_cmp(&strsim::jaro(name, b)));
-    let nearest = closest.map_or_else(String::new, |closest| format!("; the nearest is `{closest}`"));
+    let nearest = nearest_name(name, names).map_or_else(String::new, |closest| format!("; the nearest is `{closest}`"));
     anyhow!("no {what} `{name}`{nearest}")
 }
 

@@ -41,7 +41,7 @@ pub(crate) static LEAFLET: Document = Document {
     }),
     claims,
     answers: &["leaflet.speed"],
-    given: &["leaflet.gravity"],
+    given: || vec!["leaflet.gravity".to_owned()],
     conclusions: &[],
     symbols: &[Symbol { printed: "h", ours: "h", meaning: "height of the fall" }],
     units: &[],

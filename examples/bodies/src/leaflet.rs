@@ -38,7 +38,7 @@ pub static LEAFLET: Document = Document {
     }),
     claims,
     answers: &["leaflet.fall-time", "leaflet.short-period", "leaflet.short-rate"],
-    given: &[],
+    given: || ["leaflet.gravity", "leaflet.moon-gravity"].map(str::to_owned).into(),
     conclusions: &[],
     symbols: &[
         Symbol { printed: "g", ours: "g", meaning: "acceleration of a falling body" },
@@ -65,8 +65,6 @@ pub static LEAFLET: Document = Document {
 
 /// The height of the tower, in metres.
 const TOWER: f64 = 50.0;
-/// The gravity that the leaflet gives for the Earth and for the Moon, for the witnesses, in metres per second squared.
-const GIVEN: [f64; 2] = [9.81, 1.62];
 /// Two digits that have changed places.
 const SWAPPED: Slip = Slip {
     id: "",
@@ -141,7 +139,6 @@ fn laws() -> Vec<Claim> {
 
 fn falls() -> Vec<Claim> {
     let at = |line| Locator::new(&LEAFLET, line);
-    let [earth, moon] = GIVEN;
     vec![
         at("line 15")
             .value("leaflet.fall-time", "3.19", "s", "time of the fall from the tower")
@@ -150,24 +147,26 @@ fn falls() -> Vec<Claim> {
         at("line 16")
             .value("leaflet.impact-speed", "31.3", "m/s", "speed at the ground")
             .first_route(Evidence::CLOSED_FORM, || (2.0 * gravity() * TOWER).sqrt())
-            .second_route(IN_STEPS, move || steps::fall(earth, steps::fall_time(earth, TOWER))[1]),
+            .second_route(IN_STEPS, move || steps::fall(gravity(), steps::fall_time(gravity(), TOWER))[1]),
         at("line 16")
             .value("leaflet.impact-speed-road", "131", "km/h", "speed in kilometres per hour at the ground")
             .first_route(Evidence::CLOSED_FORM, || 3.6 * (2.0 * gravity() * TOWER).sqrt())
-            .second_route(IN_STEPS, move || steps::fall(earth, steps::fall_time(earth, TOWER))[1] * 3600.0 / 1000.0)
+            .second_route(IN_STEPS, move || {
+                steps::fall(gravity(), steps::fall_time(gravity(), TOWER))[1] * 3600.0 / 1000.0
+            })
             .corrected("113", SWAPPED),
         at("line 17")
             .value("leaflet.half-way", "12.5", "m", "height fallen through in half the time")
             .first_route(Evidence::LIMIT_CASE, || TOWER / 4.0)
-            .second_route(IN_STEPS, move || steps::fall(earth, steps::fall_time(earth, TOWER) / 2.0)[0]),
+            .second_route(IN_STEPS, move || steps::fall(gravity(), steps::fall_time(gravity(), TOWER) / 2.0)[0]),
         at("line 18")
             .value("leaflet.two-seconds", "19.6", "m", "height fallen through in two seconds")
             .first_route(Evidence::CLOSED_FORM, || gravity() * 4.0 / 2.0)
-            .second_route(IN_STEPS, move || steps::fall(earth, 2.0)[0]),
+            .second_route(IN_STEPS, move || steps::fall(gravity(), 2.0)[0]),
         at("line 18")
             .value("leaflet.third-second", "24.5", "m", "height fallen through in the third second")
             .first_route(Evidence::CLOSED_FORM, || gravity() * (9.0 - 4.0) / 2.0)
-            .second_route(IN_STEPS, move || steps::fall(earth, 3.0)[0] - steps::fall(earth, 2.0)[0]),
+            .second_route(IN_STEPS, move || steps::fall(gravity(), 3.0)[0] - steps::fall(gravity(), 2.0)[0]),
         at("line 22")
             .value("leaflet.moon-gravity", "1.62", "m/s²", "acceleration of a falling body on the Moon")
             .first_route(BODIES, || 4.9028e12 / 1.7374e6 / 1.7374e6)
@@ -176,13 +175,12 @@ fn falls() -> Vec<Claim> {
         at("line 22")
             .value("leaflet.moon-time", "7.86", "s", "time of the fall on the Moon")
             .first_route(Evidence::CLOSED_FORM, || (2.0 * TOWER / printed("leaflet.moon-gravity")).sqrt())
-            .second_route(IN_STEPS, move || steps::fall_time(moon, TOWER)),
+            .second_route(IN_STEPS, move || steps::fall_time(printed("leaflet.moon-gravity"), TOWER)),
     ]
 }
 
 fn sentences() -> Vec<Claim> {
     let at = |line| Locator::new(&LEAFLET, line);
-    let [earth, _] = GIVEN;
     vec![
         at("line 17")
             .statement(
@@ -197,7 +195,7 @@ fn sentences() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, move |stated| {
                 let numbers = stated.numbers();
-                let part = |time| steps::fall(earth, time)[0] / steps::fall(earth, 1.0)[0];
+                let part = |time| steps::fall(gravity(), time)[0] / steps::fall(gravity(), 1.0)[0];
                 let holds = numbers.len() == 2 && is_near(part(numbers[0]), stated.pick(numbers[1], 0.5));
                 Finding::new(holds, "a body moved in steps of time has fallen so far")
             })
@@ -210,7 +208,7 @@ fn sentences() -> Vec<Claim> {
                 Finding::new(ways == squares, "the differences of successive squares are 1, 3 and 5")
             })
             .second_route(IN_STEPS, move |stated| {
-                let height = |time: f64| steps::fall(earth, time)[0];
+                let height = |time: f64| steps::fall(gravity(), time)[0];
                 let ways = stated.pick(stated.numbers(), vec![1.0, 2.0, 3.0]);
                 let moved = [1.0, 2.0, 3.0].map(|time| (height(time) - height(time - 1.0)) / height(1.0));
                 let holds = ways.len() == 3 && ways.iter().zip(moved).all(|(way, moved)| is_near(*way, moved));
@@ -229,7 +227,7 @@ fn sentences() -> Vec<Claim> {
                 )
             })
             .second_route(IN_STEPS, move |stated| {
-                let time = |mass: f64| steps::fall_time(mass * earth / mass, TOWER);
+                let time = |mass: f64| steps::fall_time(mass * gravity() / mass, TOWER);
                 let ratio = time(2.0) / time(8.0);
                 let holds = stated.pick(is_near(ratio, 1.0), ratio > 1.0 && !is_near(ratio, 1.0));
                 Finding::new(holds, "the force of gravity grows with the mass")
@@ -243,12 +241,11 @@ fn sentences() -> Vec<Claim> {
 
 fn pendulums() -> Vec<Claim> {
     let at = |line| Locator::new(&LEAFLET, line);
-    let [earth, _] = GIVEN;
     vec![
         at("line 28")
             .value("leaflet.long-period", "2.01", "s", "period of the pendulum of 1 m")
             .first_route(Evidence::CLOSED_FORM, || period(1.0))
-            .second_route(IN_STEPS, move || steps::small_period(earth, 1.0)),
+            .second_route(IN_STEPS, move || steps::small_period(gravity(), 1.0)),
         at("line 28")
             .value("leaflet.long-rate", "29.9", "", "swings a minute of the pendulum of 1 m")
             .first_route(Evidence::CLOSED_FORM, || 60.0 / period(1.0))
@@ -256,7 +253,7 @@ fn pendulums() -> Vec<Claim> {
         at("line 29")
             .value("leaflet.short-period", "1.04", "s", "period of the pendulum of 0.25 m")
             .first_route(Evidence::CLOSED_FORM, || period(0.25))
-            .second_route(IN_STEPS, move || steps::small_period(earth, 0.25))
+            .second_route(IN_STEPS, move || steps::small_period(gravity(), 0.25))
             .corrected("1.00", PERIOD),
         at("line 29")
             .value("leaflet.short-rate", "57.7", "", "swings a minute of the pendulum of 0.25 m")
@@ -271,14 +268,14 @@ fn pendulums() -> Vec<Claim> {
                 Evidence::CLOSED_FORM,
                 || 60.0 / period(0.25),
                 IN_STEPS,
-                move || 60.0 / steps::small_period(earth, 0.25),
+                move || 60.0 / steps::small_period(gravity(), 0.25),
             )
             .in_error(PERIOD),
         at("line 30")
             .value("leaflet.clock-length", "0.994", "m", "length of the pendulum of 2 s")
             .first_route(Evidence::CLOSED_FORM, || gravity() / (PI * PI))
             // The period is as the root of the length.
-            .second_route(IN_STEPS, move || (2.0 / steps::small_period(earth, 1.0)).powi(2)),
+            .second_route(IN_STEPS, move || (2.0 / steps::small_period(gravity(), 1.0)).powi(2)),
         at("line 31")
             .statement("leaflet.four-times", "Four times the length gives twice the period", "periods of two lengths")
             .first_route(Evidence::CLOSED_FORM, |stated| {
@@ -288,7 +285,7 @@ fn pendulums() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, move |stated| {
                 let numbers = stated.numbers();
-                let ratio = |length| steps::small_period(earth, length) / steps::small_period(earth, 1.0);
+                let ratio = |length| steps::small_period(gravity(), length) / steps::small_period(gravity(), 1.0);
                 let holds = numbers.len() == 2 && is_near(ratio(numbers[0]), stated.pick(numbers[1], 4.0));
                 Finding::new(holds, "pendulums moved in steps of time swing so")
             })

@@ -1,6 +1,6 @@
 //! Of the sections on play and on what one would have to build: blows, margins against jamming, forces.
 
-use super::kinds::{FORMULA, QUADRATURE};
+use super::kinds::QUADRATURE;
 use super::most;
 use super::second_routes::blow::Impact;
 use super::second_routes::contact::ContactModel;
@@ -11,7 +11,7 @@ use crate::rows::{number, number_with, numbers as of_rows, weakest as weakest_of
 use geneva_ask::escapement::{EscapementQuestion, Further};
 use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
-use geneva_evidence::{Form, GIVEN, IntoNumbers, Numbers, OwnNumber};
+use geneva_evidence::{Evidence, Form, GIVEN, IntoNumbers, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 
 /// The numbers of these sections.
@@ -46,7 +46,7 @@ pub(super) fn numbers() -> Vec<OwnNumber> {
         jam("built.jam.six", Mechanism::SIX_PIN),
         jam("built.jam.four", Mechanism::FOUR_PIN),
         jam("built.jam.three", Mechanism::THREE_PIN),
-        OwnNumber::new("built.jam.exceeded", Form::Written(exceeded_words), FORMULA, || {
+        OwnNumber::new("built.jam.exceeded", Form::Written(exceeded_words), Evidence::CLOSED_FORM, || {
             below_dry(|of| run_number(of, "critical_friction"))
         })
         .with_second_route("dry brass can jam a run", NEWTON, || below_dry(critical_friction)),
@@ -168,11 +168,8 @@ fn critical_friction(mechanism: Mechanism) -> Numbers<f64> {
 
 /// The friction from which the runs of a mechanism may jam.
 fn jam(id: &'static str, mechanism: Mechanism) -> OwnNumber {
-    OwnNumber::new(id, "{.2}", FORMULA, move || run_number(mechanism, "critical_friction")).with_second_route(
-        "with more friction a run may jam",
-        NEWTON,
-        move || critical_friction(mechanism),
-    )
+    OwnNumber::new(id, "{.2}", Evidence::CLOSED_FORM, move || run_number(mechanism, "critical_friction"))
+        .with_second_route("with more friction a run may jam", NEWTON, move || critical_friction(mechanism))
 }
 
 /// How many of the three critical frictions are below the sliding friction of clean and dry brass.
@@ -200,11 +197,13 @@ fn ratio(id: &'static str, mechanism: Mechanism) -> OwnNumber {
         reset_deg: None,
         further: Further::default(),
     };
-    OwnNumber::new(id, "{.3}", FORMULA, move || Ok(escapement_value(&question, "critical_inertia_ratio")?))
-        .with_second_route("a driver so heavy does not jam", NEWTON, move || {
-            let model = ContactModel { friction: CLEAN_AND_DRY[1], ..ContactModel::of_row(row_of(mechanism)?) };
-            Ok(model.critical_inertia_ratio())
-        })
+    OwnNumber::new(id, "{.3}", Evidence::CLOSED_FORM, move || {
+        Ok(escapement_value(&question, "critical_inertia_ratio")?)
+    })
+    .with_second_route("a driver so heavy does not jam", NEWTON, move || {
+        let model = ContactModel { friction: CLEAN_AND_DRY[1], ..ContactModel::of_row(row_of(mechanism)?) };
+        Ok(model.critical_inertia_ratio())
+    })
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! Of the chapter on the escapement: what came of it, in a few numbers, over all rows of the thesis as the mechanisms are.
 
-use super::kinds::{FORMULA, QUADRATURE};
+use super::kinds::QUADRATURE;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::motion::SteppedEngagement;
 use super::second_routes::rise::SteppedRise;
 use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, steady};
 use crate::rows::{NONE, numbers as of_rows};
 use geneva_documents::meyer::runs::table::rows;
-use geneva_evidence::{Form, OwnNumber};
+use geneva_evidence::{Evidence, Form, OwnNumber};
 
 /// The numbers of the chapter.
 pub(super) fn numbers() -> Vec<OwnNumber> {
@@ -38,8 +38,11 @@ pub(super) fn numbers() -> Vec<OwnNumber> {
             },
         ),
         // Speeds go as the root of the torque, because u, its slope and the torque share one unit.
-        minutes("escapement.torque-a-day", "torque_rate_s_a_day")
-            .with_second_route("it is no clock", FORMULA, || Ok(vec![DAY / 2.0; rows().len()])),
+        minutes("escapement.torque-a-day", "torque_rate_s_a_day").with_second_route(
+            "it is no clock",
+            Evidence::CLOSED_FORM,
+            || Ok(vec![DAY / 2.0; rows().len()]),
+        ),
     ]
 }
 

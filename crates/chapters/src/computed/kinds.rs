@@ -2,25 +2,13 @@
 
 use geneva_evidence::{Agreement, Evidence, Tolerance};
 
-/// Two chains of a dozen operations differ by some units in the last place.
-pub(super) const FORMULA: &Evidence = &Evidence {
-    slug: "formula",
-    name: "formula",
-    meaning: "a formula evaluated",
-    agreement: Agreement::Within(&Tolerance {
-        name: "formula",
-        relative: 1e-12,
-        reason: "two chains of a dozen operations differ by some units in the last place",
-    }),
-};
-
 /// Differences of coordinates lose some digits.
 pub(super) const VECTORS: &Evidence = &Evidence {
-    slug: "vectors",
+    slug: "vectors-of-places",
     name: "vectors",
     meaning: "lengths and angles measured between points",
     agreement: Agreement::Within(&Tolerance {
-        name: "vectors",
+        name: "vectors-of-places",
         relative: 1e-10,
         reason: "differences of coordinates lose some digits",
     }),
@@ -28,11 +16,11 @@ pub(super) const VECTORS: &Evidence = &Evidence {
 
 /// The solution errs by less than that.
 pub(super) const QUADRATURE: &Evidence = &Evidence {
-    slug: "quadrature",
+    slug: "crank-integrals",
     name: "quadrature",
     meaning: "the equation of motion solved over the crank angle, by integrals",
     agreement: Agreement::Within(&Tolerance {
-        name: "quadrature",
+        name: "crank-integrals",
         relative: 1e-9,
         reason: "the solution errs by less than that",
     }),
@@ -64,11 +52,11 @@ pub(super) const COMPARISON: &Evidence = &Evidence {
 
 /// A count of runs by the program itself.
 pub(super) const PROGRAM: &Evidence = &Evidence {
-    slug: "program",
+    slug: "program-counts",
     name: "program",
     meaning: "the program of 1973 run, or its deck",
     agreement: Agreement::Within(&Tolerance {
-        name: "program",
+        name: "program-counts",
         relative: 0.0,
         reason: "a count of runs by the program itself",
     }),

@@ -1,11 +1,11 @@
 //! Of the chapter on making a wheel: what no answer has.
 
-use super::kinds::{FORMULA, OUTLINES, PROPORTION, SEARCH, STANDARD};
+use super::kinds::{OUTLINES, PROPORTION, SEARCH, STANDARD};
 use super::least;
 use super::second_routes::outline::Cut;
 use crate::questions::design;
 use anyhow::Context;
-use geneva_evidence::{Numbers, OwnNumber};
+use geneva_evidence::{Evidence, Numbers, OwnNumber};
 use geneva_figures::stations;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel, play_of_h8_e8};
@@ -93,11 +93,8 @@ fn tabulated((_, play, tolerance): ([f64; 2], u32, u32)) -> [f64; 2] {
 /// Least and greatest play of a fit for a range of diameters.
 fn fit(id: &'static str, range: usize) -> OwnNumber {
     let [over, up_to] = FITS[range].0;
-    OwnNumber::new(id, "{.3} to {.3}&nbsp;mm", FORMULA, move || Ok(play_of_h8_e8(over, up_to))).with_second_route(
-        "so much play is usual",
-        STANDARD,
-        move || Ok(tabulated(FITS[range])),
-    )
+    OwnNumber::new(id, "{.3} to {.3}&nbsp;mm", Evidence::CLOSED_FORM, move || Ok(play_of_h8_e8(over, up_to)))
+        .with_second_route("so much play is usual", STANDARD, move || Ok(tabulated(FITS[range])))
 }
 
 /// The crank radius in whole millimetres up to which the program's play is no more than that of the fit, or the pin's diameter

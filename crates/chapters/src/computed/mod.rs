@@ -23,6 +23,7 @@ pub mod timer;
 mod wild;
 
 use geneva_evidence::OwnNumber;
+use geneva_evidence::agreement::range;
 
 use geneva_press::book::MakeText;
 use std::sync::OnceLock;
@@ -74,12 +75,12 @@ fn own_text(name: &str) -> anyhow::Result<String> {
 
 /// The least of some numbers.
 fn least(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::INFINITY, f64::min)
+    range(all.iter().copied())[0]
 }
 
 /// The greatest of some numbers.
 fn most(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    range(all.iter().copied())[1]
 }
 
 #[cfg(test)]
@@ -117,6 +118,8 @@ mod tests {
         // Each new one is a number that nothing else vouches for.
         assert_eq!(ids_with_backing(own_numbers(), Backing::OneRoute), leaned_on::ALONE);
         let mut known: Vec<_> = names().collect();
+        // A claim's id gives the claim's number.
+        known.extend(crate::BOOK.ledger.claims().iter().map(|claim| claim.id));
         let count = known.len();
         known.sort_unstable();
         known.dedup();

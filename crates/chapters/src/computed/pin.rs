@@ -1,10 +1,10 @@
 //! Of the pin in the slot: the wheel's acceleration at the instant of the problem, and the answers to the exercises.
 
-use super::kinds::{FORMULA, SERIES, TRIANGLE, VECTORS};
+use super::kinds::{SERIES, TRIANGLE, VECTORS};
 use super::second_routes::contact::{Stance, dot, moment};
 use anyhow::Context;
 use geneva_documents::pin::PinProblem;
-use geneva_evidence::{Form, Numbers, OwnNumber};
+use geneva_evidence::{Evidence, Form, Numbers, OwnNumber};
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::pin_triangle::TriangleSolution;
@@ -19,13 +19,13 @@ pub(super) fn numbers() -> Vec<OwnNumber> {
     let degrees = Form::Text("{.1}°");
     vec![
         acceleration("pin.acceleration", PinProblem::printed),
-        OwnNumber::new("pin.peak-speed", speed, FORMULA, || {
+        OwnNumber::new("pin.peak-speed", speed, Evidence::CLOSED_FORM, || {
             Ok(Wheel::new(4)?.peak_velocity() * PinProblem::printed()?.driver_speed)
         })
         .with_second_route("the wheel is more than twice as fast", VECTORS, || {
             Ok(stance(4, 0.0).ratio * PinProblem::printed()?.driver_speed)
         }),
-        OwnNumber::new("pin.peak-acceleration", ACCELERATION, FORMULA, || {
+        OwnNumber::new("pin.peak-acceleration", ACCELERATION, Evidence::CLOSED_FORM, || {
             Ok(Wheel::new(4)?.acceleration_peak().ratio * PinProblem::printed()?.driver_speed.powi(2))
         })
         .with_second_route("later the acceleration is greater", VECTORS, || {
@@ -125,7 +125,7 @@ where
     Box<dyn std::error::Error + Send + Sync>: From<E>,
     E: 'static,
 {
-    OwnNumber::new(id, ACCELERATION, FORMULA, move || {
+    OwnNumber::new(id, ACCELERATION, Evidence::CLOSED_FORM, move || {
         let at = instant()?;
         // θ decreases while the driver turns counter-clockwise.
         Ok(-acceleration_ratio(&at.mechanism.ratio(), &at.crank.supplement()) * at.driver_speed * at.driver_speed)

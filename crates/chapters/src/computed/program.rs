@@ -1,7 +1,7 @@
 //! Of the program: what it gives of the thesis's tables, and what its reset after a quarter of a turn does to six and to
 //! three pins.
 
-use super::kinds::{FORMULA, PRINTOUT, PROGRAM, QUADRATURE, VECTORS};
+use super::kinds::{PRINTOUT, PROGRAM, QUADRATURE, VECTORS};
 use super::second_routes::NEWTON;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::printed_rows::{count_near, rows_with_listed_lag};
@@ -11,7 +11,7 @@ use geneva_case1973::deck::{deck, listed_settings, longer_than_delay, turned_whe
 use geneva_case1973::{Column, Constants, Hypothesis, Reset, Row, Run};
 use geneva_documents::meyer::runs::study::by_deck;
 use geneva_documents::meyer::runs::table::{listing, rows};
-use geneva_evidence::{Form, Numbers, OwnNumber};
+use geneva_evidence::{Evidence, Form, Numbers, OwnNumber};
 use geneva_kinematics::Mechanism;
 use geneva_mimic::language::{CardLayout, Deck, Program, deck_named};
 use geneva_press::book::MakeText;
@@ -117,7 +117,7 @@ fn count_without_delay(id: &'static str, column: Column) -> OwnNumber {
 
 /// The follower's speed over the driver's where the program lets go of the pin, times a sign.
 fn ratio_at_the_reset(id: &'static str, mechanism: Mechanism, conclusion: &'static str, sign: f64) -> OwnNumber {
-    OwnNumber::new(id, "{.2}", FORMULA, move || Ok(sign * listing().velocity_ratio_at_reset(mechanism)))
+    OwnNumber::new(id, "{.2}", Evidence::CLOSED_FORM, move || Ok(sign * listing().velocity_ratio_at_reset(mechanism)))
         .with_second_route(conclusion, VECTORS, move || {
             let row = rows().iter().find(|row| row.mechanism == mechanism).context(NONE)?;
             let model = ContactModel::of_row(row);

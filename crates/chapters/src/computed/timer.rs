@@ -1,11 +1,11 @@
 //! Of the chapter on the timer's accuracy: seconds a day, powers, oil, accelerations, averages.
 
-use super::kinds::{ANGLE_STEPS, DIFFERENCE, FORMULA, QUADRATURE};
+use super::kinds::{ANGLE_STEPS, DIFFERENCE, QUADRATURE};
 use super::runs::own_reading;
 use super::second_routes::contact::ContactModel;
 use super::second_routes::motion::SteppedEngagement;
 use super::second_routes::rise::SteppedRise;
-use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, mean_speed, steady};
+use super::second_routes::{NEWTON, NEWTON_DIFFERENCE, friction_power, mean_speed, steady, try_halve};
 use super::{least, most};
 use crate::questions::value;
 use crate::rows::{NONE, example, number, number_with, numbers as of_rows, weakest as weakest_of};
@@ -18,7 +18,7 @@ use geneva_case1973::{Row, rows_with_least_friction, strongest, weakest};
 use geneva_documents::meyer::runs::choice::comparable;
 use geneva_documents::meyer::runs::table::rows;
 use geneva_documents::meyer::terms::MISSING;
-use geneva_evidence::{Form, GIVEN, Numbers, OwnNumber, RECORD};
+use geneva_evidence::{Evidence, Form, GIVEN, Numbers, OwnNumber, RECORD};
 use geneva_kinematics::Mechanism;
 use geneva_press::book::MakeText;
 use std::sync::OnceLock;
@@ -72,13 +72,18 @@ pub fn numbers() -> Vec<OwnNumber> {
             Ok(number(example()?, "torque_rate_s_a_day")? / 60.0)
         })
         // Speeds go as the root of the torque.
-        .with_second_route("the torque makes it no clock", FORMULA, || Ok(0.01 * 60.0 * HOURS / 2.0)),
-        OwnNumber::new("timer.two-thirds", "{.1}", FORMULA, || Ok(HOURS * (1.0 - (2.0_f64 / 3.0).sqrt())))
-            .with_second_route("a spring that runs down makes it no clock", NEWTON, || {
-                let wound = ContactModel::of_row(example()?);
-                let run_down = ContactModel { torque: wound.torque * 2.0 / 3.0, ..wound };
-                Ok(HOURS * (1.0 - mean_speed(run_down)? / mean_speed(wound)?))
-            }),
+        .with_second_route("the torque makes it no clock", Evidence::CLOSED_FORM, || Ok(0.01 * 60.0 * HOURS / 2.0)),
+        OwnNumber::new(
+            "timer.two-thirds",
+            "{.1}",
+            Evidence::CLOSED_FORM,
+            || Ok(HOURS * (1.0 - (2.0_f64 / 3.0).sqrt())),
+        )
+        .with_second_route("a spring that runs down makes it no clock", NEWTON, || {
+            let wound = ContactModel::of_row(example()?);
+            let run_down = ContactModel { torque: wound.torque * 2.0 / 3.0, ..wound };
+            Ok(HOURS * (1.0 - mean_speed(run_down)? / mean_speed(wound)?))
+        }),
         brass("timer.brass.castor", 0),
         brass("timer.brass.mineral", 1),
         brass("timer.brass.dry", 2),
@@ -104,7 +109,7 @@ pub fn numbers() -> Vec<OwnNumber> {
         friction_a_day("timer.friction.four", Mechanism::FOUR_PIN),
         friction_a_day("timer.friction.three", Mechanism::THREE_PIN),
         // Friction takes a fifth of its torque.
-        OwnNumber::new("timer.runaway-friction", "{.1}", FORMULA, || {
+        OwnNumber::new("timer.runaway-friction", "{.1}", Evidence::CLOSED_FORM, || {
             Ok(-value("runaway --friction-share 0.2", "friction_rate_min_a_day")?)
         })
         .with_second_route("a runaway escapement loses less", DIFFERENCE, || {
@@ -325,12 +330,10 @@ fn pin_bias(mechanism: Mechanism) -> Numbers<f64> {
 fn pin_bias_by_motion(mechanism: Mechanism) -> Numbers<f64> {
     let thin = ContactModel::of_row(weakest_of(comparable(mechanism))?);
     let sought = mean_speed(ContactModel { pin_radius: LEFT_OUT.0, ..thin })?;
-    let (mut low, mut high) = (0.5, 1.0);
-    for _ in 0..30 {
-        let middle = f64::midpoint(low, high);
-        let speed = mean_speed(ContactModel { friction: middle * thin.friction, ..thin })?;
-        *(if speed > sought { &mut low } else { &mut high }) = middle;
-    }
+    let faster = |part: f64| -> Numbers<bool> {
+        Ok(mean_speed(ContactModel { friction: part * thin.friction, ..thin })? > sought)
+    };
+    let [low, high] = try_halve(30, [0.5, 1.0], faster)?;
     Ok(100.0 * (1.0 - f64::midpoint(low, high)))
 }
 

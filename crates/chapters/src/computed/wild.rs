@@ -1,14 +1,14 @@
 //! Of what is said elsewhere: how many pages and programs, how many statements are right and wrong, how many examples that
 //! are built, and by how much a formula is wrong.
 
-use super::kinds::{FORMULA, OUTLINES};
+use super::kinds::OUTLINES;
 use super::second_routes::outline::Cut;
 use super::{least, most};
 use crate::{figures, lookup};
 use anyhow::Context;
 use geneva_documents::{WILD, wild};
 use geneva_evidence::OwnNumber;
-use geneva_evidence::{Judged, Kind, Truth};
+use geneva_evidence::{Evidence, Judged, Kind, Truth};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
@@ -107,10 +107,10 @@ fn error_factor(
     quotient: fn(f64) -> f64,
 ) -> OwnNumber {
     let size = |ratio: f64| ratio.max(1.0 / ratio);
-    OwnNumber::new(id, form, FORMULA, move || {
+    OwnNumber::new(id, form, Evidence::CLOSED_FORM, move || {
         Ok(size(wild::ratio(formula, slots).with_context(|| format!("`{formula}` gives no ratio"))?))
     })
-    .with_second_route("the formula is so far off", FORMULA, move || Ok(size(quotient(f64::from(slots)))))
+    .with_second_route("the formula is so far off", Evidence::CLOSED_FORM, move || Ok(size(quotient(f64::from(slots)))))
 }
 
 /// A turn of the wheel over a move, 1/n, over that of the driver, (n − 2)/(2 n).

@@ -48,7 +48,7 @@ pub static JAZAR: Document = Document {
     }),
     claims,
     answers: ANSWERS,
-    given: &[],
+    given: Vec::new,
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

@@ -77,16 +77,6 @@ impl Motion {
         known.map(Cow::Borrowed).or_else(|| Self::of(parameters).map(Cow::Owned))
     }
 
-    /// The motion with these parameters, for so many engagements more than this one takes to repeat itself.
-    pub fn going_on(&self, parameters: &Parameters, more: usize) -> Self {
-        if *parameters != self.parameters {
-            return Self::from_rest(parameters, self.engagements.len() + more);
-        }
-        let mut motion = self.clone();
-        (0..more).for_each(|_| motion.go_on());
-        motion
-    }
-
     /// A motion from rest until it repeats itself, computed now.
     fn of(parameters: &Parameters) -> Option<Self> {
         let mut motion = Self::from_rest(parameters, 1);

@@ -76,7 +76,7 @@ pub static MEYER: Document = Document {
     }),
     claims,
     answers: &[],
-    given: &[],
+    given: || runs::data::inputs().collect(),
     conclusions: CONCLUSIONS,
     symbols: SYMBOLS,
     units: &[

@@ -44,7 +44,7 @@ pub static PIN: Document = Document {
     }),
     claims,
     answers: ANSWERS,
-    given: &[],
+    given: Vec::new,
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

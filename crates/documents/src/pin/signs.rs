@@ -180,12 +180,6 @@ fn by_angles(placement: Placement) -> [f64; 3] {
         .map(|angle| placement.heading_of_velocity(angle))
 }
 
-/// Whether the public page that continues the problem prints these characters in a claim. The page is another copy of
-/// the same text, so it says what a lost character was.
-fn is_on_the_page(stated: Stated, characters: &str) -> bool {
-    stated.characters() == characters
-}
-
 pub(super) fn mark_f() -> Claim {
     at("Solution, components of the velocity")
         .statement(
@@ -250,7 +244,8 @@ pub(super) fn follower_sense() -> Claim {
                 (PIN.printed_number("pin.crank-angle") + 90.0, PIN.printed_number("pin.angle-at-pivot"));
             let [found, mirrored] = [[velocity, slot], [180.0 - velocity, -slot]]
                 .map(|[velocity, slot]| turns(sine(velocity - slot), stated));
-            let holds = found.holds && mirrored.holds && is_on_the_page(stated, WHEEL_ARROW);
+            // The page that continues the problem is another copy of the same text, so it says what the lost character was.
+            let holds = found.holds && mirrored.holds && stated.characters() == WHEEL_ARROW;
             Finding::of_cases(holds, &[found, mirrored])
         })
         .corrected("an arrow that turns clockwise", ARROWS)

@@ -43,7 +43,7 @@ pub static QUICK_RETURN: Document = Document {
     }),
     claims,
     answers: ANSWERS,
-    given: &[],
+    given: Vec::new,
     conclusions: &[],
     symbols: SYMBOLS,
     units: &[

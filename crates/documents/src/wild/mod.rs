@@ -51,7 +51,7 @@ pub static WILD: Document = Document {
     inventory: None,
     claims,
     answers: &[],
-    given: &[],
+    given: Vec::new,
     conclusions: &[],
     // Each page has letters of its own; what they stand for is told with each statement.
     symbols: &[],

@@ -36,8 +36,6 @@ pub struct Guarded {
     /// Sentences that stay true with another number in them: the id of the claim, and why. An exception that is not needed any
     /// more is reported.
     pub free_numbers: &'static [(&'static str, &'static str)],
-    /// Further claims that print what is given, if no list says which, beside [`Document::given`](crate::Document::given).
-    pub given: fn() -> Vec<String>,
 }
 
 /// What a guard found.
@@ -83,7 +81,7 @@ pub const GUARDS: &[Guard] = &[
 impl Guarded {
     /// A ledger without exceptions.
     pub const fn new(ledger: &'static Ledger) -> Self {
-        Self { ledger, free_numbers: &[], given: Vec::new }
+        Self { ledger, free_numbers: &[] }
     }
 }
 

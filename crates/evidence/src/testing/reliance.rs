@@ -81,8 +81,7 @@ pub fn shared_results(guarded: Guarded) -> Report {
     let claims = guarded.ledger.claims();
     let confirmed = |claim: &&&Claim| claim.check.evidence() == [Evidence::OTHER_PLACE_IN_SOURCE; 2];
     let mut given: HashSet<String> = claims.iter().filter(confirmed).map(|claim| claim.id.to_owned()).collect();
-    given.extend((guarded.given)());
-    given.extend(guarded.ledger.documents().iter().flat_map(|document| document.given).map(|id| (*id).to_owned()));
+    given.extend(guarded.ledger.documents().iter().flat_map(|document| (document.given)()));
     let (mut tried, mut faults) = (0, Vec::new());
     for claim in claims.iter().filter(|claim| claim.kind == Kind::Value && !given.contains(claim.id)) {
         let Some([(_, one), (_, other)]) = reliance(claim) else { continue };

@@ -4,6 +4,7 @@
 //! point, and the play is in crank radii.
 
 use super::contact::{ContactModel, Stance, dot, moment};
+use super::halve;
 
 /// Speeds and energies of a blow.
 #[derive(Clone, Copy, Debug)]
@@ -46,11 +47,7 @@ impl ContactModel {
         // No pin is in its slot for longer than this.
         let step = 2.0 * self.half / speed / f64::from(INSTANTS);
         let before = (0..INSTANTS).map(|k| step * f64::from(k)).find(|time| off(time + step) > 0.0)?;
-        let (mut low, mut high) = (before, before + step);
-        for _ in 0..60 {
-            let middle = f64::midpoint(low, high);
-            *(if off(middle) > 0.0 { &mut high } else { &mut low }) = middle;
-        }
+        let [high, _] = halve(60, [before + step, before], |time| off(time) > 0.0);
         let [angle, speed] = driver(high);
         (angle < self.half).then(|| self.impact(&self.stance(angle), turned(high), speed, follower))
     }

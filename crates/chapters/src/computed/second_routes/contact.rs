@@ -4,6 +4,7 @@
 //! be thick and the journals may rub. On which flank the pin presses is not decided beforehand: the motion is found with either
 //! flank, and the right one is the one on which the pin then presses and does not pull.
 
+use super::halve;
 use geneva_case1973::{Hypothesis, Row};
 use std::f64::consts::PI;
 
@@ -124,16 +125,13 @@ impl ContactModel {
         let mut found = Vec::new();
         for flank in [1.0, -1.0] {
             for k in 0..PLACES {
-                let (mut low, mut high) = (angle(k), angle(k + 1));
+                let [low, high] = [angle(k), angle(k + 1)];
                 let outward = |angle: f64| self.sliding(angle, flank) > 0.0;
                 if outward(low) == outward(high) {
                     continue;
                 }
-                for _ in 0..50 {
-                    let middle = f64::midpoint(low, high);
-                    *(if outward(middle) == outward(low) { &mut low } else { &mut high }) = middle;
-                }
-                found.push(high);
+                let at_first = outward(low);
+                found.push(halve(50, [low, high], |angle| outward(angle) == at_first)[1]);
             }
         }
         found.sort_by(f64::total_cmp);

@@ -1,5 +1,7 @@
 //! The interval of a share by trying shares: which of them the count found does not contradict.
 
+use super::halve;
+
 /// The ends of the 95 % interval of a share, in per cent: the least and the greatest share from which what was found is no
 /// farther than the normal law lets 95 of 100 samples be.
 pub(crate) fn score_interval(part: usize, all: usize) -> [f64; 2] {
@@ -7,24 +9,15 @@ pub(crate) fn score_interval(part: usize, all: usize) -> [f64; 2] {
     let quantile = normal_quantile();
     let is_allowed = |share: f64| (found - share).abs() <= quantile * (share * (1.0 - share) / n).sqrt();
     let end = |outside: f64| {
-        let (mut inside, mut outside) = (found, outside);
         // The share found is allowed, unless all or none were: then its own spread is zero, and it is its own end.
-        for _ in 0..60 {
-            let middle = f64::midpoint(inside, outside);
-            *(if is_allowed(middle) { &mut inside } else { &mut outside }) = middle;
-        }
-        100.0 * inside
+        100.0 * halve(60, [found, outside], is_allowed)[0]
     };
     [end(0.0), end(1.0)]
 }
 
 /// How many spreads from the mean 95 % of the normal law are.
 fn normal_quantile() -> f64 {
-    let (mut low, mut high) = (1.0, 3.0);
-    for _ in 0..50 {
-        let middle: f64 = f64::midpoint(low, high);
-        *(if within(middle) < 0.95 { &mut low } else { &mut high }) = middle;
-    }
+    let [low, high] = halve(50, [1.0, 3.0], |spreads| within(spreads) < 0.95);
     f64::midpoint(low, high)
 }
 

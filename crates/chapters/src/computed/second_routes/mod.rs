@@ -19,6 +19,7 @@ use crate::rows::NONE;
 use contact::ContactModel;
 use geneva_evidence::{Agreement, Evidence, Numbers, Tolerance};
 use motion::{SteppedEngagement, SteppedPassage};
+use std::convert::Infallible;
 
 /// Steps over which the friction changes its sign lose some digits.
 pub(super) const NEWTON: &Evidence = &Evidence {
@@ -43,6 +44,26 @@ pub(super) const NEWTON_DIFFERENCE: &Evidence = &Evidence {
         reason: "the difference of two motions that are nearly alike keeps fewer digits than each of them",
     }),
 };
+
+/// The ends of an interval after so many halvings, between which a condition that holds at the first end ceases to hold. The second
+/// routes halve by themselves: the solvers behind the first ones use `geneva_kinematics::bisection`.
+pub(super) fn halve(times: u32, ends: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> [f64; 2] {
+    let Ok(ends) = try_halve(times, ends, |middle| Ok::<_, Infallible>(holds(middle)));
+    ends
+}
+
+/// The ends as by [`halve`], of a condition that may fail.
+pub(super) fn try_halve<E>(
+    times: u32,
+    [mut first, mut last]: [f64; 2],
+    mut holds: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    for _ in 0..times {
+        let middle = f64::midpoint(first, last);
+        *(if holds(middle)? { &mut first } else { &mut last }) = middle;
+    }
+    Ok([first, last])
+}
 
 /// A measure of the motion of an escapement that repeats itself.
 pub(super) fn steady<T>(model: ContactModel, measure: impl FnOnce(&SteppedPassage<'_>) -> Option<T>) -> Numbers<T> {
