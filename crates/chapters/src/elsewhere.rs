@@ -4,39 +4,40 @@ use crate::lookup;
 use anyhow::{Context, anyhow};
 use geneva_documents::WILD;
 use geneva_documents::wild;
-use geneva_evidence::{Judged, Kind, Slip, Truth, without_ellipses};
+use geneva_evidence::{Claim, Judged, Kind, Slip, Truth, without_ellipses};
 use geneva_press::Book;
 use geneva_press::formula::{breakable, tex_or_text};
-use geneva_press::html::{Cells, Table, escape, prose, table};
+use geneva_press::html::{escape, prose};
 use geneva_press::ledger_pages::errata::{entries, right};
 use geneva_press::ledger_pages::inline::{badge, linked_page, with_unit};
+use geneva_press::table::{Cells, Table};
 
 /// What is wrong that is stated, a row for each slip.
 pub fn wrong_statements(book: &Book) -> anyhow::Result<Table> {
-    slips(book, "What is wrong elsewhere", |judged| !is_example(judged))
+    slips(book, |judged| !is_example(judged))
 }
 
 /// What is wrong in examples that are built, a row for each slip.
 pub fn wrong_examples(book: &Book) -> anyhow::Result<Table> {
-    slips(book, "Examples that do not fit", is_example)
+    slips(book, is_example)
 }
 
-fn slips(book: &Book, caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
+fn slips(book: &Book, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
     let main = |(judged, slip): &(&Judged, &Slip)| judged.claim.id == slip.id && of(judged);
-    let rows = statements_with_slips().filter(main).map(|(judged, slip)| {
-        let claim = judged.claim;
+    let printed = |claim: &Claim, slip: &Slip| {
         let printed = with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?;
-        Ok(vec![
-            format!(
-                "<a href=\"#slip-{}\">{}</a><div class=\"form\" data-label=\"As printed\">{}</div>",
-                slip.id,
-                prose(claim.meaning),
-                breakable(&printed)
-            ),
-            format!("{} <div>{}</div>", right(book, judged)?, prose(slip.changes)),
-        ])
-    });
-    table(caption, Cells::Wide, &["As printed", "Right, and what the mistake does"], rows)
+        Ok(format!(
+            "<a href=\"#slip-{}\">{}</a><div class=\"form\" data-label=\"As printed\">{}</div>",
+            slip.id,
+            prose(claim.meaning),
+            breakable(&printed)
+        ))
+    };
+    let right = |judged, slip: &Slip| Ok(format!("{} <div>{}</div>", right(book, judged)?, prose(slip.changes)));
+    Table::with_rows(Cells::Wide, statements_with_slips().filter(main))
+        .column("As printed", |(judged, slip)| printed(judged.claim, slip))
+        .column("Right, and what the mistake does", |(judged, slip)| right(judged, slip))
+        .finish()
 }
 
 /// Whether it is the sizes of an example, which nobody says are right.
@@ -56,13 +57,20 @@ pub fn addresses() -> anyhow::Result<Table> {
         all[at].1[2 * usize::from(is_example(judged)) + usize::from(judged.truth() == Truth::Wrong)] += 1;
     }
     let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
-    let rows = all.into_iter().map(|(address, counts)| {
-        let taken = if wild::is_taken_whole(address) { "every formula" } else { "single statements" };
-        let content = wild::content(address).map_or_else(|| "–".to_owned(), identifier);
-        Ok([vec![linked_page(address), taken.to_owned(), content], counts.map(count).into()].concat())
-    });
-    let head = ["Page or program", "Taken from it", "Content", "Right", "Wrong", "Examples right", "Examples wrong"];
-    table("Where it was read", Cells::Wide, &head, rows)
+    let counted = ["Right", "Wrong", "Examples right", "Examples wrong"];
+    Table::with_rows(Cells::Wide, all)
+        .column("Page or program", |(address, _)| linked_page(address))
+        .column("Taken from it", |(address, _)| match wild::is_taken_whole(address) {
+            true => "every formula",
+            false => "single statements",
+        })
+        .column("Content", |(address, _)| wild::content(address).map_or_else(|| "–".to_owned(), identifier))
+        .columns(
+            counted.into_iter().enumerate(),
+            |(_, head)| (*head).to_owned(),
+            |(_, counts), (at, _)| count(counts[*at]),
+        )
+        .finish()
 }
 
 /// An identifier of a content, which may be broken behind every eighth character of its number.

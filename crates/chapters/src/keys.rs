@@ -20,17 +20,17 @@ pub(crate) const KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "elsewhere-addresses",
         "where statements were read, and how many",
-        Bare(|_| Ok(elsewhere::addresses()?.html())),
+        Bare(|_| Ok(elsewhere::addresses()?.html("Where it was read"))),
     ),
     PlaceholderKey::new(
         "elsewhere-examples",
         "examples that do not fit, in a table",
-        Bare(|book| Ok(elsewhere::wrong_examples(book)?.html())),
+        Bare(|book| Ok(elsewhere::wrong_examples(book)?.html("Examples that do not fit"))),
     ),
     PlaceholderKey::new(
         "elsewhere-wrong",
         "what is wrong elsewhere, in a table",
-        Bare(|book| Ok(elsewhere::wrong_statements(book)?.html())),
+        Bare(|book| Ok(elsewhere::wrong_statements(book)?.html("What is wrong elsewhere"))),
     ),
     PlaceholderKey::new(
         "live",
@@ -56,7 +56,7 @@ pub(crate) const KEYS: &[PlaceholderKey] = &[
     ),
     PlaceholderKey::new(
         "wheels",
-        "a table of wheels, from one number of stations to another",
+        "a table of wheels, from one number of stations to another, and its caption after a semicolon",
         Numbered(|_, range| tables::wheels(range)),
     ),
 ];

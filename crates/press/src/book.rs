@@ -1,9 +1,9 @@
 //! A book, as a value: its ledger, its pages, and what it adds to the keys that every book has.
 
 use crate::edition::Edition;
-use crate::html::Table;
 use crate::imprint::Imprint;
 use crate::pages::{LedgerSection, Page, PageRole};
+use crate::table::Table;
 use anyhow::ensure;
 use geneva_evidence::{Document, Ledger, OwnNumber, Slip};
 
@@ -105,7 +105,7 @@ pub enum Expansion {
     /// A figure with its number in the chapter and with what a reader may move: the name by which a chapter refers to it, if it
     /// is known, and the figure.
     Interactive(fn(&str) -> Option<&'static str>, fn(&Book, &str) -> anyhow::Result<InteractiveFigure>),
-    /// A table with its number in the chapter.
+    /// A table with its number in the chapter, which gives its caption behind a semicolon.
     Numbered(fn(&Book, &str) -> anyhow::Result<Table>),
     /// The number of a figure or a table, as a link.
     Reference,

@@ -205,8 +205,8 @@ mod tests {
     #[test]
     fn a_book_has_its_own_keys_figures_tables_and_works() {
         let root = workspace_of(
-            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows}}\n\nSee {{ref:rows}}. \
-             It takes {{claim:leaflet.time}}.\n\n{{erratum:leaflet.speed}}\n\n{{compare:leaflet}}\n",
+            "# Chapter\n\nTwice 21 is {{double:21}} as in {{cite:johnson}}.\n\n{{figure:circle}}\n\n{{table:rows; Rows}}\n\nSee {{ref:rows}}. \
+             It takes {{claim:leaflet.time}}.\n\n{{erratum:leaflet.speed}}\n\n{{compare:leaflet; Printed and computed}}\n",
         );
         let first = build(&BOOK, root.path(), &root.path().join("out")).expect("built").first_page;
         let read = |file: &str| fs::read_to_string(first.with_file_name(file)).expect(file);

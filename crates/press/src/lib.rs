@@ -52,6 +52,7 @@ pub mod lookup;
 pub mod numbers;
 #[cfg(test)]
 mod samples;
+pub mod table;
 
 pub use book::Book;
 pub use building::{build, test};

@@ -1,14 +1,16 @@
 //! Placeholders in a chapter, and what the ledger and the figures put in their place.
 //!
-//! A placeholder is `{{key:argument}}` or `{{key}}`. The braces of Rust and of mdBook's own `{{#include}}` are left alone; those
+//! A placeholder is `{{key:argument}}` or `{{key}}`. That of a numbered table has its caption behind a semicolon, which may
+//! have placeholders in it: `{{table:name; caption}}`. The braces of Rust and of mdBook's own `{{#include}}` are left alone; those
 //! of other keys stop the build before (`braces.rs`).
 
 use crate::book::{Book, Expansion, InteractiveFigure, PageFigure, PlaceholderKey};
 use crate::data::PageFile;
 use crate::edition::Edition;
-use crate::html::{Table, code, escape, plain};
+use crate::html::{code, escape, plain};
 use crate::ledger_pages::{compare, errata, inline, lists, open, own_numbers, records};
 use crate::lookup::unknown;
+use crate::table::Table;
 use crate::{address, citing, maths, nowrap_options, nowrap_units, works};
 use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of};
 use anyhow::{Context, bail, ensure};
@@ -37,13 +39,13 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
     PlaceholderKey::new(
         COMPARE,
-        "a table of printed against computed numbers: claims, and a caption after a semicolon",
+        "a table of printed against computed numbers: claims, and its caption after a semicolon",
         Numbered(compare::table),
     ),
     PlaceholderKey::new(
         "consequences",
         "how many slips there are, by what they do",
-        Bare(|book| Ok(errata::consequences_table(book)?.html())),
+        Bare(|book| Ok(errata::consequences_table(book)?.html("Mistakes by what they do"))),
     ),
     PlaceholderKey::new(
         "computed",
@@ -55,27 +57,31 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "evidence",
         "the kinds of evidence and how many claims use each",
-        Bare(|book| Ok(lists::evidence(book)?.html())),
+        Bare(|book| Ok(lists::evidence(book)?.html("Kinds of evidence"))),
     ),
     PlaceholderKey::new(
         "fields",
         "the fields of a file of the records: claims, errata or coverage",
-        Of(|book, file| Ok(records::fields(book, file)?.html())),
+        Of(|book, file| Ok(records::fields(book, file)?.html(&format!("Fields of {file}.json")))),
     ),
     PlaceholderKey::new("figure", "a numbered figure", Expansion::Figure),
     PlaceholderKey::new(
         "grave-errata",
         "what changes a result or a conclusion, in a table",
-        Bare(|book| Ok(errata::grave_errata(book)?.html())),
+        Bare(|book| Ok(errata::grave_errata(book)?.html("What changes a result or a conclusion"))),
     ),
     PlaceholderKey::new("letter", "what a letter stands for in the chapters on a source", Of(lists::letter)),
-    PlaceholderKey::new("notation", "the letters of the whole book", Bare(|book| Ok(lists::notation(book)?.html()))),
+    PlaceholderKey::new(
+        "notation",
+        "the letters of the whole book",
+        Bare(|book| Ok(lists::notation(book)?.html("Letters of this book"))),
+    ),
     PlaceholderKey::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
     PlaceholderKey::new("open-count", "how many open claims a group has", Of(open::open_count)),
     PlaceholderKey::new(
         "own-numbers",
         "the numbers of our own and how many routes they have, in a table",
-        Bare(|book| Ok(own_numbers::backing_table(book)?.html())),
+        Bare(|book| Ok(own_numbers::backing_table(book)?.html("Numbers of our own"))),
     ),
     PlaceholderKey::new("picture", "a figure without number and caption", Of(picture)).without_text(),
     PlaceholderKey::new("printed", "a claim's printed characters", Of(inline::printed)),
@@ -95,15 +101,23 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "symbols",
         "a source's letters and the book's",
-        Of(|book, of| Ok(lists::symbols(book, of)?.html())),
+        Of(|book, of| Ok(lists::symbols(book, of)?.html("Letters"))),
     ),
-    PlaceholderKey::new(TABLE, "a chapter's table of computed numbers, by name", Numbered(table_of_name)),
-    PlaceholderKey::new("tolerances", "the table of tolerances", Bare(|book| Ok(lists::tolerances(book)?.html()))),
+    PlaceholderKey::new(
+        TABLE,
+        "a chapter's table of computed numbers: its name, and its caption after a semicolon",
+        Numbered(table_of_name),
+    ),
+    PlaceholderKey::new(
+        "tolerances",
+        "the table of tolerances",
+        Bare(|book| Ok(lists::tolerances(book)?.html("Tolerances"))),
+    ),
     PlaceholderKey::new("verdict", "a claim's mark", Marked(inline::mark)),
     PlaceholderKey::new(
         "verdicts",
         "the classes of verdict and how many claims have each",
-        Bare(|book| Ok(lists::verdicts(book)?.html())),
+        Bare(|book| Ok(lists::verdicts(book)?.html("Classes of verdict"))),
     ),
     PlaceholderKey::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
 ];
@@ -134,8 +148,10 @@ pub struct Placeholder<'a> {
     pub range: Range<usize>,
     /// Its key.
     pub key: &'static PlaceholderKey,
-    /// What is behind the colon.
+    /// What is behind the colon; of a numbered table, what is before the semicolon.
     pub argument: Option<&'a str>,
+    /// What is behind the semicolon of a numbered table.
+    pub caption: Option<&'a str>,
 }
 
 /// The page that a chapter becomes.
@@ -281,17 +297,55 @@ pub fn placeholders<'a>(book: &Book, chapter: &'a str) -> Vec<Placeholder<'a>> {
     let mut from = 0;
     while let Some(open) = chapter[from..].find("{{").map(|at| from + at) {
         from = open + 2;
-        let Some(inside) = chapter[from..].find("}}").map(|length| &chapter[from..from + length]) else { continue };
+        let Some(inside) = end(&chapter[from..]).map(|length| &chapter[from..from + length]) else { continue };
         let (name, argument) = match inside.split_once(':') {
             Some((name, argument)) => (name, Some(argument.trim())),
             None => (inside, None),
         };
         if let Some(key) = keys(book).find(|key| key.name == name) {
             from += inside.len() + 2;
-            found.push(Placeholder { range: open..from, key, argument });
+            let (argument, caption) = match (key.expansion, argument.and_then(|of| of.split_once(';'))) {
+                (Numbered(_), Some((argument, caption))) => (Some(argument.trim()), Some(caption.trim())),
+                _ => (argument, None),
+            };
+            found.push(Placeholder { range: open..from, key, argument, caption });
         }
     }
     found
+}
+
+/// Where double braces end of which this is the inside and what follows: others may be inside.
+fn end(inside: &str) -> Option<usize> {
+    let (mut from, mut open) = (0, 1);
+    loop {
+        let ends = inside[from..].find("}}").map(|at| from + at)?;
+        match inside[from..ends].find("{{") {
+            Some(at) => (open, from) = (open + 1, from + at + 2),
+            None if open == 1 => return Some(ends),
+            None => (open, from) = (open - 1, ends + 2),
+        }
+    }
+}
+
+/// The caption of a numbered table, in HTML, with a point at its end.
+pub fn caption(
+    placeholder: &Placeholder,
+    page: ChapterContext<'_>,
+    all: &[NumberedItem],
+    files: &mut Vec<PageFile>,
+) -> anyhow::Result<String> {
+    let text = placeholder.caption.filter(|text| !text.is_empty()).with_context(|| {
+        let (key, of) = (placeholder.key.name, placeholder.argument.unwrap_or_default());
+        format!("`{{{{{key}:{of}}}}}` needs a caption: `{{{{{key}:{of}; what the table shows}}}}`")
+    })?;
+    let (mut html, mut from) = (String::new(), 0);
+    let words = |text: &str| escape(&text.replace('\n', " "));
+    for inner in placeholders(page.book, text) {
+        html += &words(&text[from..inner.range.start]);
+        html += &expansion(&inner, page, all, files)?;
+        from = inner.range.end;
+    }
+    Ok(html + &words(&text[from..]) + ".")
 }
 
 /// What stands for a placeholder on a page; the files to which it leads are added to those of the page.
@@ -329,8 +383,8 @@ pub fn expansion(
         }
         (Numbered(make), Some(argument)) => {
             let table = make(book, argument)?;
-            let caption = format!("{}.", escape(table.caption()));
-            let (html, csv) = (table.html(), table.csv()?);
+            let caption = caption(placeholder, page, all, files)?;
+            let (html, csv) = (table.html(&plain(&caption)), table.csv()?);
             let (inner, source) = (&html, table.source());
             show(FigureFrame { attributes: "class=\"tab\"", caption: &caption, inner, source, csv }, files)
         }
@@ -378,16 +432,45 @@ mod tests {
 
     #[test]
     fn figures_and_tables_are_numbered_where_they_stand_and_an_unknown_one_is_answered_with_the_nearest() {
-        let page = expanded("{{ref:rows}}\n\n{{figure:circle}}\n\n{{table:rows}}\n").expect("all are drawn");
+        let page = expanded("{{ref:rows}}\n\n{{figure:circle}}\n\n{{table:rows; Rows}}\n").expect("all are drawn");
         assert!(
             page.contains("<a href=\"#table-rows\">Table\u{a0}1.1</a>") && page.contains("Figure\u{a0}1.1"),
             "{page}"
         );
-        for (placeholder, nearest) in
-            [("{{figure:circel}}", "circle"), ("{{table:row}}", "rows"), ("{{table:rows}} {{ref:row}}", "rows")]
-        {
+        for (placeholder, nearest) in [
+            ("{{figure:circel}}", "circle"),
+            ("{{table:row; Rows}}", "rows"),
+            ("{{ref:row}} {{table:rows; Rows}}", "rows"),
+        ] {
             let error = expanded(&format!("one\n\n{placeholder}")).expect_err(placeholder).to_string();
             assert!(error.starts_with("line 3: ") && error.contains(&format!("the nearest is `{nearest}`")), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_caption_may_have_numbers_and_lines_and_is_the_name_of_its_table() {
+        let page =
+            expanded("{{table:rows; Rows of <b> & {{count:all}}\nclaims; see {{ref:circle}}}} {{figure:circle}}");
+        let page = page.expect("all are drawn");
+        let count = BOOK.ledger.claims().len();
+        assert!(
+            page.contains(&format!("Rows of &lt;b&gt; &amp; {count} claims; see <a href=\"#fig-circle\">")),
+            "{page}"
+        );
+        assert!(page.contains(&format!("aria-label=\"Rows of &lt;b&gt; &amp; {count} claims; see Figure")), "{page}");
+        assert!(page.contains("</span> <small class=\"source\">") && !page.contains("}}"), "{page}");
+    }
+
+    #[test]
+    fn a_table_without_a_caption_is_refused_and_so_is_one_in_a_caption() {
+        for (chapter, why) in [
+            ("{{table:rows}}", "needs a caption: `{{table:rows; what the table shows}}`"),
+            ("{{table:rows;}}", "needs a caption"),
+            ("{{table:rows; a {{table:rows; b}}}}", "is in no list"),
+            ("{{table:rows; a {{figure:circle}}}}", "is in no list"),
+        ] {
+            let error = expanded(&format!("one\n\n{chapter}\n")).expect_err(chapter).to_string();
+            assert!(error.starts_with("line 3: ") && error.contains(why), "{chapter}: {error}");
         }
     }
 }

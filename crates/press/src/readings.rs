@@ -4,7 +4,9 @@ use crate::book::{Book, Expansion};
 use crate::edition::Edition;
 use crate::html::plain;
 use crate::pages::Numbering;
-use crate::placeholders::{ChapterContext, NumberedItem, Placeholder, expansion, numbered_items, placeholders};
+use crate::placeholders::{
+    ChapterContext, NumberedItem, Placeholder, caption, expansion, numbered_items, placeholders,
+};
 use anyhow::Context;
 use std::fs;
 use std::path::Path;
@@ -45,7 +47,12 @@ pub fn reading(chapter: &str, page: ChapterContext<'_>, all: &[NumberedItem]) ->
     for placeholder in placeholders(page.book, chapter) {
         let range = placeholder.range.clone();
         let before = words_before(&chapter[from..range.start]);
-        lines += format!("{before} {}", &chapter[range.clone()]).trim_start();
+        // A caption is read in the place of its table.
+        let itself = match (placeholder.caption, placeholder.argument) {
+            (Some(_), Some(argument)) => format!("{{{{{}:{argument}}}}}", placeholder.key.name),
+            _ => chapter[range.clone()].to_owned(),
+        };
+        lines += format!("{before} {itself}").trim_start();
         match &rows(&placeholder, page, all)?[..] {
             [] => {}
             [line] => lines += &format!(" → {line}"),
@@ -73,8 +80,8 @@ fn rows(placeholder: &Placeholder<'_>, page: ChapterContext<'_>, all: &[Numbered
         }
         _ if !placeholder.key.is_text => return Ok(Vec::new()),
         (Expansion::Numbered(make), Some(argument)) => {
-            let table = make(page.book, argument)?;
-            format!("<p>{}</p>{}", table.caption(), table.html())
+            let caption = caption(placeholder, page, all, &mut Vec::new())?;
+            format!("<p>{caption}</p>{}", make(page.book, argument)?.html(&plain(&caption)))
         }
         _ => expansion(placeholder, page, all, &mut Vec::new())?,
     };

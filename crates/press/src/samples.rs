@@ -2,9 +2,9 @@
 
 use crate::book::Expansion::Of;
 use crate::book::{Book, CitedWork, Examples, PageFigure, PageModule, PlaceholderKey};
-use crate::html::{Cells, table};
 use crate::imprint::Imprint;
 use crate::pages::{Page, PagePlace, PageRole};
+use crate::table::{Cells, Table};
 use geneva_evidence::{
     Cache, Claim, Consequence, Document, Evidence, InventoryFile, Ledger, Locator, Origin, Slip, Symbol,
 };
@@ -132,7 +132,9 @@ pub(crate) static BOOK: Book = Book {
         };
         crate::lookup::find_named("figure", name, &[("circle", ())]).map(|()| figure)
     },
-    tables: &[("rows", || table("Rows", Cells::Numbers, &["x", "y"], [Ok(vec!["1".to_owned(), "2".to_owned()])]))],
+    tables: &[("rows", || {
+        Table::with_rows(Cells::Numbers, [1_u32]).column("x", |x| *x).column("y", |x| 2 * x).finish()
+    })],
     works: &[work("alon", "Alon"), work("johnson", "Johnson")],
     open_groups: &[],
     notation: Vec::new,

@@ -198,21 +198,34 @@ fn errata_of(kind: &str) -> anyhow::Result<[usize; 2]> {
     Ok([of_kind().filter(|erratum| erratum.found != "no").count(), of_kind().count()])
 }
 
-/// A round of first contact as a row of the table: its name, texts and flags, the real errors with their share, the misreadings, and the real
-/// errors among the flags after the repairs.
-pub(crate) fn rounds() -> anyhow::Result<Vec<Vec<String>>> {
+/// A round of first contact, and what became of its flags.
+pub(crate) struct ContactRound {
+    /// What the page calls it.
+    pub(crate) name: &'static str,
+    /// Texts.
+    pub(crate) texts: usize,
+    /// Flags on a number.
+    pub(crate) flags: usize,
+    /// Flags that mark real errors.
+    pub(crate) real: usize,
+    /// Their share, with its interval.
+    pub(crate) share: String,
+    /// Flags that are misreadings.
+    pub(crate) misread: usize,
+    /// The real errors among the flags after the repairs.
+    pub(crate) after_repairs: String,
+}
+
+/// The rounds of first contact.
+pub(crate) fn rounds() -> anyhow::Result<Vec<ContactRound>> {
     let count = |name: &str| Ok::<_, anyhow::Error>(of_run(name)?.len());
-    let row = |words: &str, texts: usize, flags: &[Contact], after: &str| -> anyhow::Result<Vec<String>> {
-        let counts = [texts, flags.len(), confirmed_count(flags)].map(|count| count.to_string());
-        Ok([
-            vec![words.to_owned()],
-            counts.to_vec(),
-            vec![briefly(confirmed_count(flags), flags.len()), misread_count(flags).to_string(), after_repairs(after)?],
-        ]
-        .concat())
+    let row = |name, texts, flags: &[Contact], after: &str| {
+        let (all, real) = (flags.len(), confirmed_count(flags));
+        let (share, misread, after_repairs) = (briefly(real, all), misread_count(flags), after_repairs(after)?);
+        Ok::<_, anyhow::Error>(ContactRound { name, texts, flags: all, real, share, misread, after_repairs })
     };
     let (third, fourth) = (until_stop()?, flags_until("fourth", ENOUGH)?);
-    let whole = |words: &str, name: &str| row(words, count(name)?, &round(name)?, name);
+    let whole = |words, name: &str| row(words, count(name)?, &round(name)?, name);
     Ok(vec![
         whole("first", "first")?,
         whole("second", "second")?,

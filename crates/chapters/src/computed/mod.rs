@@ -4,6 +4,7 @@ mod built;
 mod escapement;
 pub(crate) mod found;
 mod front;
+mod jazar;
 mod joints;
 mod kinds;
 #[cfg(test)]
@@ -37,6 +38,7 @@ pub fn own_numbers() -> &'static [OwnNumber] {
             escapement::numbers(),
             found::numbers(),
             front::numbers(),
+            jazar::numbers(),
             joints::numbers(),
             making::numbers(),
             method::numbers(),
@@ -58,8 +60,15 @@ pub fn own_numbers() -> &'static [OwnNumber] {
 }
 
 /// What a chapter says of ours and is no number: lists of names, and what somebody else reports.
-pub const OWN_WORDS: &[(&str, MakeText)] =
-    &[mimic::WORDS[0], program::WORDS[0], timer::WORDS[0], timer::WORDS[1], timer::WORDS[2], timer::WORDS[3]];
+pub const OWN_WORDS: &[(&str, MakeText)] = &[
+    mimic::WORDS[0],
+    program::WORDS[0],
+    timer::WORDS[0],
+    timer::WORDS[1],
+    timer::WORDS[2],
+    timer::WORDS[3],
+    timer::WORDS[4],
+];
 
 /// The names of all numbers and words; each is said in some chapter.
 pub fn names() -> impl Iterator<Item = &'static str> {

@@ -10,7 +10,7 @@ use super::{least, most};
 use crate::questions::value;
 use crate::rows::{NONE, example, number, number_with, numbers as of_rows, weakest as weakest_of};
 use crate::tables::joints::effect;
-use crate::tables::timer::{PARTS, lighter};
+use crate::tables::timer::{PARTS, lighter, with_torque};
 use anyhow::Context;
 use geneva_ask::escapement::EscapementQuestion;
 use geneva_case1973::rise_times::change;
@@ -142,6 +142,7 @@ pub fn numbers() -> Vec<OwnNumber> {
 
 /// What is reported of other timekeepers.
 pub const WORDS: &[(&str, MakeText)] = &[
+    ("timer.example", || Ok(format!("{} in lb", with_torque(example()?).replace("&nbsp;", " ")))),
     ("timer.reported.foliot", || Ok(REPORTED[0].to_owned())),
     ("timer.reported.verge", || Ok(REPORTED[1].to_owned())),
     ("timer.reported.pendulum", || Ok(REPORTED[2].to_owned())),

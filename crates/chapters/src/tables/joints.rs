@@ -4,8 +4,8 @@ use crate::rows::{number_with, weakest};
 use geneva_ask::escapement::Further;
 use geneva_documents::meyer::runs::choice::comparable;
 use geneva_kinematics::Mechanism;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::signed;
+use geneva_press::table::{Cells, Table};
 
 /// Ideal joints, and joints compared with them; radii in crank radii: of the pin, of both journals, and the friction of the
 /// journals.
@@ -23,37 +23,28 @@ const COMPARED: [(f64, f64, f64); 9] = [
 
 /// The change of the mean speed of the three mechanisms with such joints.
 pub fn speeds() -> anyhow::Result<Table> {
-    let caption = "Change of the mean speed compared with ideal joints. Each row is named by the radius of the pin, \
-                   and by the radius and friction of both journals. All radii are given in units of the crank radius. \
-                   Inertias are as in the runs of the thesis, and the friction in the slot is μ = 1/4. Values in \
-                   brackets exist on paper only, because the slots would run into one another";
-    compared(caption, CHANGE, |change| signed(100.0 * change, 1) + "&nbsp;%")
+    compared(CHANGE, |change| signed(100.0 * change, 1) + "&nbsp;%")
 }
 
 /// The multiplier with such joints.
 pub fn multipliers() -> anyhow::Result<Table> {
-    let caption = "The multiplier with different joints: the fraction of a small difference in the squared speed that \
-                   is left after one engagement. Joints, inertias and friction are as in the table of the mean speed";
-    compared(caption, "joints_multiplier", |multiplier| format!("{multiplier:.3}"))
+    compared("joints_multiplier", |multiplier| format!("{multiplier:.3}"))
 }
 
 /// How joints change the mean speed, as a part of it.
 pub const CHANGE: &str = "joints_speed_change";
 
 /// A number of the joints and the mechanisms compared; in brackets what exists on paper only.
-fn compared(caption: &str, key: &str, shown: fn(f64) -> String) -> anyhow::Result<Table> {
-    let rows = COMPARED.map(|of| {
-        let mut cells = vec![named(of)];
-        for mechanism in Mechanism::ALL {
-            let number = shown(effect(mechanism, of, key)?);
-            let on_paper = of.0 >= effect(mechanism, of, "largest_pin_radius")?;
-            cells.push(if on_paper { format!("({number})") } else { number });
-        }
-        Ok(cells)
-    });
-    let pins = Mechanism::ALL.map(|mechanism| format!("{} pins", mechanism.pins()));
-    let [first, second, third] = &pins;
-    table(caption, Cells::NamedNumbers, &["joints", first, second, third], rows)
+fn compared(key: &str, shown: fn(f64) -> String) -> anyhow::Result<Table> {
+    let cell = |joints: &_, mechanism: &Mechanism| {
+        let number = shown(effect(*mechanism, *joints, key)?);
+        let on_paper = joints.0 >= effect(*mechanism, *joints, "largest_pin_radius")?;
+        Ok(if on_paper { format!("({number})") } else { number })
+    };
+    Table::with_rows(Cells::NamedNumbers, COMPARED)
+        .column("joints", |joints| named(*joints))
+        .columns(Mechanism::ALL, |mechanism| format!("{} pins", mechanism.pins()), cell)
+        .finish()
 }
 
 /// A number of a mechanism of the thesis with joints: the radius of the pin, and radius and friction of both journals, radii in

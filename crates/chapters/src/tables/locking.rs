@@ -2,35 +2,26 @@
 
 use geneva_documents::jazar::LockingArcs;
 use geneva_kinematics::wheel::Wheel;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::fixed;
+use geneva_press::table::{Cells, Columns, Table};
 
-/// The journal's radius in crank radii.
-const JOURNAL: f64 = 0.8;
+/// The locking disc's radius, in crank radii.
+pub const LOCKING_DISC: f64 = 0.8;
 
 /// The arcs of wheels with few stations and with many.
 pub(super) fn arcs() -> anyhow::Result<Table> {
-    let rows = [4, 8, 12, 30, 100, 1000].map(|stations| {
+    let arcs = [4, 8, 12, 30, 100, 1000].map(|stations| {
         let wheel = Wheel::new(stations)?;
-        let mut row = vec![stations.to_string()];
-        for arcs in [LockingArcs::planar(&wheel, JOURNAL), LockingArcs::spherical(&wheel, JOURNAL)] {
-            row.extend([fixed(arcs.in_wheel_radii, 3), fixed(arcs.in_crank_radii, 3)]);
-            row.push(format!("{}°", fixed(arcs.angle.to_degrees(), 0)));
-        }
-        Ok(row)
+        let both = [LockingArcs::planar, LockingArcs::spherical].map(|arcs| arcs(&wheel, LOCKING_DISC));
+        Ok((stations, both))
     });
-    let caption = format!(
-        "Length of the locking arcs of planar wheels (p) and of spherical wheels with axes at right angles (s), for a locking \
-         disc with a radius of {JOURNAL} crank radii"
-    );
-    let head = [
-        "Stations",
-        "p, in wheel radii",
-        "p, in crank radii",
-        "p, angle",
-        "s, in wheel radii",
-        "s, in crank radii",
-        "s, angle",
-    ];
-    table(&caption, Cells::Numbers, &head, rows)
+    let arcs = arcs.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
+    let kinds = |table: Columns<(u32, [LockingArcs; 2])>, (at, kind): (usize, &str)| {
+        table
+            .column(format!("{kind}, in wheel radii"), |(_, arcs)| fixed(arcs[at].in_wheel_radii, 3))
+            .column(format!("{kind}, in crank radii"), |(_, arcs)| fixed(arcs[at].in_crank_radii, 3))
+            .column(format!("{kind}, angle"), |(_, arcs)| format!("{}°", fixed(arcs[at].angle.to_degrees(), 0)))
+    };
+    let stations = Table::with_rows(Cells::Numbers, arcs).column("Stations", |(stations, _)| *stations);
+    ["p", "s"].into_iter().enumerate().fold(stations, kinds).finish()
 }

@@ -1,26 +1,28 @@
 //! The language of 1973: what each word does, and where that is known from.
 
-use geneva_mimic::language::{CARDS, FUNCTIONS, WordEvidence};
-use geneva_press::html::{Cells, Table, escape, table};
+use geneva_mimic::language::{CARDS, FUNCTIONS};
+use geneva_press::html::escape;
+use geneva_press::table::{Cells, Table};
 
 /// The functions.
 pub(super) fn functions() -> anyhow::Result<Table> {
-    let rows = FUNCTIONS.iter().map(|function| {
-        Ok(row(&format!("{}({})", function.name, function.arguments), function.meaning, function.evidence))
-    });
-    table("The functions of MIMIC as we built them", Cells::Words, &["Function", "Value", "Known from"], rows)
+    Table::with_rows(Cells::Words, FUNCTIONS)
+        .column("Function", |function| code(&format!("{}({})", function.name, function.arguments)))
+        .column("Value", |function| escape(function.meaning))
+        .column("Known from", |function| escape(function.evidence.words()))
+        .finish()
 }
 
 /// The control cards, and the names that are known without a card.
 pub(super) fn cards() -> anyhow::Result<Table> {
-    let rows = CARDS.iter().map(|card| {
-        let gap = if card.arguments.is_empty() || card.arguments.starts_with('(') { "" } else { " " };
-        Ok(row(&format!("{}{gap}{}", card.name, card.arguments), card.meaning, card.evidence))
-    });
-    let caption = "Control cards, and names that need no card";
-    table(caption, Cells::Words, &["Card", "What it does", "Known from"], rows)
+    let gap = |arguments: &str| if arguments.is_empty() || arguments.starts_with('(') { "" } else { " " };
+    Table::with_rows(Cells::Words, CARDS)
+        .column("Card", |card| code(&format!("{}{}{}", card.name, gap(card.arguments), card.arguments)))
+        .column("What it does", |card| escape(card.meaning))
+        .column("Known from", |card| escape(card.evidence.words()))
+        .finish()
 }
 
-fn row(written: &str, meaning: &str, evidence: WordEvidence) -> Vec<String> {
-    vec![format!("<code>{}</code>", escape(written)), escape(meaning), escape(evidence.words())]
+fn code(words: &str) -> String {
+    format!("<code>{}</code>", escape(words))
 }

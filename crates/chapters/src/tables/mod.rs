@@ -2,7 +2,7 @@
 
 mod found;
 pub mod joints;
-mod locking;
+pub mod locking;
 mod mimic;
 mod quick_return;
 pub mod readings;

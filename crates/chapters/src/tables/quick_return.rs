@@ -3,82 +3,90 @@
 use crate::questions::{field, question, value};
 use anyhow::Context;
 use geneva_documents::quick_return::with_printed_angle;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::maths::formula;
 use geneva_press::numbers::fixed;
+use geneva_press::table::{Cells, Table};
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
 pub(super) fn terms() -> anyhow::Result<Table> {
     let lever = question("lever")?;
-    let rows = VECTORS.into_iter().map(|(symbol, key)| {
-        let (symbol, vector) = (formula(symbol, false)?, field(&lever, key)?);
-        let Some(direction) = vector.direction() else {
-            return Ok(vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned()]);
-        };
-        let length = format!("{:.4}&nbsp;{}", value(&lever, key)?, vector.unit);
-        Ok(vec![symbol, length, format!("{}°", fixed(direction, 2)), words(&lever, direction)?])
-    });
-    let head = ["Vector", "Magnitude", "Direction", "Sense"];
-    let caption = "All vectors of the problem. Directions are angles, counted counter-clockwise from the line from the lever’s \
-     pivot to the crank’s axis";
-    table(caption, Cells::Words, &head, rows)
+    let directed = VECTORS.map(|(symbol, key)| Ok((symbol, key, field(&lever, key)?)));
+    let directed = directed.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
+    Table::with_rows(Cells::Words, directed)
+        .column("Vector", |(symbol, ..)| formula(symbol, false))
+        .column("Magnitude", |(_, key, vector)| match vector.direction() {
+            Some(_) => Ok(format!("{:.4}&nbsp;{}", value(&lever, key)?, vector.unit)),
+            None => Ok("0".to_owned()),
+        })
+        .column("Direction", |(.., vector)| {
+            vector.direction().map_or_else(|| "–".to_owned(), |direction| format!("{}°", fixed(direction, 2)))
+        })
+        .column("Sense", |(.., vector)| match vector.direction() {
+            Some(direction) => words(&lever, direction),
+            None => Ok("none".to_owned()),
+        })
+        .finish()
 }
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
 pub(super) fn branches() -> anyhow::Result<Table> {
     let (far, near) = (question("lever")?, question("lever-near")?);
-    let column = |lever: &str| -> anyhow::Result<[f64; 10]> {
-        Ok([
-            value(lever, "pin_distance_m")?,
-            value(lever, "angle_at_pin_deg")?,
-            across(lever, "lever_point_velocity_m_s")?,
-            along(lever, "sliding_velocity_m_s")?,
-            value(lever, "lever_speed_rad_s")?,
-            along(lever, "lever_point_normal_acceleration_m_s2")?,
-            across(lever, "coriolis_acceleration_m_s2")?,
-            along(lever, "sliding_tangential_acceleration_m_s2")?,
-            across(lever, "lever_point_tangential_acceleration_m_s2")?,
-            value(lever, "lever_acceleration_rad_s2")?,
-        ])
-    };
     let printed = with_printed_angle();
-    let with_printed_angle = [
-        value(&far, "pin_distance_m")?,
-        value(&far, "crank_angle_deg")?,
-        printed.lever_point_speed,
-        -printed.sliding_speed,
-        printed.lever_speed,
-        -printed.lever_normal,
-        -printed.coriolis,
-        -printed.sliding_acceleration,
-        -printed.lever_tangential,
-        -printed.lever_acceleration,
+    // Symbol, unit, the number on a branch, and with the printed angle.
+    let quantities: [(&str, &str, Reading, f64); 10] = [
+        ("r", "in m", Reading::Number("pin_distance_m"), value(&far, "pin_distance_m")?),
+        (r"\beta", "in degrees", Reading::Number("angle_at_pin_deg"), value(&far, "crank_angle_deg")?),
+        ("v_4", "in m/s, across", Reading::Across("lever_point_velocity_m_s"), printed.lever_point_speed),
+        (r"v_\mathrm{rel}", "in m/s, along", Reading::Along("sliding_velocity_m_s"), -printed.sliding_speed),
+        (r"\dot\varphi", "in rad/s", Reading::Number("lever_speed_rad_s"), printed.lever_speed),
+        (
+            r"a_4^\mathrm{n}",
+            "in m/s², along",
+            Reading::Along("lever_point_normal_acceleration_m_s2"),
+            -printed.lever_normal,
+        ),
+        (r"a_\mathrm{Cor}", "in m/s², across", Reading::Across("coriolis_acceleration_m_s2"), -printed.coriolis),
+        (
+            r"a_\mathrm{rel}^\mathrm{t}",
+            "in m/s², along",
+            Reading::Along("sliding_tangential_acceleration_m_s2"),
+            -printed.sliding_acceleration,
+        ),
+        (
+            r"a_4^\mathrm{t}",
+            "in m/s², across",
+            Reading::Across("lever_point_tangential_acceleration_m_s2"),
+            -printed.lever_tangential,
+        ),
+        (r"\ddot\varphi", "in rad/s²", Reading::Number("lever_acceleration_rad_s2"), -printed.lever_acceleration),
     ];
-    let (far, near) = (column(&far)?, column(&near)?);
-    let names = [
-        ("r", "in m"),
-        (r"\beta", "in degrees"),
-        ("v_4", "in m/s, across"),
-        (r"v_\mathrm{rel}", "in m/s, along"),
-        (r"\dot\varphi", "in rad/s"),
-        (r"a_4^\mathrm{n}", "in m/s², along"),
-        (r"a_\mathrm{Cor}", "in m/s², across"),
-        (r"a_\mathrm{rel}^\mathrm{t}", "in m/s², along"),
-        (r"a_4^\mathrm{t}", "in m/s², across"),
-        (r"\ddot\varphi", "in rad/s²"),
-    ];
-    let rows = names.into_iter().enumerate().map(|(at, (symbol, unit))| {
-        let mut row = vec![format!("{} {unit}", formula(symbol, false)?)];
-        row.extend([far[at], near[at], with_printed_angle[at]].map(|value| fixed(value, 4)));
-        Ok(row)
-    });
-    let head = ["Quantity", "Far point", "Near point", "With the misprinted angle"];
-    table(
-        "The problem solved at both points of the crank’s circle, and with the misprinted angle",
-        Cells::NamedNumbers,
-        &head,
-        rows,
-    )
+    Table::with_rows(Cells::NamedNumbers, quantities)
+        .column("Quantity", |(symbol, unit, ..)| Ok(format!("{} {unit}", formula(symbol, false)?)))
+        .column("Far point", |(_, _, reading, _)| Ok(fixed(reading.of(&far)?, 4)))
+        .column("Near point", |(_, _, reading, _)| Ok(fixed(reading.of(&near)?, 4)))
+        .column("With the misprinted angle", |(.., misprinted)| fixed(*misprinted, 4))
+        .finish()
+}
+
+/// How a number of an answer is read, by its key.
+enum Reading {
+    /// As it is.
+    Number(&'static str),
+    /// The size of a vector along the lever, outwards positive.
+    Along(&'static str),
+    /// The size of a vector across the lever, counter-clockwise positive.
+    Across(&'static str),
+}
+
+impl Reading {
+    /// The number in the answer to a question.
+    fn of(&self, lever: &str) -> anyhow::Result<f64> {
+        match self {
+            Self::Number(key) => value(lever, key),
+            Self::Along(key) => signed(lever, key, 0.0),
+            Self::Across(key) => signed(lever, key, 90.0),
+        }
+    }
 }
 
 /// Symbols and keys of three velocities, then of the seven terms of the acceleration.
@@ -94,16 +102,6 @@ const VECTORS: [(&str, &str); 10] = [
     (r"\vec{a}_\mathrm{rel}^\mathrm{t}", "sliding_tangential_acceleration_m_s2"),
     (r"\vec{a}_\mathrm{Cor}", "coriolis_acceleration_m_s2"),
 ];
-
-/// A vector along the lever: its size, outwards positive.
-fn along(lever: &str, key: &str) -> anyhow::Result<f64> {
-    signed(lever, key, 0.0)
-}
-
-/// A vector across the lever: its size, counter-clockwise positive.
-fn across(lever: &str, key: &str) -> anyhow::Result<f64> {
-    signed(lever, key, 90.0)
-}
 
 /// The size of a vector, positive in a direction that is so many degrees from the lever's, negative against it.
 fn signed(lever: &str, key: &str, from_lever: f64) -> anyhow::Result<f64> {

@@ -1,7 +1,7 @@
 //! The claims that hostile readings have overturned: each reading with the claims whose answer it changed.
 
 use geneva_evidence::Kind;
-use geneva_press::html::{Cells, Table, table};
+use geneva_press::table::{Cells, Table};
 
 /// A reading of the ledger and of the book by someone who set out to refute them.
 pub struct HostileReading {
@@ -180,21 +180,16 @@ pub const SENTENCES: [Kind; 2] = [Kind::Statement, Kind::Figure];
 
 /// Each reading, and how many claims of each kind it overturned.
 pub fn readings() -> anyhow::Result<Table> {
-    let rows = READINGS.iter().map(|reading| {
-        let [numbers, equations, sentences] =
-            [&[Kind::Value][..], &[Kind::Equation], &SENTENCES].map(|kinds| reading.count(kinds).to_string());
-        let of_the_book = reading.sentences.map_or_else(|| "not counted".to_owned(), |count| count.to_string());
-        Ok(vec![reading.what.to_owned(), reading.claims.to_string(), numbers, equations, sentences, of_the_book])
-    });
-    let head = [
-        "Reading",
-        "Claims in the ledger at the time",
-        "Numbers overturned",
-        "Equations",
-        "Statements and figures",
-        "Sentences of the book that had to change",
-    ];
-    table("Claims that hostile readings have overturned", Cells::Words, &head, rows)
+    Table::with_rows(Cells::Words, READINGS)
+        .column("Reading", |reading| reading.what)
+        .column("Claims in the ledger at the time", |reading| reading.claims)
+        .column("Numbers overturned", |reading| reading.count(&[Kind::Value]))
+        .column("Equations", |reading| reading.count(&[Kind::Equation]))
+        .column("Statements and figures", |reading| reading.count(&SENTENCES))
+        .column("Sentences of the book that had to change", |reading| {
+            reading.sentences.map_or_else(|| "not counted".to_owned(), |count| count.to_string())
+        })
+        .finish()
 }
 
 #[cfg(test)]

@@ -17,57 +17,36 @@ use geneva_documents::meyer::runs::study::{delays as all_delays, scores};
 use geneva_documents::meyer::runs::table::{expected, rows};
 use geneva_evidence::Verdict;
 use geneva_kinematics::Mechanism;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::{fixed, signed};
+use geneva_press::table::{Cells, Columns, Table};
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
 pub(super) fn hypotheses() -> anyhow::Result<Table> {
-    let rows = (1..).zip(scores()).map(|(number, score)| {
-        let Hypothesis { reset, six_pin, reading, constants, lag } = score.hypothesis;
-        let besides = match (constants, lag) {
-            (Constants::AsListed, Lag::None) => "π as listed",
-            (Constants::Exact, Lag::None) => "–",
-            _ => "π and lag as listed",
-        };
-        let said = [
-            if reset == Reset::QuarterTurn { "90°" } else { "360°/m" },
-            if six_pin == SixPin::AsDrawn { "Fig. 11" } else { "heading" },
-            if reading == PeakReading::OnTheGrid { "largest printed" } else { "true" },
-            besides,
-        ];
-        let mut row = vec![number.to_string()];
-        row.extend(said.map(str::to_owned));
-        row.push(score.within_one().to_string());
-        row.extend(logs(score));
-        Ok(row)
-    });
-    let head = [
-        "No.",
-        "Reset <br>after",
-        "Six-pin <br>inertias",
-        "Peaks",
-        "In addition",
-        "Within one <br>unit, of 147",
-        "ln L, <br>normal",
-        "ln L, <br>exponential",
-    ];
-    let says = "Ten hypotheses about the 49 runs, with the number of cells within one unit of the last printed place, and the \
-                log-likelihood";
-    table(says, Cells::Numbers, &head, rows)
+    let reset = |of: Reset| if of == Reset::QuarterTurn { "90°" } else { "360°/m" };
+    let inertias = |of: SixPin| if of == SixPin::AsDrawn { "Fig. 11" } else { "heading" };
+    let peaks = |of: PeakReading| if of == PeakReading::OnTheGrid { "largest printed" } else { "true" };
+    let besides = |of: Hypothesis| match (of.constants, of.lag) {
+        (Constants::AsListed, Lag::None) => "π as listed",
+        (Constants::Exact, Lag::None) => "–",
+        _ => "π and lag as listed",
+    };
+    let columns = Table::with_rows(Cells::Numbers, (1_u32..).zip(scores()))
+        .column("No.", |(number, _)| *number)
+        .column("Reset <br>after", |(_, score)| reset(score.hypothesis.reset))
+        .column("Six-pin <br>inertias", |(_, score)| inertias(score.hypothesis.six_pin))
+        .column("Peaks", |(_, score)| peaks(score.hypothesis.reading))
+        .column("In addition", |(_, score)| besides(score.hypothesis))
+        .column("Within one <br>unit, of 147", |(_, score)| score.within_one());
+    with_likelihoods(columns, |(_, score)| score).finish()
 }
 
 /// How much likelier the best combination makes the tables than others, by how the errors are taken.
 pub(super) fn weighings() -> anyhow::Result<Table> {
-    let margins = [Others::AnotherReset, Others::AnotherResetOrInertias];
-    // The least of the margins that some weighings give, by each law.
-    let least = |weighings: &[Weighing]| {
-        let of = |others, law| {
-            let all =
-                weighings.iter().map(|weighing| weighing.margin(scores(), law, others)).collect::<Option<Vec<_>>>();
-            let all = all.context("a hypothesis that was not compared")?;
-            Ok(fixed(all.into_iter().fold(f64::INFINITY, f64::min), 0))
-        };
-        margins.into_iter().flat_map(|others| Law::ALL.map(|law| of(others, law))).collect::<anyhow::Result<Vec<_>>>()
+    // The least of the margins that some weighings give, by a law.
+    let least = |weighings: &[Weighing], others, law| {
+        let all = weighings.iter().map(|weighing| weighing.margin(scores(), law, others)).collect::<Option<Vec<_>>>();
+        let all = all.context("a hypothesis that was not compared")?;
+        Ok(fixed(all.into_iter().fold(f64::INFINITY, f64::min), 0))
     };
     let one_row: Vec<Weighing> = Weighing::one_row_of_each(rows()).collect();
     let one_row_of_each =
@@ -78,20 +57,21 @@ pub(super) fn weighings() -> anyhow::Result<Table> {
         ("and no spread below half a unit", &[Weighing::COARSE]),
         (&one_row_of_each, &one_row),
     ];
-    let rows = ways.map(|(name, weighings)| Ok([vec![name.to_owned()], least(weighings)?].concat()));
-    let head = [
-        "How the errors are taken",
-        "Another reset, <br>normal",
-        "Another reset, <br>exponential",
-        "Another reset or <br>inertias, normal",
-        "Another reset or <br>inertias, exponential",
+    let [normal, exponential] = Law::ALL;
+    let margins = [
+        ("Another reset, <br>normal", Others::AnotherReset, normal),
+        ("Another reset, <br>exponential", Others::AnotherReset, exponential),
+        ("Another reset or <br>inertias, normal", Others::AnotherResetOrInertias, normal),
+        ("Another reset or <br>inertias, exponential", Others::AnotherResetOrInertias, exponential),
     ];
-    let says = "How much greater ln L is with the reset after 90° and the inertias of Fig. 11 than with the best of \
-                the other combinations. Each of the last two lines keeps the conditions of the line above it and adds \
-                one. For the last line we formed several sets of rows, each with one row from every group: the rows \
-                with the weakest springs, those with the next stronger ones, and so on. The line shows the smallest \
-                difference of all sets";
-    table(says, Cells::NamedNumbers, &head, rows)
+    Table::with_rows(Cells::NamedNumbers, ways)
+        .column("How the errors are taken", |(name, _)| *name)
+        .columns(
+            margins,
+            |(head, ..)| (*head).to_owned(),
+            |(_, weighings), (_, others, law)| least(weighings, *others, *law),
+        )
+        .finish()
 }
 
 /// What the best inertias could explain with either reset.
@@ -100,132 +80,108 @@ pub(super) fn freed() -> anyhow::Result<Table> {
         let none = "no inertias give a table a motion";
         let table = rows_of(rows(), mechanism);
         let freed = InertiaFit::new(table, reset).context(none)?;
-        let [driver, follower] = freed.inertias.map(|inertia| format!("{:.1}", 1e6 * inertia));
         let angle = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }.angle(table.first().context(none)?).to_degrees();
-        Ok(vec![
-            mechanism.pins().to_string(),
-            format!("{angle:.0}°"),
-            driver,
-            follower,
-            format!("{} of {}", freed.within_one(), freed.misfits.len()),
-            format!("{:.1}", freed.mean_misfit()),
-            most_within_one(table, reset).context(none)?.to_string(),
-        ])
+        let most = most_within_one(table, reset).context(none)?;
+        Ok::<_, anyhow::Error>((mechanism, angle, freed, most))
     };
     let others = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
-    let rows = others.into_iter().flat_map(|it| [Reset::OfTheMechanism, Reset::QuarterTurn].map(|reset| of(it, reset)));
-    let head = [
-        "Pins",
-        "Reset <br>after",
-        "Driver, <br>best",
-        "Follower, <br>best",
-        "Within <br>one unit",
-        "Misfit, root <br>mean square",
-        "Most within one <br>unit, any inertias",
-    ];
-    let says = "The inertias that fit a table best with either reset, by least squares, in 10⁻⁶ in lb s²; all frictions and \
-                torques are as printed, and peaks are the true ones";
-    table(says, Cells::Numbers, &head, rows)
+    let fits = others.into_iter().flat_map(|it| [Reset::OfTheMechanism, Reset::QuarterTurn].map(|reset| of(it, reset)));
+    Table::with_rows(Cells::Numbers, fits.collect::<Result<Vec<_>, _>>()?)
+        .column("Pins", |(mechanism, ..)| mechanism.pins())
+        .column("Reset <br>after", |(_, angle, ..)| format!("{angle:.0}°"))
+        .column("Driver, <br>best", |(_, _, fit, _)| format!("{:.1}", 1e6 * fit.inertias[0]))
+        .column("Follower, <br>best", |(_, _, fit, _)| format!("{:.1}", 1e6 * fit.inertias[1]))
+        .column("Within <br>one unit", |(_, _, fit, _)| format!("{} of {}", fit.within_one(), fit.misfits.len()))
+        .column("Misfit, root <br>mean square", |(_, _, fit, _)| format!("{:.1}", fit.mean_misfit()))
+        .column("Most within one <br>unit, any inertias", |(.., most)| most.to_string())
+        .finish()
 }
 
 /// The peaks that neither the program nor the mechanism gives.
 pub(super) fn unexplained() -> anyhow::Result<Table> {
     let wrong = |row: &&Row| expected(row, Column::Peak) == Some(Verdict::Corrected);
-    let rows = rows().iter().filter(wrong).map(|row| {
-        let id = format!("meyer.app-e.{}.max", row.slug());
-        let judged = judged(&id)?;
-        let printed = judged.printed_number().context("no printed number")?;
-        let mut cells = vec![
-            row.mechanism.pins().to_string(),
-            row.printed(Column::Friction).to_owned(),
-            row.printed(Column::Torque).to_owned(),
-            row.printed(Column::Peak).to_owned(),
-        ];
-        for number in [judged.computed, judged.right_value] {
-            let number = number.context("no computed number")?;
-            cells.extend([format!("{number:.1}"), signed((printed - number) / Column::Peak.unit(), 1)]);
-        }
-        Ok(cells)
-    });
-    let head =
-        ["Pins", "μ", "K", "Printed", "Program's <br>value", "off the <br>program's", "Right", "off the <br>right one"];
-    table("The two peaks that the program does not reproduce to within one unit, in rad/s", Cells::Numbers, &head, rows)
+    let of = |row: &'static Row| {
+        let judged = judged(&format!("meyer.app-e.{}.max", row.slug()))?;
+        let all = [judged.printed_number(), judged.computed, judged.right_value];
+        let [printed, programs, right] = all.map(|number| number.context("a number is missing"));
+        Ok::<_, anyhow::Error>((row, printed?, programs?, right?))
+    };
+    let off = |printed: f64, number: f64| signed((printed - number) / Column::Peak.unit(), 1);
+    let peaks = rows().iter().filter(wrong).map(of).collect::<Result<Vec<_>, _>>()?;
+    Table::with_rows(Cells::Numbers, peaks)
+        .column("Pins", |(row, ..)| row.mechanism.pins())
+        .column("μ", |(row, ..)| row.printed(Column::Friction))
+        .column("K", |(row, ..)| row.printed(Column::Torque))
+        .column("Printed", |(row, ..)| row.printed(Column::Peak))
+        .column("Program's <br>value", |(_, _, programs, _)| format!("{programs:.1}"))
+        .column("off the <br>program's", |(_, printed, programs, _)| off(*printed, *programs))
+        .column("Right", |(.., right)| format!("{right:.1}"))
+        .column("off the <br>right one", |(_, printed, _, right)| off(*printed, *right))
+        .finish()
 }
 
 /// The numbers of our own that were computed in two ways.
 pub(super) fn statistics() -> anyhow::Result<Table> {
-    let rows = STATISTICS.iter().map(|of| {
-        let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
-        let (number, within) = match of.within {
-            0.0 => (fixed(number, 0), "0".to_owned()),
-            within => (fixed(number, 2), within.to_string()),
-        };
-        Ok(vec![of.meaning.to_owned(), number, of.by.to_owned(), within])
-    });
-    let head = ["Number", "First way", "Second way", "Agree to <br>within"];
-    let says = "Statistics of the runs that we computed in two ways, and how closely the two must agree";
-    table(says, Cells::Words, &head, rows)
+    let digits = |within: f64| if within == 0.0 { 0 } else { 2 };
+    Table::with_rows(Cells::Words, &STATISTICS)
+        .column("Number", |of| of.meaning)
+        .column("First way", |of| {
+            let number = (of.first)().with_context(|| format!("{}: a run comes to no end", of.name))?;
+            Ok(fixed(number, digits(of.within)))
+        })
+        .column("Second way", |of| of.by)
+        .column("Agree to <br>within", |of| of.within.to_string())
+        .finish()
 }
 
 /// The hypotheses column by column.
 pub(super) fn by_column() -> anyhow::Result<Table> {
-    let rows = (1..).zip(scores()).map(|(number, score)| {
-        let mut row = vec![number.to_string()];
-        row.extend(score.fits.iter().flat_map(|fit| [counts(fit), signed(100.0 * fit.worst, 1)]));
-        Ok(row)
-    });
-    let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
-    let says = "The ten hypotheses column by column: how many of the 49 cells agree to the printed digit / to within \
-                one unit, and the worst relative deviation (printed/computed − 1)";
-    table(says, Cells::Numbers, &head, rows)
+    let worst = |fit: &ColumnFit| signed(100.0 * fit.worst, 1);
+    Table::with_rows(Cells::Numbers, (1_u32..).zip(scores()))
+        .column("No.", |(number, _)| *number)
+        .column("Peaks", |(_, score)| counts(&score.fits[0]))
+        .column("worst, <br>%", |(_, score)| worst(&score.fits[0]))
+        .column("Minima", |(_, score)| counts(&score.fits[1]))
+        .column("worst, <br>%", |(_, score)| worst(&score.fits[1]))
+        .column("Periods", |(_, score)| counts(&score.fits[2]))
+        .column("worst, <br>%", |(_, score)| worst(&score.fits[2]))
+        .finish()
 }
 
 /// Delays of the sign of the friction.
 pub(super) fn delays() -> anyhow::Result<Table> {
-    let rows = all_delays().iter().map(|(delay, score)| {
-        let [peak, minimum, period] = &score.fits;
-        let mut row = vec![if *delay > 0.0 { format!("{:.3} ms", 1e3 * delay) } else { "none".to_owned() }];
-        row.push(score.within_one().to_string());
-        row.extend(logs(score));
-        row.extend([counts(peak), signed(100.0 * peak.mean, 2), counts(minimum), counts(period)]);
-        Ok(row)
-    });
-    let head = [
-        "Lag of <br>the sign",
-        "of 147",
-        "ln L, <br>normal",
-        "ln L, <br>exponential",
-        "Peaks",
-        "mean off, <br>%",
-        "Minima",
-        "Periods",
-    ];
-    let says = "The program as listed except for the lag: number of cells that agree to the printed digit / to within \
-                one unit, and the mean relative deviation of the peaks (printed/computed − 1)";
-    table(says, Cells::Numbers, &head, rows)
+    let lag = |delay: f64| if delay > 0.0 { format!("{:.3} ms", 1e3 * delay) } else { "none".to_owned() };
+    let columns = Table::with_rows(Cells::Numbers, all_delays())
+        .column("Lag of <br>the sign", |(delay, _)| lag(*delay))
+        .column("of 147", |(_, score)| score.within_one());
+    with_likelihoods(columns, |(_, score)| score)
+        .column("Peaks", |(_, score)| counts(&score.fits[0]))
+        .column("mean off, <br>%", |(_, score)| signed(100.0 * score.fits[0].mean, 2))
+        .column("Minima", |(_, score)| counts(&score.fits[1]))
+        .column("Periods", |(_, score)| counts(&score.fits[2]))
+        .finish()
 }
 
 /// What changes when the integrator differs in ways that the thesis leaves open.
 pub(super) fn integrator() -> anyhow::Result<Table> {
     let changes = integrators::changes(rows()).context("a run of the program of 1973 comes to no end")?;
-    let rows = changes.iter().map(|(variant, changes)| {
-        let mut row = vec![variant.name.to_owned()];
-        row.extend(changes.iter().flat_map(|change| change.most.map(|most| format!("{:.1}", 1e6 * most))));
-        row.push(changes.iter().map(|change| change.printed_otherwise).sum::<usize>().to_string());
-        Ok(row)
-    });
-    let head = [
-        "Changed",
+    let heads = [
         "Peak",
         "Minimum",
         "Period",
         "Peak, with <br>the lag",
         "Minimum, <br>with the lag",
         "Period, with <br>the lag",
-        "Other <br>digits",
     ];
-    let says = "Largest changes, in millionths, if the integrator differs in ways that the thesis leaves open";
-    table(says, Cells::NamedNumbers, &head, rows)
+    Table::with_rows(Cells::NamedNumbers, changes)
+        .column("Changed", |(variant, _)| variant.name)
+        .columns(
+            heads.into_iter().enumerate(),
+            |(_, head)| (*head).to_owned(),
+            |(_, changes), (at, _)| format!("{:.1}", 1e6 * changes[at / 3].most[at % 3]),
+        )
+        .column("Other <br>digits", |(_, changes)| changes.iter().map(|change| change.printed_otherwise).sum::<usize>())
+        .finish()
 }
 
 /// Cells to the printed digit, and within one unit.
@@ -233,33 +189,34 @@ fn counts(fit: &ColumnFit) -> String {
     format!("{} / {}", fit.exact, fit.within_one)
 }
 
-fn logs(score: &Score) -> [String; 2] {
-    score.likelihoods().map(|log| signed(log, 1))
+/// Adds the log-likelihoods of a row's score, by each law.
+fn with_likelihoods<R>(table: Columns<R>, score: impl Fn(&R) -> &Score<'static>) -> Columns<R> {
+    table.columns(
+        ["normal", "exponential"].into_iter().enumerate(),
+        |(_, law)| format!("ln L, <br>{law}"),
+        |row, (at, _)| signed(score(row).likelihoods()[*at], 1),
+    )
 }
 
 /// The inertias of each table, as they are found from its results.
 pub(super) fn inertias() -> anyhow::Result<Table> {
-    let rows = Mechanism::ALL.map(|mechanism| {
+    let of = |mechanism: Mechanism| {
         let uncertainties = data::uncertainties(mechanism).context("the results do not tell two inertias")?;
-        let found = data::inertias(mechanism).into_iter().zip(uncertainties);
-        let mut row = vec![mechanism.pins().to_string()];
-        for (member, (inertia, uncertainty)) in ["driver", "follower"].into_iter().zip(found) {
-            let heading = judged(&format!("meyer.app-e.{mechanism}.{member}", mechanism = slug(mechanism)))?;
-            row.push(format!("{:.2} ± {:.2}", 1e6 * inertia, 1e6 * uncertainty));
-            row.push(heading.claim.printed.to_owned());
-        }
-        Ok(row)
-    });
-    let head = [
-        "Pins",
-        "Driver, <br>found",
-        "Driver, in <br>the heading",
-        "Follower, <br>found",
-        "Follower, in <br>the heading",
-    ];
-    let says = "Moments of inertia that best reproduce the peaks, minima and periods of a table, in 10⁻⁶ in lb s²; all \
-                frictions and torques are as printed";
-    table(says, Cells::Numbers, &head, rows)
+        Ok::<_, anyhow::Error>((mechanism, data::inertias(mechanism), uncertainties))
+    };
+    let found = Mechanism::ALL.map(of).into_iter().collect::<Result<Vec<_>, _>>()?;
+    let members = |table: Columns<(Mechanism, [f64; 2], [f64; 2])>, (at, member): (usize, &str)| {
+        let (upper, id) = (if at == 0 { "Driver" } else { "Follower" }, member);
+        table
+            .column(format!("{upper}, <br>found"), |(_, inertias, uncertainties)| {
+                format!("{:.2} ± {:.2}", 1e6 * inertias[at], 1e6 * uncertainties[at])
+            })
+            .column(format!("{upper}, in <br>the heading"), |(mechanism, ..)| {
+                Ok(judged(&format!("meyer.app-e.{}.{id}", slug(*mechanism)))?.claim.printed.to_owned())
+            })
+    };
+    let pins = Table::with_rows(Cells::Numbers, found).column("Pins", |(mechanism, ..)| mechanism.pins());
+    ["driver", "follower"].into_iter().enumerate().fold(pins, members).finish()
 }
 
 /// The runs with six pins, printed and corrected.
@@ -283,45 +240,17 @@ pub(super) fn six_pin_as_headed() -> anyhow::Result<Table> {
 }
 
 fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Table> {
-    let first = rows_of(rows(), mechanism).first().context("a table without rows")?;
-    let cells = rows_of(rows(), mechanism).iter().map(|row| printed_and_right(row, hypothesis));
-    let head = [
-        "μ",
-        "K",
-        "Peak, <br>printed",
-        "Peak, <br>right",
-        "off by, <br>%",
-        "Minimum, <br>printed",
-        "Minimum, <br>right",
-        "Period, <br>printed",
-        "Period, <br>right",
-    ];
-    let [driver, follower] = hypothesis.inertias(first).map(|inertia| fixed(1e6 * inertia, 0));
-    let says = format!(
-        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the driver's inertia is {driver} · \
-         10⁻⁶ in lb s², and the follower's is {follower} · 10⁻⁶ in lb s²",
-        match mechanism.pins() {
-            3 => "Three",
-            4 => "Four",
-            _ => "Six",
-        }
-    );
-    table(&says, Cells::Numbers, &head, cells)
-}
-
-fn printed_and_right(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
-    let [peak, minimum, period] = hypothesis.results(row).context(NONE)?;
-    let off = |column, value: f64| signed(100.0 * (row.number(column) / value - 1.0), 0);
-    let printed = |column| row.printed(column).to_owned();
-    Ok(vec![
-        printed(Column::Friction),
-        printed(Column::Torque),
-        printed(Column::Peak),
-        format!("{peak:.1}"),
-        off(Column::Peak, peak),
-        printed(Column::Minimum),
-        format!("{minimum:.2}"),
-        printed(Column::Period),
-        format!("{period:.5}"),
-    ])
+    let of = |row: &'static Row| Ok::<_, anyhow::Error>((row, hypothesis.results(row).context(NONE)?));
+    let results = rows_of(rows(), mechanism).iter().map(of).collect::<Result<Vec<_>, _>>()?;
+    Table::with_rows(Cells::Numbers, results)
+        .column("μ", |(row, _)| row.printed(Column::Friction))
+        .column("K", |(row, _)| row.printed(Column::Torque))
+        .column("Peak, <br>printed", |(row, _)| row.printed(Column::Peak))
+        .column("Peak, <br>right", |(_, [peak, ..])| format!("{peak:.1}"))
+        .column("off by, <br>%", |(row, [peak, ..])| signed(100.0 * (row.number(Column::Peak) / peak - 1.0), 0))
+        .column("Minimum, <br>printed", |(row, _)| row.printed(Column::Minimum))
+        .column("Minimum, <br>right", |(_, [_, minimum, _])| format!("{minimum:.2}"))
+        .column("Period, <br>printed", |(row, _)| row.printed(Column::Period))
+        .column("Period, <br>right", |(_, [.., period])| format!("{period:.5}"))
+        .finish()
 }

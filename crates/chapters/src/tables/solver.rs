@@ -2,7 +2,8 @@
 
 use crate::measurements::{Measurement, integrators};
 use geneva_press::chain::scientific;
-use geneva_press::html::{Cells, Table, escape, table};
+use geneva_press::html::escape;
+use geneva_press::table::{Cells, Table};
 
 /// The contestants of the record and what they are, in the order of the table.
 pub const CONTESTANTS: [(&str, &str); 8] = [
@@ -24,47 +25,29 @@ pub fn speeds() -> anyhow::Result<Table> {
             || one.contestant.starts_with("angle") && one.tolerance == "1e-10"
             || one.contestant == "mimic" && ["5e-6", "5e-8", "5e-10"].contains(&one.tolerance.as_str())
     };
-    let mut rows = Vec::new();
-    for (contestant, words) in CONTESTANTS {
-        for one in all.iter().filter(|one| one.contestant == contestant).filter(is_shown) {
-            let evaluations = one.evaluations.map_or_else(|| "–".to_owned(), |count| count.to_string());
-            let error = one.true_error.map_or_else(|| "–".to_owned(), |error| format!("{error:.0e}"));
-            rows.push(Ok(vec![
-                escape(words),
-                scientific(&one.tolerance)?,
-                evaluations,
-                format!("{:.2}", one.milliseconds),
-                scientific(&error)?,
-            ]));
-        }
-    }
-    let head = ["Solver", "Error allowed", "Evaluations", "Time for 49, ms", "Largest relative error"];
-    table(
-        "Cost and error of the solvers for 49 escapements, which cover all three mechanisms",
-        Cells::NamedNumbers,
-        &head,
-        rows,
-    )
+    let of = |contestant| all.iter().filter(move |one| one.contestant == contestant).filter(is_shown);
+    let rows = CONTESTANTS.into_iter().flat_map(|(name, words)| of(name).map(move |one| (words, one)));
+    let dash = || "–".to_owned();
+    Table::with_rows(Cells::NamedNumbers, rows)
+        .column("Solver", |(words, _)| escape(words))
+        .column("Error allowed", |(_, one)| scientific(&one.tolerance))
+        .column("Evaluations", |(_, one)| one.evaluations.map_or_else(dash, |count| count.to_string()))
+        .column("Time for 49, ms", |(_, one)| format!("{:.2}", one.milliseconds))
+        .column("Largest relative error", |(_, one)| {
+            scientific(&one.true_error.map_or_else(dash, |error| format!("{error:.0e}")))
+        })
+        .finish()
 }
 
 /// Maps of the terminal speed: time against points.
 pub fn maps() -> anyhow::Result<Table> {
     let all = integrators()?;
     let of_maps = all.iter().filter_map(|one| Some((one, one.points?, one.threads?)));
-    let rows = of_maps.map(|(one, points, threads)| {
-        Ok(vec![
-            points.to_string(),
-            scientific(&one.tolerance)?,
-            threads.to_string(),
-            format!("{:.2}", one.milliseconds / 1e3),
-            format!("{:.2}", 1e3 * one.milliseconds / points as f64),
-        ])
-    });
-    let head = ["Points", "Error allowed", "Threads", "Time, s", "Time per point, µs"];
-    table(
-        "Time for maps of the terminal speed over friction and inertias, for all three mechanisms",
-        Cells::Numbers,
-        &head,
-        rows,
-    )
+    Table::with_rows(Cells::Numbers, of_maps)
+        .column("Points", |(_, points, _)| points.to_string())
+        .column("Error allowed", |(one, ..)| scientific(&one.tolerance))
+        .column("Threads", |(.., threads)| threads.to_string())
+        .column("Time, s", |(one, ..)| format!("{:.2}", one.milliseconds / 1e3))
+        .column("Time per point, µs", |(one, points, _)| format!("{:.2}", 1e3 * one.milliseconds / *points as f64))
+        .finish()
 }

@@ -3,8 +3,8 @@
 use crate::rows::{example, number, number_with};
 use geneva_case1973::{Column, Row, strongest, weakest};
 use geneva_documents::meyer::runs::table::rows;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::signed;
+use geneva_press::table::{Cells, Table};
 
 /// The followers compared: parts of the inertia of the example's.
 pub const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
@@ -17,133 +17,78 @@ pub fn lighter(row: &Row, part: f64, key: &str) -> anyhow::Result<f64> {
 /// How soon four pins come to the steady motion, with followers of another size, by three measures.
 pub fn settling() -> anyhow::Result<Table> {
     let row = example()?;
-    let rows = PARTS.map(|part| {
-        let of = |key| lighter(row, part, key);
-        let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
-        Ok(vec![
-            name,
-            format!("{:.2}", of("inertia_ratio")?),
-            format!("{:.3}", of("multiplier")?),
-            format!("{:.1}", of("small_difference_engagements")?),
-            format!("{:.1}", 1e3 * of("period")?),
-            format!("{:.1}", 1e3 * of("small_difference_rise_time")?),
-            format!("{:.1}", 1e3 * of("profile_rise_time")?),
-            format!("{:.1}", 1e3 * of("average_rise_time")?),
-        ])
-    });
-    let head = [
-        "follower's inertia",
-        "inertia, driver <br>over follower",
-        "multiplier",
-        "engagements <br>to 1 %",
-        "period, <small>ms</small>",
-        "time to 1 %, <small>ms</small>",
-        "rise time, <br>profile, <small>ms</small>",
-        "rise time, <br>average, <small>ms</small>",
+    let cell = |part: &f64, (_, key, scale, digits): &(&str, &str, f64, usize)| {
+        Ok(format!("{:.digits$}", scale * lighter(row, *part, key)?))
+    };
+    let columns = [
+        ("inertia, driver <br>over follower", "inertia_ratio", 1.0, 2),
+        ("multiplier", "multiplier", 1.0, 3),
+        ("engagements <br>to 1 %", "small_difference_engagements", 1.0, 1),
+        ("period, <small>ms</small>", "period", 1e3, 1),
+        ("time to 1 %, <small>ms</small>", "small_difference_rise_time", 1e3, 1),
+        ("rise time, <br>profile, <small>ms</small>", "profile_rise_time", 1e3, 1),
+        ("rise time, <br>average, <small>ms</small>", "average_rise_time", 1e3, 1),
     ];
-    let caption = format!(
-        "The rise with a lighter follower: {}, with only the follower's inertia changed. The multiplier is the \
-         fraction of a small difference in the squared speed that is left after one engagement. The columns “to 1 %” \
-         give the number of engagements and the time in which this difference falls to one per cent. The last two \
-         columns give the rise time from rest, by the profile and by the average",
-        with_torque(row).replace("&nbsp;", " ") + " in lb"
-    );
-    table(&caption, Cells::NamedNumbers, &head, rows)
+    Table::with_rows(Cells::NamedNumbers, PARTS)
+        .column("follower's inertia", |part| if *part > 1.0 { format!("1/{part}") } else { "as run".to_owned() })
+        .columns(columns, |(head, ..)| (*head).to_owned(), cell)
+        .finish()
 }
 
 /// What one per cent of each quantity makes in a day, and what half the friction does.
 pub fn sensitivity() -> anyhow::Result<Table> {
-    let rows = weakest(rows()).map(|row| {
-        let rates = [
-            "torque_rate_s_a_day",
-            "friction_rate_s_a_day",
-            "driver_inertia_rate_s_a_day",
-            "follower_inertia_rate_s_a_day",
-        ];
-        let rates = rates.map(|rate| Ok(signed(number(row, rate)?, 0)));
-        let mut cells = vec![name(row)];
-        cells.extend(rates.into_iter().collect::<anyhow::Result<Vec<_>>>()?);
-        cells.push(signed(number(row, "friction_power")?, 3));
-        cells.push(signed(100.0 * number(row, "half_friction_gain")?, 0) + "&nbsp;%");
-        Ok(cells)
-    });
-    let head = [
-        "mechanism",
-        "torque, <small>s a day</small>",
-        "friction, <small>s a day</small>",
-        "driver, <small>s a day</small>",
-        "follower, <small>s a day</small>",
-        "exponent of <br>friction",
-        "half the <br>friction",
+    let rates = [
+        ("torque", "torque_rate_s_a_day"),
+        ("friction", "friction_rate_s_a_day"),
+        ("driver", "driver_inertia_rate_s_a_day"),
+        ("follower", "follower_inertia_rate_s_a_day"),
     ];
-    let caption = "What changes the rate. Four columns give, to first order, the seconds that the timer gains in a day \
-                   (or loses, with a minus) if the torque, the friction, or the inertia of driver or follower is one \
-                   per cent larger. For small changes the mean speed is proportional to a power of the friction, whose \
-                   exponent is in the next column. The last column says how much faster the timer runs with half the \
-                   friction. The mechanisms are ideal, with the inertias of the thesis's runs. The values are the same \
-                   for a spring of any strength";
-    table(caption, Cells::NamedNumbers, &head, rows)
+    Table::with_rows(Cells::NamedNumbers, weakest(rows()))
+        .column("mechanism", |row| name(row))
+        .columns(
+            rates,
+            |(of, _)| format!("{of}, <small>s a day</small>"),
+            |row, (_, key)| Ok(signed(number(row, key)?, 0)),
+        )
+        .column("exponent of <br>friction", |row| Ok(signed(number(row, "friction_power")?, 3)))
+        .column("half the <br>friction", |row| Ok(signed(100.0 * number(row, "half_friction_gain")?, 0) + "&nbsp;%"))
+        .finish()
 }
 
 /// The greatest accelerations and forces of the strongest run of each mechanism and friction.
 pub fn accelerations() -> anyhow::Result<Table> {
-    let rows = strongest(rows()).map(|row| {
-        let of = |key| number(row, key);
-        let degrees = |key| Ok::<_, anyhow::Error>(signed(of(key)?, 1) + "°");
-        Ok(vec![
-            with_torque(row),
-            signed(of("driver_acceleration")? / 1e3, 1),
-            degrees("driver_acceleration_angle_deg")?,
-            signed(of("follower_acceleration")? / 1e3, 1),
-            degrees("follower_acceleration_angle_deg")?,
-            signed(of("follower_acceleration_jump")? / 1e3, 1),
-            signed(of("pin_force_ratio")?, 1),
-        ])
-    });
-    let head = [
-        "run",
-        "driver",
-        "driver <br>at",
-        "follower",
-        "follower <br>at",
-        "follower's <br>jump",
-        "pin force, <small>× spring’s</small>",
-    ];
-    let caption = "Accelerations of the greatest magnitude, in 1000 rad/s², each with the driver's angle from the line \
-                   of centres. The last two columns give the jump of the follower's acceleration when the next pin \
-                   takes over, and the greatest force on the pin, divided by the spring's force at the crank radius. \
-                   The mechanisms are ideal. For each friction value, the table shows the thesis's run with the \
-                   strongest spring";
-    table(caption, Cells::NamedNumbers, &head, rows)
+    let thousands = |row: &Row, key| Ok(signed(number(row, key)? / 1e3, 1));
+    let degrees = |row: &Row, key| Ok(signed(number(row, key)?, 1) + "°");
+    Table::with_rows(Cells::NamedNumbers, strongest(rows()))
+        .column("run", |row| with_torque(row))
+        .column("driver", |row| thousands(row, "driver_acceleration"))
+        .column("driver <br>at", |row| degrees(row, "driver_acceleration_angle_deg"))
+        .column("follower", |row| thousands(row, "follower_acceleration"))
+        .column("follower <br>at", |row| degrees(row, "follower_acceleration_angle_deg"))
+        .column("follower's <br>jump", |row| thousands(row, "follower_acceleration_jump"))
+        .column("pin force, <small>× spring’s</small>", |row| Ok(signed(number(row, "pin_force_ratio")?, 1)))
+        .finish()
 }
 
 /// The average of the thesis beside the mean speed over a revolution.
 pub fn mean_speed() -> anyhow::Result<Table> {
-    let rows = weakest(rows()).map(|row| {
-        let [of_extremes, mean] = [number(row, "mean_of_extremes")?, number(row, "mean_speed")?];
-        let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
-        Ok(vec![
-            with_torque(row),
-            format!("{printed:.1}"),
-            format!("{of_extremes:.1}"),
-            format!("{mean:.1}"),
-            format!("{:.2}", of_extremes / mean),
-        ])
-    });
-    let head =
-        ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
-    let caption = "Two meanings of an average speed, in rad/s. One is the mean of peak and minimum, first from \
-                   the numbers that the thesis prints, then from the right ones, which we computed for the mechanism. \
-                   The other is the mean over a revolution. The factor is the mean of the right extremes divided by \
-                   the mean over a revolution. For each mechanism and friction value, the table shows the run with \
-                   the weakest spring";
-    table(caption, Cells::NamedNumbers, &head, rows)
+    let printed = |row: &Row| (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
+    Table::with_rows(Cells::NamedNumbers, weakest(rows()))
+        .column("run", |row| with_torque(row))
+        .column("printed <br>extremes", |row| format!("{:.1}", printed(row)))
+        .column("right <br>extremes", |row| Ok(format!("{:.1}", number(row, "mean_of_extremes")?)))
+        .column("over a <br>revolution", |row| Ok(format!("{:.1}", number(row, "mean_speed")?)))
+        .column("too great <br>by the factor", |row| {
+            Ok(format!("{:.2}", number(row, "mean_of_extremes")? / number(row, "mean_speed")?))
+        })
+        .finish()
 }
 
 fn name(row: &Row) -> String {
     format!("{} pins, μ&nbsp;=&nbsp;{}", row.mechanism.pins(), row.printed(Column::Friction))
 }
 
-fn with_torque(row: &Row) -> String {
+/// The mechanism, friction and torque of a run.
+pub fn with_torque(row: &Row) -> String {
     format!("{}, K&nbsp;=&nbsp;{}", name(row), row.printed(Column::Torque))
 }

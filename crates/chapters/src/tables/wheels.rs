@@ -3,54 +3,35 @@
 use anyhow::{Context, anyhow};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
-use geneva_press::html::{Cells, Table, table};
 use geneva_press::numbers::fixed;
+use geneva_press::table::{Cells, Table};
 use std::ops::RangeInclusive;
 
 /// The table for the numbers of stations from the first to the second, written with a space between.
 pub fn wheels(range: &str) -> anyhow::Result<Table> {
     let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two integers are expected, as in `3 18`"))?;
-    let (first, last) = (*stations.start(), *stations.end());
-    let head = [
-        "stations",
-        "moves, <small>of a turn</small>",
-        "dwells, <small>of a turn</small>",
-        "centre <br>distance, <small>× crank</small>",
-        "wheel <br>radius, <small>× crank</small>",
-        "peak <br>speed, <small>× driver’s</small>",
-        "jump <br>at entry, <small>× driver’s speed²</small>",
-        "peak <br>acceleration, <small>× driver’s speed²</small>",
-        "at <small>crank angle</small>",
-    ];
-    let caption = format!(
-        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The parts of a turn for \
-         which the wheel moves and dwells tell you how many stations to choose. Centre distance and wheel radius tell \
-         you how large the wheel is. Speed and accelerations tell you how hard it is driven. The last column gives the \
-         crank angles at which the wheel speeds up most, before the line of centres, and slows down most, past it"
-    );
-    table(&caption, Cells::Numbers, &head, stations.map(row))
+    let ratio = |number| fixed(number, 4);
+    let wheels = stations.map(Wheel::new).collect::<Result<Vec<_>, _>>().context("the table of wheels")?;
+    Table::with_rows(Cells::Numbers, wheels)
+        .column("stations", |wheel| format!("<i>N</i>&nbsp;=&nbsp;{}", wheel.stations()))
+        .column("moves, <small>of a turn</small>", |wheel| ratio(wheel.motion_fraction()))
+        .column("dwells, <small>of a turn</small>", |wheel| ratio(wheel.dwell_fraction()))
+        .column("centre <br>distance, <small>× crank</small>", |wheel| ratio(wheel.centre_distance_ratio()))
+        .column("wheel <br>radius, <small>× crank</small>", |wheel| ratio(wheel.wheel_radius_ratio()))
+        .column("peak <br>speed, <small>× driver’s</small>", |wheel| ratio(wheel.peak_velocity()))
+        .column("jump <br>at entry, <small>× driver’s speed²</small>", |wheel| ratio(wheel.entry_acceleration()))
+        .column("peak <br>acceleration, <small>× driver’s speed²</small>", |wheel| {
+            ratio(wheel.acceleration_peak().ratio)
+        })
+        .column("at <small>crank angle</small>", |wheel| {
+            format!("∓{:.2}°", wheel.acceleration_peak().angle.to_degrees())
+        })
+        .finish()
 }
 
 fn parsed(range: &str) -> Option<RangeInclusive<u32>> {
     let (first, last) = range.split_once(' ')?;
     Some(first.parse().ok()?..=last.parse().ok()?)
-}
-
-fn row(stations: u32) -> anyhow::Result<Vec<String>> {
-    let wheel = Wheel::new(stations).context("the table of wheels")?;
-    let peak = wheel.acceleration_peak();
-    let ratio = |number| fixed(number, 4);
-    Ok(vec![
-        format!("<i>N</i>&nbsp;=&nbsp;{stations}"),
-        ratio(wheel.motion_fraction()),
-        ratio(wheel.dwell_fraction()),
-        ratio(wheel.centre_distance_ratio()),
-        ratio(wheel.wheel_radius_ratio()),
-        ratio(wheel.peak_velocity()),
-        ratio(wheel.entry_acceleration()),
-        ratio(peak.ratio),
-        format!("∓{:.2}°", peak.angle.to_degrees()),
-    ])
 }
 
 #[cfg(test)]

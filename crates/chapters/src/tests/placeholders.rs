@@ -73,7 +73,7 @@ fn an_error_has_the_line_that_its_author_wrote() {
 
 #[test]
 fn figures_and_tables_are_numbered_where_they_stand() {
-    let chapter = "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4}}\n\n{{figure:pin-velocity}}\n";
+    let chapter = "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4; Two wheels}}\n\n{{figure:pin-velocity}}\n";
     let page = expanded(chapter).expect("all are drawn");
     assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure\u{a0}1.2</a>"), "{page}");
     assert!(page.contains("Figure\u{a0}1.1") && page.contains("Table\u{a0}1.1"));
@@ -108,7 +108,12 @@ fn a_placeholder_has_its_words_and_what_is_read_there() {
 
 #[test]
 fn a_table_has_its_caption_and_a_line_for_each_row() {
-    let read = lines("{{wheels:3 4}}\n");
+    let read = lines("{{wheels:3 4; Two wheels}}\n");
     let rows: Vec<_> = read.lines().collect();
-    assert!(rows.len() == 5 && rows.iter().any(|row| row.starts_with("    N = 3 |")), "{read}");
+    assert!(
+        rows.len() == 5
+            && rows[..2] == ["{{wheels:3 4}}", "    Two wheels."]
+            && rows.iter().any(|row| row.starts_with("    N = 3 |")),
+        "{read}"
+    );
 }

@@ -2,18 +2,17 @@
 
 use super::inline::{computed, linked_badge, rounded, with_unit};
 use crate::book::Book;
-use crate::html::{Cells, Table, escape, table as html_table};
+use crate::html::escape;
 use crate::lookup;
+use crate::table::{Cells, Table};
 use geneva_evidence::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
 const LEGEND: &str = "<p class=\"legend\">Printed digits that agree with the computed number are not underlined. If \
      only the last digit differs, it has <span class=\"digit last\">a dotted underline</span>. Otherwise all digits \
      from the first wrong one onwards have <span class=\"digit wrong\">a wavy underline</span>.</p>";
 
-/// The table for all numbers of a source, or for the claims listed with spaces between; a caption after a semicolon.
+/// The table for all numbers of a source, or for the claims listed with spaces between.
 pub fn table(book: &Book, of: &str) -> anyhow::Result<Table> {
-    let (of, caption) =
-        of.split_once(';').map_or((of.trim(), "Printed and computed"), |(of, caption)| (of.trim(), caption.trim()));
     let listed: Vec<&Judged> = if of.contains('.') {
         of.split_whitespace().map(|id| lookup::verdict(book.ledger, id)).collect::<Result<_, _>>()?
     } else {
@@ -25,35 +24,32 @@ pub fn table(book: &Book, of: &str) -> anyhow::Result<Table> {
     let name = |claim: &Claim| {
         if alike(claim) { format!("{}: {}", claim.locator, claim.meaning) } else { claim.meaning.to_owned() }
     };
-    let rounds = listed.iter().any(|judged| judged.from_rounded.is_some());
-    let rows = listed.iter().map(|judged| row(book, judged, &name(judged.claim), rounds));
-    let mut head = vec!["Quantity", "Printed", "Computed", "Verdict"];
-    if rounds {
-        head.insert(3, "From rounded steps");
-    }
-    let table = html_table(caption, Cells::NamedNumbers, &head, rows)?;
+    let dash = || "–".to_owned();
+    let rounds = listed.iter().any(|judged| judged.from_rounded.is_some()).then_some("From rounded steps");
+    let table = Table::with_rows(Cells::NamedNumbers, &listed)
+        .column("Quantity", |judged| escape(&name(judged.claim)))
+        .column("Printed", |judged| printed(book, judged))
+        .column("Computed", |judged| computed(judged).unwrap_or_else(dash))
+        .columns(
+            rounds,
+            |head| (*head).to_owned(),
+            |judged, _| judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),
+        )
+        .column("Verdict", |judged| linked_badge(book, judged))
+        .finish()?;
     // The legend explains marks; a table without marks needs none.
     Ok(if table.contains("class=\"digit") { table.with_legend(LEGEND) } else { table })
 }
 
-fn row(book: &Book, judged: &Judged, name: &str, rounds: bool) -> anyhow::Result<Vec<String>> {
+/// The printed number with its digits marked.
+fn printed(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     let claim = judged.claim;
     let (digits, remark) = match (claim.printed.parse::<Decimal>(), judged.computed) {
         (Ok(decimal), Some(number)) => marked(&decimal.marks(claim.printed, number)),
         _ => (escape(claim.printed), ""),
     };
     let printed = with_unit(book, &digits, claim.unit)?;
-    let dash = || "–".to_owned();
-    let mut row = vec![
-        escape(name),
-        if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") },
-        computed(judged).unwrap_or_else(dash),
-        linked_badge(book, judged),
-    ];
-    if rounds {
-        row.insert(3, judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)));
-    }
-    Ok(row)
+    Ok(if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") })
 }
 
 /// The digits with their marks, and the same in words.

@@ -1,20 +1,30 @@
 //! How the sources are covered, in sums: the lists themselves are files of data.
 
 use crate::book::Book;
-use crate::html::{Cells, table};
 use crate::lookup;
 use crate::records::slips_of_copies;
+use crate::table::{Cells, Table};
 use anyhow::bail;
 use geneva_evidence::{Document, Entry, Ledger, Line, TracedSlip, line_gap};
 
 /// How much of each document the claims account for, and which characters its copy has lost or changed.
 pub fn page(book: &Book) -> anyhow::Result<String> {
-    let mut rows = Vec::new();
+    let mut sources = Vec::new();
     for document in book.ledger.mirrored() {
-        rows.push(row(book.ledger, document, document.lines()?));
+        let lines = document.lines()?;
+        accounted(document, lines)?;
+        sources.push((document, lines));
     }
-    let head = ["Source", "Lines", "Numbers", "Claims", "Exceptions", "Characters of the copy"];
-    let sums = table("Coverage of the sources", Cells::NamedNumbers, &head, rows)?.html();
+    let exceptions = |line: &Line| line.entries.iter().filter(|of| matches!(of, Entry::Exception { .. })).count();
+    let sums = Table::with_rows(Cells::NamedNumbers, sources)
+        .column("Source", |(document, _)| document.to_string())
+        .column("Lines", |(_, lines)| lines.len())
+        .column("Numbers", |(_, lines)| lines.iter().map(|line| line.numbers.len()).sum::<usize>())
+        .column("Claims", |(document, _)| lookup::verdicts_of(book.ledger, document).count())
+        .column("Exceptions", |(_, lines)| lines.iter().map(exceptions).sum::<usize>())
+        .column("Characters of the copy", |(document, _)| slips_of_copy(book.ledger, document))
+        .finish()?
+        .html("Coverage of the sources");
     // As text, not as code: there are many. Each bears the anchor that it had on a page of its own.
     let copies = slips_of_documents(book.ledger).map(|places| {
         let id = places.slip.id;
@@ -36,18 +46,17 @@ pub fn slips_of_documents(ledger: &'static Ledger) -> impl Iterator<Item = &'sta
     slips_of_copies(ledger).filter(|places| places.is_mirrored())
 }
 
-/// The sums of a source.
-pub fn row(ledger: &'static Ledger, document: &'static Document, lines: &[Line]) -> anyhow::Result<Vec<String>> {
-    if let Some((line, gap)) = lines.iter().find_map(|line| Some((line, line_gap(document, line)?))) {
-        bail!("line {} of {document} has numbers that nothing accounts for: {gap}", line.number);
+/// How many characters the copy of a document has lost or changed.
+pub fn slips_of_copy(ledger: &'static Ledger, document: &Document) -> usize {
+    slips_of_documents(ledger).filter(|places| places.main().claim.document == document).count()
+}
+
+/// Stops where a line of a document has numbers that nothing accounts for.
+pub fn accounted(document: &'static Document, lines: &[Line]) -> anyhow::Result<()> {
+    match lines.iter().find_map(|line| Some((line, line_gap(document, line)?))) {
+        Some((line, gap)) => {
+            bail!("line {} of {document} has numbers that nothing accounts for: {gap}", line.number)
+        }
+        None => Ok(()),
     }
-    let entries = || lines.iter().flat_map(|line| &line.entries);
-    let sums = [
-        lines.len(),
-        lines.iter().map(|line| line.numbers.len()).sum(),
-        lookup::verdicts_of(ledger, document).count(),
-        entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
-        slips_of_documents(ledger).filter(|places| places.main().claim.document == document).count(),
-    ];
-    Ok([vec![document.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
 }

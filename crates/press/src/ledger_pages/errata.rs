@@ -4,10 +4,11 @@ use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::book::Book;
 use crate::formula::{breakable, mark_changes, tex_or_text};
-use crate::html::{Cells, Table, escape, prose, table};
+use crate::html::{escape, prose};
 use crate::lookup;
+use crate::table::{Cells, Table};
 use anyhow::anyhow;
-use geneva_evidence::{Consequence, Judged, TracedSlip, without_ellipses};
+use geneva_evidence::{Claim, Consequence, Judged, TracedSlip, without_ellipses};
 
 /// The erratum of a claim: one line, which opens.
 pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
@@ -52,33 +53,28 @@ pub fn errata_list(book: &Book, consequence: Consequence) -> anyhow::Result<Stri
 /// What changes a result or a conclusion, a row each.
 pub fn grave_errata(book: &Book) -> anyhow::Result<Table> {
     let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|of| book.ledger.slips_of(of));
-    let rows = grave.map(|places| {
-        let (claim, slip) = (places.main().claim, &places.slip);
+    let place = |places: &TracedSlip| {
+        let claim = places.main().claim;
         let (document, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
-        Ok(vec![
-            format!("<a href=\"#slip-{}\">{document}, {locator}</a>: {meaning}", slip.id),
-            with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?,
-            right(book, places.main())?,
-            prose(slip.changes) + &numbers(places),
-        ])
-    });
-    let head = ["Place, and what it says", "Printed", "Right", "What it does"];
-    table("What changes a result or a conclusion", Cells::Wide, &head, rows)
+        format!("<a href=\"#slip-{}\">{document}, {locator}</a>: {meaning}", places.slip.id)
+    };
+    let printed = |claim: &Claim| with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit);
+    Table::with_rows(Cells::Wide, grave)
+        .column("Place, and what it says", |places| place(places))
+        .column("Printed", |places| printed(places.main().claim))
+        .column("Right", |places| right(book, places.main()))
+        .column("What it does", |places| prose(places.slip.changes) + &numbers(places))
+        .finish()
 }
 
 /// How many slips of the documents there are of each consequence, and how many without those of the copy.
 pub fn consequences_table(book: &Book) -> anyhow::Result<Table> {
-    let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
-        let all = || book.ledger.slips_of(*consequence);
-        let (slips, places) = (all().count(), all().map(|of| of.claims.len()).sum::<usize>());
-        Ok(vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()])
-    });
-    table(
-        "Mistakes by what they do",
-        Cells::Words,
-        &["Consequence", "What it means", "Mistakes", "Claims affected"],
-        rows,
-    )
+    Table::with_rows(Cells::Words, Consequence::ALL.iter().filter(|of| **of != Consequence::Copy))
+        .column("Consequence", |of| of.to_string())
+        .column("What it means", |of| of.meaning())
+        .column("Mistakes", |of| book.ledger.slips_of(**of).count())
+        .column("Claims affected", |of| book.ledger.slips_of(**of).map(|slip| slip.claims.len()).sum::<usize>())
+        .finish()
 }
 
 /// How many slips of the documents there are of a consequence, or of all but those of the copy.

@@ -4,45 +4,49 @@ use super::inline::badge;
 use crate::book::{Book, NotationLetter};
 use crate::chain::scientific;
 use crate::formula::tex_or_text;
-use crate::html::{Cells, Table, escape, table};
+use crate::html::escape;
+use crate::table::{Cells, Table};
 use crate::{lookup, maths};
 use anyhow::Context;
 use geneva_evidence::{Judged, Symbol, Verdict};
 
 /// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
-    let rows = Verdict::ALL.iter().map(|verdict| {
-        let count = lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.verdict == *verdict).count();
-        Ok(vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()])
-    });
-    table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Is it right?", "Claims"], rows)
+    let count = |verdict| lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.verdict == verdict).count();
+    Table::with_rows(Cells::Words, Verdict::ALL)
+        .column("Verdict", |verdict| badge(**verdict))
+        .column("What it means", |verdict| escape(verdict.meaning()))
+        .column("Is it right?", |verdict| verdict.truth().to_string())
+        .column("Claims", |verdict| count(**verdict))
+        .finish()
 }
 
 /// The kinds of evidence and how many claims of the documents use each.
 pub fn evidence(book: &Book) -> anyhow::Result<Table> {
-    let rows = book.ledger.evidence().iter().map(|kind| {
-        let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
-        let count = lookup::verdicts_of_documents(book.ledger).filter(uses).count();
-        Ok(vec![kind.to_string(), escape(kind.meaning), count.to_string()])
-    });
-    table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)
+    let uses = |judged: &Judged, kind| judged.claim.check.evidence().contains(kind);
+    Table::with_rows(Cells::Words, book.ledger.evidence())
+        .column("Evidence", |kind| kind.to_string())
+        .column("What it is", |kind| escape(kind.meaning))
+        .column("Claims", |kind| lookup::verdicts_of_documents(book.ledger).filter(|judged| uses(judged, kind)).count())
+        .finish()
 }
 
 /// The tolerances that are not printed digits.
 pub fn tolerances(book: &Book) -> anyhow::Result<Table> {
-    let rows = book.ledger.tolerances().into_iter().map(|tolerance| {
-        let relative = scientific(&format!("{:e}", tolerance.relative))?;
-        Ok(vec![tolerance.name.to_owned(), relative, escape(tolerance.reason)])
-    });
-    table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], rows)
+    Table::with_rows(Cells::Words, book.ledger.tolerances())
+        .column("Tolerance", |tolerance| tolerance.name)
+        .column("Relative", |tolerance| scientific(&format!("{:e}", tolerance.relative)))
+        .column("Why", |tolerance| escape(tolerance.reason))
+        .finish()
 }
 
 /// The letters that stand for one thing in the whole book.
 pub fn notation(book: &Book) -> anyhow::Result<Table> {
-    let rows = (book.notation)()
-        .into_iter()
-        .map(|letter| Ok(vec![maths::formula(letter.tex, false)?, escape(letter.meaning), escape(letter.counted)]));
-    table("Letters of this book", Cells::Words, &["Letter", "What it stands for", "How it counts"], rows)
+    Table::with_rows(Cells::Words, (book.notation)())
+        .column("Letter", |letter| maths::formula(letter.tex, false))
+        .column("What it stands for", |letter| escape(letter.meaning))
+        .column("How it counts", |letter| escape(letter.counted))
+        .finish()
 }
 
 /// The letters of a source and the book's: first those of the whole book, in the same order for each source.
@@ -52,18 +56,20 @@ pub fn symbols(book: &Book, slug: &str) -> anyhow::Result<Table> {
     let is_of_all = |of: &&Symbol| notation.iter().any(|letter| letter.tex == of.ours);
     let of_all = notation.iter().flat_map(|letter| symbols.iter().filter(|symbol| symbol.ours == letter.tex));
     let others = symbols.iter().filter(|symbol| !is_of_all(symbol));
-    let rows = of_all.chain(others).map(|symbol| {
-        let meaning = meaning(&notation, symbol);
+    let printed = |symbol: &Symbol| {
         // A letter is set as in a formula, with or without an index.
         let is_letter = |letter: &str| letter.contains('_') || letter.chars().count() == 1;
         let letters = with_indices(symbol.printed);
-        let printed = match letters.split(", ").all(is_letter) {
+        match letters.split(", ").all(is_letter) {
             true => maths::formula(&letters, false),
             false => tex_or_text(symbol.printed),
-        };
-        Ok(vec![maths::formula(symbol.ours, false)?, escape(&meaning), printed?])
-    });
-    table("Letters", Cells::Words, &["In this book", "What it stands for", "In the source"], rows)
+        }
+    };
+    Table::with_rows(Cells::Words, of_all.chain(others))
+        .column("In this book", |symbol| maths::formula(symbol.ours, false))
+        .column("What it stands for", |symbol| escape(&meaning(&notation, symbol)))
+        .column("In the source", |symbol| printed(symbol))
+        .finish()
 }
 
 /// What a letter of the book stands for in the chapters on a source: both are named, the letter in TeX.

@@ -2,8 +2,9 @@
 
 use super::inline;
 use crate::book::Book;
-use crate::html::{Cells, Table, escape, table};
+use crate::html::escape;
 use crate::lookup;
+use crate::table::{Cells, Table};
 use anyhow::anyhow;
 use geneva_evidence::{Backing, ids_with_backing};
 
@@ -27,15 +28,13 @@ pub fn computed(book: &Book, name: &str) -> anyhow::Result<String> {
 /// How many of the book's own numbers are backed by what, with the names of those that one route alone gives.
 pub fn backing_table(book: &Book) -> anyhow::Result<Table> {
     let numbers = (book.own_numbers)();
-    let rows = Backing::ALL.into_iter().map(|backing| {
+    let names = |backing| {
         let ids = ids_with_backing(numbers, backing);
-        let named = match backing {
-            Backing::OneRoute => {
-                ids.iter().map(|id| format!("<code>{}</code>", escape(id))).collect::<Vec<_>>().join(", ")
-            }
-            _ => String::new(),
-        };
-        Ok(vec![backing.meaning().to_owned(), ids.len().to_string(), named])
-    });
-    table("Numbers of our own", Cells::Words, &["How a number of our own is backed", "Numbers", "Which"], rows)
+        ids.iter().map(|id| format!("<code>{}</code>", escape(id))).collect::<Vec<_>>().join(", ")
+    };
+    Table::with_rows(Cells::Words, Backing::ALL)
+        .column("How a number of our own is backed", |backing| backing.meaning())
+        .column("Numbers", |backing| ids_with_backing(numbers, *backing).len())
+        .column("Which", |backing| if *backing == Backing::OneRoute { names(*backing) } else { String::new() })
+        .finish()
 }

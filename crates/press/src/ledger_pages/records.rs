@@ -2,10 +2,11 @@
 
 use super::{coverage, errata, ledger};
 use crate::book::Book;
-use crate::html::{Cells, Table, escape, table};
+use crate::html::escape;
 use crate::lookup::unknown;
 use crate::pages::PageRole;
 use crate::records::{described, types};
+use crate::table::{Cells, Table};
 use anyhow::bail;
 
 /// What the list of pages puts on the page of this name.
@@ -23,15 +24,20 @@ pub fn page(book: &Book, name: &str) -> anyhow::Result<String> {
 /// The fields of a file of the records, with what each says.
 pub fn fields(book: &Book, file: &str) -> anyhow::Result<Table> {
     let (fields, rows) = described(book, file)?;
-    let rows = fields.iter().map(|(path, meaning)| {
-        // Between grave accents stand words of the data.
-        let parts = meaning.split('`').enumerate().map(|(at, part)| match at % 2 {
-            1 => format!("<code>{}</code>", escape(part)),
-            _ => in_italics(part),
-        });
-        Ok(vec![format!("<span><code>{}</code></span>", escape(path)), types(&rows, path), parts.collect()])
+    Table::with_rows(Cells::Words, fields)
+        .column("Field", |(path, _)| format!("<span><code>{}</code></span>", escape(path)))
+        .column("Type", |(path, _)| types(&rows, path))
+        .column("What it says", |(_, meaning)| with_code(meaning))
+        .finish()
+}
+
+/// Text with the words of the data, which stand between grave accents, as code.
+fn with_code(text: &str) -> String {
+    let parts = text.split('`').enumerate().map(|(at, part)| match at % 2 {
+        1 => format!("<code>{}</code>", escape(part)),
+        _ => in_italics(part),
     });
-    table(&format!("Fields of {file}.json"), Cells::Words, &["Field", "Type", "What it says"], rows)
+    parts.collect()
 }
 
 /// Text with the titles between asterisks in italics.
