@@ -230,7 +230,7 @@ impl Unchecked<ChoiceFn> {
     pub fn first_route(
         self,
         evidence: &'static Evidence,
-        run: impl Fn(Stated) -> Finding + Send + Sync + 'static,
+        run: impl Fn(Stated<'_>) -> Finding + Send + Sync + 'static,
     ) -> Unwitnessed<ChoiceFn> {
         self.first(evidence, Arc::new(run))
     }
@@ -242,7 +242,7 @@ impl Unwitnessed<ChoiceFn> {
     pub fn second_route(
         self,
         evidence: &'static Evidence,
-        run: impl Fn(Stated) -> Finding + Send + Sync + 'static,
+        run: impl Fn(Stated<'_>) -> Finding + Send + Sync + 'static,
     ) -> Claim {
         let witness = Route { evidence, run: Arc::new(run) as Arc<ChoiceFn> };
         Claim { check: Check::Statement { first: self.first, witness, neighbour: None }, ..self.claim }

@@ -15,7 +15,7 @@ pub type TestFn = dyn Fn() -> Finding + Send + Sync;
 pub type DecisionFn = dyn Fn(&str) -> Finding + Send + Sync;
 
 /// A way to find whether a statement holds, which is tried on the right statement and on its neighbour.
-pub type ChoiceFn = dyn Fn(Stated) -> Finding + Send + Sync;
+pub type ChoiceFn = dyn Fn(Stated<'_>) -> Finding + Send + Sync;
 
 /// Whether characters hold wherever they are read and evaluated; none if they cannot be read.
 pub type ReadingFn = dyn Fn(&str) -> Option<bool> + Send + Sync;

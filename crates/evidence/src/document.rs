@@ -305,10 +305,15 @@ impl fmt::Display for Document {
 impl Claim {
     /// The characters that are right: those of the correction, if there is one; what they say, if they are not printed.
     pub fn right_characters(&self) -> &'static str {
+        self.right_for(self.printed)
+    }
+
+    /// The characters that are right if these are printed.
+    pub(crate) fn right_for<'a>(&self, printed: &'a str) -> &'a str {
         match (&self.check, &self.erratum) {
             (Check::Equation { said: Some(said), .. }, _) => said,
             (_, Some(erratum)) => erratum.corrected,
-            (_, None) => self.printed,
+            (_, None) => printed,
         }
     }
 
@@ -332,15 +337,20 @@ impl Claim {
     /// What the witness of an equation finds: the right characters hold, read and evaluated, and the printed ones do not,
     /// if they are corrected. Characters that are said in the letters of mathematics hold as they are printed too.
     pub fn witnessed(&self) -> Finding {
+        self.witnessed_as(self.printed)
+    }
+
+    /// What the witness of an equation finds if these characters are printed.
+    pub(crate) fn witnessed_as(&self, printed: &str) -> Finding {
         let Check::Equation { witness, said, also, .. } = &self.check else {
             return Finding::not_evaluated("the claim is no equation");
         };
         let holds = &witness.run;
-        let read = match (holds(self.right_characters()), &self.erratum) {
-            (Some(true), None) if said.is_some() => Finding::of_reading(holds(self.printed)),
+        let read = match (holds(self.right_for(printed)), &self.erratum) {
+            (Some(true), None) if said.is_some() => Finding::of_reading(holds(printed)),
             (found @ None, _) | (found, None) => Finding::of_reading(found),
             (Some(right), Some(_)) => Finding::new(
-                right && holds(self.printed) != Some(true),
+                right && holds(printed) != Some(true),
                 "values that must satisfy the equation satisfy only its corrected form",
             ),
         };

@@ -1,5 +1,6 @@
 //! The verdict on a claim, derived.
 
+use crate::number_format::fixed;
 use crate::tex::places_changed;
 use crate::units::unit_fault;
 use crate::{
@@ -7,6 +8,7 @@ use crate::{
     Stated, Truth, Verdict,
 };
 use std::any::Any;
+use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A claim with its derived verdict and what was found on the way.
@@ -14,6 +16,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub struct Judged {
     /// The claim.
     pub claim: &'static Claim,
+    /// The characters that were judged: the printed ones, or others in their place.
+    pub printed: Cow<'static, str>,
     /// The derived verdict.
     pub verdict: Verdict,
     /// The computed number in the printed unit, if the claim is one.
@@ -32,9 +36,10 @@ pub struct Judged {
 
 impl Judged {
     /// Nothing found yet.
-    fn undecided(claim: &'static Claim) -> Self {
+    fn undecided(claim: &'static Claim, printed: Cow<'static, str>) -> Self {
         Self {
             claim,
+            printed,
             verdict: Verdict::NotReproducible,
             computed: None,
             witnessed: None,
@@ -61,9 +66,25 @@ impl Judged {
         self.truth() == Truth::Wrong && self.claim.erratum.as_ref().is_some_and(miscopied)
     }
 
+    /// Whether the characters that were judged are the printed ones.
+    pub fn is_as_printed(&self) -> bool {
+        self.printed == self.claim.printed
+    }
+
+    /// A number beside the judged characters, with some places more.
+    pub fn rounded(&self, number: f64) -> String {
+        let places = match self.printed.parse::<Decimal>() {
+            // A fraction has no last place to go by.
+            Ok(_) if self.printed.contains('/') => 2 * Decimal::MORE_PLACES,
+            Ok(decimal) => decimal.places() as usize + Decimal::MORE_PLACES,
+            Err(_) => Decimal::MORE_PLACES,
+        };
+        fixed(number, places)
+    }
+
     /// The printed number, if the claim is one.
     pub fn printed_number(&self) -> Option<f64> {
-        Some(self.claim.printed.parse::<Decimal>().ok()?.to_f64())
+        Some(self.printed.parse::<Decimal>().ok()?.to_f64())
     }
 
     /// What should stand in the place of the printed characters, if something should: as the erratum has it, or the
@@ -73,7 +94,7 @@ impl Judged {
         if !erratum.corrected.is_empty() {
             return Some(erratum.corrected.to_owned());
         }
-        Some(self.claim.printed.parse::<Decimal>().ok()?.like(self.right_value?))
+        Some(self.printed.parse::<Decimal>().ok()?.like(self.right_value?))
     }
 
     /// What is wrong, a line each; empty if the claim holds.
@@ -91,10 +112,16 @@ impl Judged {
 ///
 /// No claim takes the others down: a check that stops with a panic is a fault of its own claim, which says with what.
 pub fn judge(claim: &'static Claim) -> Judged {
+    judge_characters(claim, Cow::Borrowed(claim.printed))
+}
+
+/// Derives the verdict on a claim as if these characters were printed in it, as [`judge`] does. Nothing is recorded: what is
+/// said of other characters than the printed ones is not about the document.
+pub fn judge_characters(claim: &'static Claim, printed: Cow<'static, str>) -> Judged {
     // Nothing half-made is seen afterwards: what a check keeps for later is kept only when it is whole.
-    catch_unwind(AssertUnwindSafe(|| derived(claim))).unwrap_or_else(|panic| {
+    catch_unwind(AssertUnwindSafe(|| derived(claim, printed.clone()))).unwrap_or_else(|panic| {
         let faults = vec![format!("the check stopped: {}", words(&*panic))];
-        Judged { verdict: Verdict::NotReproduced, faults, ..Judged::undecided(claim) }
+        Judged { verdict: Verdict::NotReproduced, faults, ..Judged::undecided(claim, printed.clone()) }
     })
 }
 
@@ -104,8 +131,8 @@ fn words(panic: &(dyn Any + Send)) -> &str {
     owned.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a word")
 }
 
-fn derived(claim: &'static Claim) -> Judged {
-    let mut judged = Judged::undecided(claim);
+fn derived(claim: &'static Claim, printed: Cow<'static, str>) -> Judged {
+    let mut judged = Judged::undecided(claim, printed);
     match &claim.check {
         Check::Number { computed, witness, from_rounded, resolution, right } => {
             judged.from_rounded = from_rounded.as_ref().map(|run| run());
@@ -141,7 +168,7 @@ fn number(judged: &mut Judged, computed: &Route<NumberFn>, witness: &Route<Numbe
     let claim = judged.claim;
     let (value, witnessed) = ((computed.run)(), (witness.run)());
     (judged.computed, judged.witnessed) = (Some(value), Some(witnessed));
-    let printed: Decimal = match claim.printed.parse() {
+    let printed: Decimal = match judged.printed.parse() {
         Ok(printed) => printed,
         Err(unreadable) => {
             judged.verdict = Verdict::NotReproduced;
@@ -205,7 +232,7 @@ fn put_right(judged: &mut Judged, routes: &[Route<NumberFn>; 2], resolution: Opt
     if stated.is_some_and(|erratum| !correction_passes(erratum, right)) {
         judged.faults.push(format!("the correction is not the right number, {right}"));
     }
-    let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
+    let Ok(printed) = judged.printed.parse::<Decimal>() else { return };
     record_disagreement(judged, routes.each_ref().map(|route| route.evidence), [right, witnessed], &printed);
     if printed.is_rounding_of(right) {
         return;
@@ -226,15 +253,15 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
 /// An equation as printed and as corrected, of which the characters decide.
 fn equation(judged: &mut Judged, decide: &DecisionFn, witness: &Evidence) {
     let claim = judged.claim;
-    let as_printed = decide(claim.printed);
+    let as_printed = decide(&judged.printed);
     let correction = claim.erratum.as_ref().map(|erratum| decide(erratum.corrected));
-    let witnessed = claim.witnessed();
+    let witnessed = claim.witnessed_as(&judged.printed);
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());
     }
     if let Some(erratum) = &claim.erratum {
-        let places = places_changed(claim.printed, erratum.corrected);
+        let places = places_changed(&judged.printed, erratum.corrected);
         if places != erratum.places {
             judged.faults.push(format!(
                 "the correction changes the printed characters in {places} places, and {} on record",
@@ -254,7 +281,8 @@ fn equation(judged: &mut Judged, decide: &DecisionFn, witness: &Evidence) {
 }
 
 fn statement(judged: &mut Judged, first: &Route<ChoiceFn>, witness: &Route<ChoiceFn>, neighbour: Option<&'static str>) {
-    let both = [Stated::right(judged.claim.right_characters()), Stated::wrong(judged.claim.printed)];
+    let printed = judged.printed.clone();
+    let both = [Stated::right(judged.claim.right_for(&printed)), Stated::wrong(&printed)];
     let [right, wrong] = both.map(&*first.run);
     judged.verdict = match neighbour {
         Some(_) => verdict(right.holds, None),

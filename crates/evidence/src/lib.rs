@@ -55,6 +55,7 @@
 //! This crate knows no subject: what the claims are about, which kinds of evidence a ledger uses and how exactly they must
 //! agree is the ledger's own.
 
+mod account;
 pub mod agreement;
 mod building;
 mod check;
@@ -76,12 +77,14 @@ mod slugs;
 mod stated;
 pub mod testing;
 pub mod tex;
+mod told;
 mod tolerance;
 mod traced_slip;
 mod units;
 mod verdict;
 mod vocabulary;
 
+pub use account::{Account, MOST_CHARACTERS};
 pub use building::{Locator, Unchecked, Unwitnessed, intern};
 pub use check::{Check, ChoiceFn, DecisionFn, Finding, NumberFn, ReadingFn, Route, TestFn};
 pub use coverage::{entry_numbers, line_gap, without_ellipses};
@@ -89,7 +92,7 @@ pub use dimension::Dimension;
 pub use document::{Cache, Claim, Document, Kind, QuantityUnit, looked_up_by};
 pub use inventory::{Entry, Line, Symbol, joined_or_none, number_tokens, numeric_tokens};
 pub use inventory_file::{Fault, InventoryFile, Malformed};
-pub use judge::{Judged, judge};
+pub use judge::{Judged, judge, judge_characters};
 pub use kind_of_evidence::{Agreement, Evidence};
 pub use ledger::Ledger;
 pub use nearest::nearest_name;
@@ -98,6 +101,7 @@ pub use own_number::{Backing, Form, GIVEN, IntoNumbers, Numbers, OwnNumber, RECO
 pub use printed::{Decimal, Mark, Marked, Unreadable};
 pub use slip::{Consequence, Erratum, FELT, Origin, Slip};
 pub use stated::{Stated, another, numbers_in};
+pub use told::sentences;
 pub use tolerance::{ARITHMETIC, CLOSURE, DIFFERENCES, ROUTES, Tolerance};
 pub use traced_slip::TracedSlip;
 pub use verdict::{Truth, Verdict};

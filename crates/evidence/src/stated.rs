@@ -7,20 +7,20 @@ use std::ops::Range;
 /// Which of two neighbouring statements is put to a route, and its characters. A check that cannot fail is not a check: a
 /// route that accepts the right one must refuse the wrong one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stated {
-    characters: &'static str,
+pub struct Stated<'a> {
+    characters: &'a str,
     right: bool,
 }
 
-impl Stated {
+impl<'a> Stated<'a> {
     /// The one that is right, with the printed characters or, if these are wrong, with those of the correction.
-    pub fn right(characters: &'static str) -> Self {
+    pub fn right(characters: &'a str) -> Self {
         Self { characters, right: true }
     }
 
     /// The one that is wrong, with the printed characters: the printed form if it is corrected, else a neighbour made for
     /// the purpose, which has them all the same.
-    pub fn wrong(characters: &'static str) -> Self {
+    pub fn wrong(characters: &'a str) -> Self {
         Self { characters, right: false }
     }
 
@@ -30,7 +30,7 @@ impl Stated {
     }
 
     /// The characters: of the printed form, or of its correction.
-    pub fn characters(self) -> &'static str {
+    pub fn characters(self) -> &'a str {
         self.characters
     }
 

@@ -1,18 +1,25 @@
 //! The list of claims.
 
 use crate::fields;
-use crate::output::{TextLayout, count, heading, style, truncate_to_width};
+use crate::output::{Outcome, TextLayout, count, heading, style, truncate_to_width};
 use crate::typed::{self, CommandFormat, Output, formats};
+use anyhow::{anyhow, bail};
 use clap::Args;
 use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
-use geneva_evidence::Document;
-use geneva_evidence::{Decimal, Judged, Verdict, without_ellipses};
+use geneva_evidence::{Account, Claim, Decimal, Document, Judged, Verdict, nearest_name, without_ellipses};
+use geneva_host::printable::escape_and_shorten;
 use geneva_press::records;
 
 /// Options of `geneva claims`.
 #[derive(Args, Debug)]
 pub(crate) struct ClaimsArguments {
+    /// Check these claims here and now, and tell of each what was found; without any, list all
+    #[arg(value_name = "ID", value_parser = claim_with_id, conflicts_with_all = ["source", "verdict"])]
+    pub ids: Vec<&'static Claim>,
+    /// Check the claim as if these characters were printed in it, to see that its check can fail
+    #[arg(long, value_name = "CHARACTERS", requires = "ids", allow_hyphen_values = true)]
+    pub printed: Option<String>,
     /// List only the claims of this source
     #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
@@ -31,6 +38,40 @@ pub(crate) struct ClaimsArguments {
     pub to: Output,
 }
 
+/// The claim with this id.
+fn claim_with_id(id: &str) -> Result<&'static Claim, String> {
+    LEDGER.claim(id).ok_or_else(|| {
+        let nearest = nearest_name(id, LEDGER.claims().iter().map(|claim| claim.id));
+        format!("no claim has this id; the nearest is `{}`", nearest.unwrap_or_default())
+    })
+}
+
+/// What was found of each of the claims that are wanted by their ids, and whether all match the record. None if none is wanted so.
+pub(crate) fn accounts(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<Option<(String, Outcome)>> {
+    if wanted.ids.is_empty() {
+        return Ok(None);
+    }
+    wanted.format.only_with(
+        CommandFormat::Text,
+        "--printed",
+        wanted.printed.as_deref().map(escape_and_shorten),
+        "text",
+    )?;
+    if wanted.format != CommandFormat::Text {
+        return Ok(None);
+    }
+    let accounts = match (&wanted.printed, &wanted.ids[..]) {
+        (None, ids) => ids.iter().map(|claim| Account::of(claim)).collect::<Vec<_>>(),
+        (Some(characters), [claim]) => {
+            vec![Account::of_characters(claim, characters).map_err(|why| anyhow!("--printed: {why}"))?]
+        }
+        (Some(_), ids) => bail!("--printed is about one claim, and {} are named: name one", ids.len()),
+    };
+    let texts: Vec<String> = accounts.iter().map(|account| layout.folded(&account.text())).collect();
+    let holds = accounts.iter().all(|account| account.judged.matches_record());
+    Ok(Some((texts.join("\n"), Outcome::as_recorded_if(holds))))
+}
+
 /// The claims that are wanted, in the format that is wanted.
 pub(crate) fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
@@ -46,8 +87,11 @@ pub(crate) fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Resu
     }
 }
 
-/// The verdicts on the claims of the source that is wanted, or on all.
+/// The verdicts on the claims that are wanted by their ids, on those of the source that is wanted, or on all.
 pub(crate) fn wanted_verdicts(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
+    if !wanted.ids.is_empty() {
+        return wanted.ids.iter().filter_map(|claim| LEDGER.verdict(claim.id)).collect();
+    }
     wanted.source.map_or_else(|| LEDGER.verdicts().to_vec(), |source| LEDGER.verdicts_of(source))
 }
 

@@ -115,6 +115,10 @@ fn answered(arguments: Arguments, folder: &tempfile::TempDir) -> Option<anyhow::
     let layout = TextLayout::default();
     let quick = |source: Option<&'static geneva_evidence::Document>| source.is_some_and(|source| source.slug == "pin");
     Some(match arguments.command? {
+        Command::Claims(wanted) if !wanted.ids.is_empty() => {
+            let accounts = claims::accounts(&wanted, layout);
+            accounts.and_then(|of| of.map_or_else(|| claims::page(&wanted, layout), |(page, _)| Ok(page)))
+        }
         Command::Claims(wanted) if quick(wanted.source) => claims::page(&wanted, layout),
         Command::Errata(wanted) if quick(wanted.source) => errata::page(&wanted, layout),
         Command::Coverage(wanted) => coverage::page(&wanted, layout).map(|(page, _)| page),

@@ -123,6 +123,8 @@ enum Command {
 Examples:
   geneva claims --source pin
   geneva claims --verdict corrected
+  geneva claims pin.radius
+  geneva claims pin.radius --printed 37.2
   geneva claims --format json --output claims.json")]
     Claims(claims::ClaimsArguments),
     /// List the mistakes in the sources, most serious first, each with its correction, reason and witness
@@ -270,6 +272,10 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
         None => verify_and_build(streams),
         Some(Command::Claims(wanted)) => {
             let layout = output::layout_for(&wanted.to.output, streams);
+            if let Some((page, outcome)) = claims::accounts(&wanted, layout)? {
+                output::write_output(&page, &wanted.to.output, streams)?;
+                return Ok(outcome);
+            }
             output::write_output(&claims::page(&wanted, layout)?, &wanted.to.output, streams)?;
             Ok(as_recorded(claims::wanted_verdicts(&wanted), streams))
         }

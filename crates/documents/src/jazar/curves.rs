@@ -145,6 +145,9 @@ fn infinite_jerk() -> Claim {
         .but_not("the jerk is infinite on the line of centres, too")
 }
 
+/// What a number of stations below two says, or words without a number.
+const NO_WHEEL: &str = "fewer than two stations make no wheel";
+
 fn least_stations() -> Claim {
     STATIONS
         .statement(
@@ -156,6 +159,9 @@ fn least_stations() -> Claim {
             // The engagement to either side, π/2 − π/N, as a part of π.
             let engagement = |stations: i64| rational(1, 2) - rational(1, stations);
             let least = stated.pick(i64::from(stated.count()), 2);
+            if least < 2 {
+                return Finding::new(false, NO_WHEEL);
+            }
             let possible = (least..=1000).all(|stations| engagement(stations) > rational(0, 1));
             let part = engagement(least);
             Finding::new(
@@ -172,6 +178,9 @@ fn least_stations() -> Claim {
             };
             let positive = |stations| sizes(stations).iter().all(|size| *size > geneva_evidence::CLOSURE.relative);
             let least = stated.pick(stated.count(), 2);
+            if least < 2 {
+                return Finding::new(false, NO_WHEEL);
+            }
             Finding::new(
                 (least..=1000).all(positive) && !positive(least - 1),
                 format!(

@@ -350,13 +350,13 @@ mod tests {
 
     #[test]
     fn any_threshold_between_three_and_sixteen_per_cent_gives_the_same_verdict() {
-        let most = |stated: Stated| {
+        fn most(stated: Stated<'_>) -> impl Iterator<Item = f64> {
             series(rows()).map(move |own| {
                 let velocity = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
                 let points: Vec<_> = own.iter().map(|row| (row.torque(), velocity(row))).collect();
                 misses_of_line(&points, stated).iter().map(|miss| miss.abs()).fold(0.0, f64::max)
             })
-        };
+        }
         assert!(most(Stated::right("")).all(|miss| miss < 0.03));
         assert!(most(Stated::wrong("")).all(|miss| miss > 0.16));
     }

@@ -141,7 +141,7 @@ fn quantity() -> Vec<Claim> {
 }
 
 /// The printed quantity, or its neighbour.
-fn quantity_with(stated: Stated) -> &'static str {
+fn quantity_with(stated: Stated<'_>) -> &str {
     stated.pick(stated.characters(), r"(1 + a^2 + 2a \cos \theta)")
 }
 

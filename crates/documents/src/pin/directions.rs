@@ -79,18 +79,18 @@ pub(super) fn velocity_figure() -> Claim {
 }
 
 /// Whether the slot's point moves across OP, or across BP. Variables as in the formula crate: p, q, l, ω.
-struct Across(Stated);
+struct Across<'a>(Stated<'a>);
 
-impl Identity<4> for Across {
+impl Identity<4> for Across<'_> {
     fn difference(&self, variables: [Expression; 4]) -> Expression {
         moving(variables, |motion, crank| motion.slot_point_velocity.dot(&self.0.pick(motion.position, crank)))
     }
 }
 
 /// Whether the sliding velocity is along OP, or along BP. The variables are the same as in [`Across`].
-struct Along(Stated);
+struct Along<'a>(Stated<'a>);
 
-impl Identity<4> for Along {
+impl Identity<4> for Along<'_> {
     fn difference(&self, variables: [Expression; 4]) -> Expression {
         moving(variables, |motion, crank| motion.sliding_velocity.perp(&self.0.pick(motion.position, crank)))
     }

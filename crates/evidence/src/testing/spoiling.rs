@@ -1,11 +1,12 @@
 //! What is spoilt: digits, numbers in sentences, routes, formulas.
 
 use super::{Guarded, Report};
+use crate::account::with_next_digit;
 use crate::{
     Check, ChoiceFn, Claim, Decimal, DecisionFn, Erratum, Evidence, Finding, Judged, Kind, Locator, NumberFn,
-    ReadingFn, Route, Stated, TestFn, Verdict, another, judge, numbers_in,
+    ReadingFn, Route, Stated, TestFn, Verdict, another, judge, judge_characters, numbers_in,
 };
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Mutex, OnceLock};
 
 /// The statements, figures and examples without a neighbour that their routes must refuse, or with one that says nothing.
@@ -39,17 +40,13 @@ pub fn wrong_digits(guarded: Guarded) -> Report {
             continue;
         };
         let unit = printed.unit_in_last_place().to_f64_fast();
-        for (at, digit) in claim.printed.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
+        for (at, _) in claim.printed.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
             let reach = resolution.as_ref().filter(|_| Some(at) == last).map_or(0.0, |run| run() / unit);
-            let step = (2.0 * reach) as u32 + 1;
-            if step >= 10 {
-                faults.push(format!("{}: {step} digits are within reach", claim.id));
+            let Some(wrong) = with_next_digit(claim.printed, at, (2.0 * reach) as u32 + 1) else {
+                faults.push(format!("{}: every digit is within reach, {reach} units", claim.id));
                 continue;
-            }
-            let other = digit.to_digit(10).and_then(|digit| char::from_digit((digit + step) % 10, 10));
-            let mut wrong = claim.printed.to_owned();
-            wrong.replace_range(at..=at, &other.unwrap_or_default().to_string());
-            let judged = judge(with_printed(claim, wrong.clone()));
+            };
+            let judged = judge_characters(claim, wrong.clone().into());
             // A number that is corrected stays wrong with another digit: what must not happen is that it is accepted.
             let still_wrong = matches!(claim.expected, Verdict::Corrected | Verdict::NotReproduced);
             if !is_noticed(&judged) && !still_wrong {
@@ -73,15 +70,15 @@ pub fn other_numbers_in_sentences(guarded: Guarded) -> Report {
             }
             let mut wrong = right.to_owned();
             wrong.replace_range(at.clone(), &another(&right[at]));
-            let other = match &claim.erratum {
-                None => with_printed(claim, wrong.clone()),
+            let judged = match &claim.erratum {
+                None => judge_characters(claim, wrong.clone().into()),
                 Some(erratum) => {
                     let erratum = Erratum { corrected: wrong.clone().leak(), ..*erratum };
-                    Box::leak(Box::new(Claim { erratum: Some(erratum), ..Claim::clone(claim) }))
+                    judge(Box::leak(Box::new(Claim { erratum: Some(erratum), ..Claim::clone(claim) })))
                 }
             };
             tried += 1;
-            if is_noticed(&judge(other)) {
+            if is_noticed(&judged) {
                 continue;
             }
             if guarded.free_numbers.iter().any(|(id, _)| *id == claim.id) {
@@ -186,7 +183,7 @@ pub fn spoilt_formulas(guarded: Guarded) -> Report {
             }
             not_evaluated += 1;
             if std::mem::take(&mut first) {
-                let judged = judge(with_printed(claim, spoilt.clone()));
+                let judged = judge_characters(claim, spoilt.clone().into());
                 if judged.matches_record() || has_stopped(&judged) {
                     faults.push(format!("{}: {spoilt}: {:?}", claim.id, judged.faults));
                 }
@@ -196,19 +193,20 @@ pub fn spoilt_formulas(guarded: Guarded) -> Report {
     Report::new(not_evaluated, faults)
 }
 
-/// The characters with which a check stops and its claim still agrees with its record. The judge comes back, whatever is printed.
+/// The characters with which a check stops. The judge comes back, whatever is printed.
 pub fn endless_characters(guarded: Guarded) -> Report {
     const MANY: [&str; 8] =
         ["", "0", "-", "4,", "1/0", r"\frac{}{0} = ^", "999999999999999999999", "1.5708, 1.0472 and one"];
     let (mut tried, mut faults) = (0, Vec::new());
     for claim in guarded.ledger.claims() {
-        let claim = Claim { check: remembered(claim.check.clone()), ..Claim::clone(claim) };
+        let check = remembered(claim.check.clone());
+        let claim: &'static Claim = Box::leak(Box::new(Claim { check, ..Claim::clone(claim) }));
         // A statement without numbers has no characters to read. What takes the first for one meets too few or too many.
         let reads = !matches!(claim.check, Check::Statement { .. }) || !numbers_in(claim.printed).is_empty();
         for printed in if reads { &MANY[..] } else { &MANY[6..] } {
             tried += 1;
-            let judged = judge(with_printed(&claim, (*printed).to_owned()));
-            if has_stopped(&judged) && judged.matches_record() {
+            // Where there is no unwinding, as in a page, a check that stops ends the program.
+            if has_stopped(&judge_characters(claim, (*printed).into())) {
                 faults.push(format!("{}: {printed}", claim.id));
             }
         }
@@ -241,10 +239,6 @@ fn has_stopped(judged: &Judged) -> bool {
     judged.faults.iter().any(|fault| fault.starts_with("the check stopped"))
 }
 
-fn with_printed(claim: &Claim, printed: String) -> &'static Claim {
-    Box::leak(Box::new(Claim { printed: printed.leak(), ..claim.clone() }))
-}
-
 /// The check with routes that run once for the same characters: only those of a statement are told them.
 fn remembered(check: Check) -> Check {
     fn number(run: Arc<NumberFn>) -> Arc<NumberFn> {
@@ -257,16 +251,14 @@ fn remembered(check: Check) -> Check {
     }
     fn choice(run: Arc<ChoiceFn>) -> Arc<ChoiceFn> {
         // A route that stops while the list is locked does not harm it.
-        let found = Mutex::new(Vec::<(Stated, Finding)>::new());
-        Arc::new(move |stated| {
-            let known = |all: &[(Stated, Finding)]| {
-                all.iter().find(|(other, _)| *other == stated).map(|(_, finding)| finding.clone())
-            };
-            if let Some(finding) = known(&found.lock().unwrap_or_else(|poisoned| poisoned.into_inner())) {
-                return finding;
+        let found = Mutex::new(HashMap::<(bool, String), Finding>::new());
+        Arc::new(move |stated: Stated<'_>| {
+            let key = (stated.pick(true, false), stated.characters().to_owned());
+            if let Some(finding) = found.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).get(&key) {
+                return finding.clone();
             }
             let finding = run(stated);
-            found.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push((stated, finding.clone()));
+            found.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).insert(key, finding.clone());
             finding
         })
     }

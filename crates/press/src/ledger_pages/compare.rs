@@ -1,6 +1,6 @@
 //! The table of printed against computed numbers, with the differing digits marked.
 
-use super::inline::{computed, linked_badge, rounded, with_unit};
+use super::inline::{computed, linked_badge, with_unit};
 use crate::book::Book;
 use crate::html::escape;
 use crate::lookup;
@@ -33,7 +33,7 @@ pub fn table(book: &Book, of: &str) -> anyhow::Result<Table> {
         .columns(
             rounds,
             |head| (*head).to_owned(),
-            |judged, _| judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),
+            |judged, _| judged.from_rounded.map_or_else(dash, |number| judged.rounded(number)),
         )
         .column("Verdict", |judged| linked_badge(book, judged))
         .finish()?;

@@ -1,7 +1,7 @@
 //! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
 use super::findings::how;
-use super::inline::{badge, linked_id, rounded, with_unit};
+use super::inline::{badge, linked_id, with_unit};
 use crate::book::Book;
 use crate::formula::{breakable, mark_changes, tex_or_text};
 use crate::html::{escape, prose};
@@ -145,12 +145,12 @@ fn explain(
         ("Second witness's number", judged.witnessed, evidence.last()),
     ] {
         if let (Some(number), Some(kind)) = (number, kind) {
-            entry(term, format!("{} ({})", with_unit(book, &rounded(judged, number), claim.unit)?, kind.name));
+            entry(term, format!("{} ({})", with_unit(book, &judged.rounded(number), claim.unit)?, kind.name));
         }
     }
     // Where the source's own way leads to another number, the right one rests on more than its printed places.
     if let Some(right) = judged.right_value.filter(|right| judged.computed.is_some_and(|own| own != *right)) {
-        entry("Right number, to more digits", with_unit(book, &rounded(judged, right), claim.unit)?);
+        entry("Right number, to more digits", with_unit(book, &judged.rounded(right), claim.unit)?);
     }
     if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("How we read it", escape(reading));

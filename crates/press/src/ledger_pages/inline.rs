@@ -3,9 +3,9 @@
 use crate::book::Book;
 use crate::formula::{breakable, tex_or_text};
 use crate::html::{GLUED, escape, prose};
-use crate::{lookup, maths, numbers};
+use crate::{lookup, maths};
 use anyhow::anyhow;
-use geneva_evidence::{Check, Claim, Consequence, Decimal, Erratum, Judged, Truth, Verdict, without_ellipses};
+use geneva_evidence::{Check, Claim, Consequence, Erratum, Judged, Truth, Verdict, without_ellipses};
 
 /// The printed characters with their unit.
 pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
@@ -25,7 +25,7 @@ pub fn computed_value(book: &Book, judged: &'static Judged) -> anyhow::Result<St
 /// The right number with its unit, where the printed one is not right.
 pub fn right(book: &Book, id: &str) -> anyhow::Result<String> {
     let judged = lookup::verdict(book.ledger, id)?;
-    let in_places = || judged.right_value.map(|right| rounded(judged, right));
+    let in_places = || judged.right_value.map(|right| judged.rounded(right));
     let right = judged.corrected().or_else(in_places);
     let right = right.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(book, &tex_or_text(&right)?, judged.claim.unit)?))
@@ -204,19 +204,7 @@ pub fn badge(verdict: Verdict) -> String {
 
 /// The computed number, with some places more than the printed one.
 pub fn computed(judged: &Judged) -> Option<String> {
-    Some(rounded(judged, judged.computed?))
-}
-
-/// A number beside the printed one of a claim, with some places more.
-pub fn rounded(judged: &Judged, number: f64) -> String {
-    let printed: Option<Decimal> = judged.claim.printed.parse().ok();
-    let places = match printed {
-        // A fraction has no last place to go by.
-        Some(_) if judged.claim.printed.contains('/') => 2 * Decimal::MORE_PLACES,
-        Some(decimal) => decimal.places() as usize + Decimal::MORE_PLACES,
-        None => Decimal::MORE_PLACES,
-    };
-    numbers::fixed(number, places)
+    Some(judged.rounded(judged.computed?))
 }
 
 /// A number, already HTML, with its unit behind.

@@ -5,7 +5,7 @@
 
 use super::errata::forms;
 use super::findings::{how, with_minus_signs};
-use super::inline::{computed, place, rounded, with_unit};
+use super::inline::{computed, place, with_unit};
 use super::open;
 use crate::book::Book;
 use crate::data::{FOLDER, PageFile};
@@ -138,7 +138,7 @@ fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
 /// What is right, where what was computed is not.
 fn right(judged: &Judged) -> String {
     let in_error = judged.right_value.filter(|right| judged.computed != Some(*right));
-    in_error.map_or_else(String::new, |right| format!(", right {}", rounded(judged, right)))
+    in_error.map_or_else(String::new, |right| format!(", right {}", judged.rounded(right)))
 }
 
 /// What was found, in a line: the mistake, what is missing, or how the printed form holds.
@@ -168,7 +168,7 @@ fn details(book: &Book, judged: &Judged) -> anyhow::Result<String> {
             out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>"));
         }
     };
-    let number = |number: f64| with_unit(book, &rounded(judged, number), claim.unit);
+    let number = |number: f64| with_unit(book, &judged.rounded(number), claim.unit);
     for (term, value, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second route", judged.witnessed, evidence.last()),

@@ -185,7 +185,7 @@ fn between_lines(by_steps: bool, stated: Stated) -> Finding {
 /// Which angle the lines contain: the angle of the engagement.
 fn angle() -> Claim {
     // Through how much the driver has turned, and the pin's angle in the slot or the one meant instead.
-    let turns = |stated: Stated| {
+    fn turns(stated: Stated<'_>) -> impl Iterator<Item = (Mechanism, f64, f64, f64)> {
         let of = move |mechanism: Mechanism| {
             (0..100).map(move |k| {
                 let turned = (f64::from(k) + 0.5) * 0.0625;
@@ -194,7 +194,7 @@ fn angle() -> Claim {
             })
         };
         Mechanism::ALL.into_iter().flat_map(of)
-    };
+    }
     let value = |line: &str, mechanism: Mechanism, angle: f64| {
         let letters = [("G", mechanism.centre_distance_ratio()), ("X", angle)];
         reading::value(parts(line).1, &reading::by_name(letters))
@@ -248,7 +248,9 @@ fn varies() -> Claim {
 
 /// Where the driver's angle begins.
 fn from_zero() -> Claim {
-    let begins = |stated: Stated| move |at: Mechanism| stated.pick(stated.number(), -at.engagement_half_angle());
+    fn begins(stated: Stated<'_>) -> impl Fn(Mechanism) -> f64 {
+        move |at| stated.pick(stated.number(), -at.engagement_half_angle())
+    }
     AFTER
         .statement(
             "meyer.app-b.from-zero",

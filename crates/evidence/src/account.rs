@@ -1,0 +1,249 @@
+//! The account of a check: what is printed, what both routes give and refuse, and the verdict beside the record.
+//!
+//! It is what a reader gets who lets a claim be checked, in a page or at the command line: the same characters in both. The
+//! printed characters may be others than those of the document, to see that a check can fail.
+
+use crate::tex::misprints;
+use crate::{Check, Claim, Decimal, Judged, Ledger, Verdict, judge, judge_characters, sentences};
+
+/// What was found when a claim was checked, in words.
+#[derive(Clone, Debug)]
+pub struct Account {
+    /// The claim as it was judged.
+    pub judged: Judged,
+    /// What is told, each with its label, as plain text in one line.
+    pub lines: Vec<(&'static str, String)>,
+}
+
+/// Most characters that may be put in the place of the printed ones.
+pub const MOST_CHARACTERS: usize = 2000;
+
+impl Account {
+    /// The account of a claim as it is printed, with a near miss that both routes refuse.
+    pub fn of(claim: &'static Claim) -> Self {
+        let judged = judge(claim);
+        let near_miss = near_miss(&judged);
+        Self::with(judged, near_miss)
+    }
+
+    /// The account of a claim as if other characters were printed in it.
+    ///
+    /// # Errors
+    ///
+    /// If there are more than [`MOST_CHARACTERS`]; the message says so.
+    pub fn of_characters(claim: &'static Claim, printed: &str) -> Result<Self, String> {
+        let count = printed.chars().count();
+        if count > MOST_CHARACTERS {
+            return Err(format!("{count} characters are too many: give at most {MOST_CHARACTERS}"));
+        }
+        if printed == claim.printed {
+            return Ok(Self::of(claim));
+        }
+        Ok(Self::with(judge_characters(claim, printed.to_owned().into()), None))
+    }
+
+    fn with(judged: Judged, near_miss: Option<String>) -> Self {
+        let claim = judged.claim;
+        let mut lines = Vec::new();
+        let mut tell = |label, text: String| {
+            if !text.is_empty() {
+                lines.push((label, in_one_line(&text)));
+            }
+        };
+        let with_unit = |characters: &str| {
+            let space = if claim.unit.is_empty() || claim.unit.starts_with('°') { "" } else { " " };
+            format!("{characters}{space}{}", claim.unit)
+        };
+        tell("Claim", format!("{}, {}: {}", claim.document, claim.locator, claim.meaning));
+        if judged.is_as_printed() {
+            tell("Printed", with_unit(claim.printed));
+        } else {
+            tell("Put in", with_unit(&judged.printed));
+            tell("Printed", with_unit(claim.printed));
+        }
+        let evidence = claim.check.evidence();
+        let kinds = [evidence.first(), evidence.last()].map(|kind| kind.map_or("", |kind| kind.name));
+        let number = |number: f64| with_unit(&judged.rounded(number));
+        match (judged.computed, judged.witnessed) {
+            (Some(first), Some(second)) => {
+                tell("First route", format!("{} (by {})", number(first), kinds[0]));
+                tell("Second route", format!("{} (by {})", number(second), kinds[1]));
+            }
+            _ if evidence.is_empty() => {}
+            _ => tell("Two routes", format!("by {}, and by {}", kinds[0], kinds[1])),
+        }
+        tell("From the source’s rounded steps", judged.from_rounded.map(number).unwrap_or_default());
+        let other_right = judged.right_value.filter(|right| judged.computed != Some(*right));
+        tell("Right", other_right.map(number).unwrap_or_default());
+        tell("Found", found(&judged).join(" "));
+        tell("Near miss", near_miss.unwrap_or_default());
+        // What the class means is said of documents.
+        let meaning = if judged.is_as_printed() { format!(": {}", judged.verdict.meaning()) } else { String::new() };
+        tell("Verdict", format!("{}{meaning}", judged.verdict));
+        let complaints = judged.complaints();
+        tell("Record", if complaints.is_empty() { "as recorded".to_owned() } else { complaints.join("; ") });
+        tell("Stated in", format!("{}:{}", claim.stated_at.file(), claim.stated_at.line()));
+        Self { judged, lines }
+    }
+
+    /// The account as text: a line for each thing that is told.
+    ///
+    /// ```no_run
+    /// # static LEDGER: geneva_evidence::Ledger = geneva_evidence::Ledger::new(&[], &[]);
+    /// let claim = LEDGER.claim("leaflet.fall-time").expect("a claim");
+    /// print!("{}", geneva_evidence::Account::of(claim).text());
+    /// ```
+    pub fn text(&self) -> String {
+        self.lines.iter().map(|(label, text)| format!("{label}: {text}\n")).collect()
+    }
+}
+
+/// What was found of the digits of a number, or of the form of anything else.
+fn found(judged: &Judged) -> Vec<String> {
+    let mut told = sentences(judged);
+    if let Some(value) = judged.computed {
+        told.push(match judged.printed.parse::<Decimal>() {
+            Ok(printed) => digits(judged, &printed, value) + ".",
+            Err(unreadable) => format!("{unreadable}."),
+        });
+    }
+    told
+}
+
+/// How the digits of a number stand to what was computed.
+fn digits(judged: &Judged, printed: &Decimal, value: f64) -> String {
+    let computed = judged.rounded(value);
+    let as_right = |told: String| match judged.right_value {
+        Some(right) if right != value && !printed.is_rounding_of(right) => {
+            format!("{told}; the right number is {}", judged.rounded(right))
+        }
+        _ => told,
+    };
+    if printed.is_rounding_of(value) {
+        return as_right(format!("these digits are a rounding of {computed}"));
+    }
+    let no_rounding = format!("these digits are not a rounding of {computed}");
+    as_right(match (judged.verdict, judged.from_rounded) {
+        (Verdict::Truncated, _) => format!("{no_rounding}, but its first digits, cut off"),
+        (Verdict::ReadOff, _) => format!("{no_rounding}, but as near to it as they could be read off"),
+        (_, Some(rounded)) if printed.is_rounding_of(rounded) => {
+            format!("{no_rounding}, but of what the source’s own rounded steps give")
+        }
+        _ => no_rounding,
+    })
+}
+
+/// A neighbour of what is printed and what the routes say of it; none where nothing is checked.
+fn near_miss(judged: &Judged) -> Option<String> {
+    let claim = judged.claim;
+    match &claim.check {
+        Check::Number { resolution, .. } => {
+            let (first, second) = (judged.computed?, judged.witnessed?);
+            let printed: Decimal = claim.printed.parse().ok()?;
+            let reach = resolution.as_ref().map_or(0.0, |run| run());
+            let last = claim.printed.rfind(|c: char| c.is_ascii_digit())?;
+            let nearest = (2.0 * reach / printed.unit_in_last_place().to_f64_fast()) as u32 + 1;
+            let accepts = |digits: &Decimal, value: f64| {
+                digits.is_rounding_of(value)
+                    || reach == 0.0 && digits.is_truncation_of(value)
+                    || (value - digits.to_f64()).abs() <= reach && reach > 0.0
+            };
+            // Beside digits that were cut off stand the rounded ones, which are right.
+            let refused =
+                |near: &String| near.parse().is_ok_and(|digits| !accepts(&digits, first) && !accepts(&digits, second));
+            let near = (nearest..10).filter_map(|step| with_next_digit(claim.printed, last, step)).find(refused)?;
+            Some(format!("{near} in its place: {}", refusals([false; 2])))
+        }
+        Check::Equation { .. } => {
+            let refused = |tex: &str| claim.read_with(tex) == Some([Some(false); 2]);
+            let misprint = misprints(claim.right_characters()).into_iter().find(|misprint| refused(&misprint.tex))?;
+            Some(format!("{} ({}): {}", misprint.tex, misprint.change, refusals([false; 2])))
+        }
+        Check::Statement { neighbour, .. } => {
+            let names = match neighbour {
+                Some(_) => ["neighbour", "neighbour by the witness"],
+                None => ["as printed", "as printed by the witness"],
+            };
+            let holds = |name: &str| judged.findings.iter().find(|(of, _)| *of == name).map(|(_, found)| found.holds);
+            let accepted = [holds(names[0])?, holds(names[1])?];
+            Some(format!("{}: {}", neighbour.unwrap_or("what is printed itself"), refusals(accepted)))
+        }
+        Check::Missing { .. } => None,
+    }
+}
+
+/// Which of two routes refuse, of which it is known whether they accept.
+fn refusals(accepted: [bool; 2]) -> &'static str {
+    match accepted {
+        [false, false] => "both routes refuse it",
+        [false, true] => "the first route refuses it, the second accepts it",
+        [true, false] => "the first route accepts it, the second refuses it",
+        [true, true] => "both routes accept it",
+    }
+}
+
+/// Characters with a digit at this place that is greater by so many, without a carry. None if that is the same digit again.
+pub(crate) fn with_next_digit(printed: &str, at: usize, step: u32) -> Option<String> {
+    let digit = printed[at..].chars().next()?.to_digit(10)?;
+    let next = char::from_digit((digit + step) % 10, 10).filter(|_| step < 10)?;
+    let mut other = printed.to_owned();
+    other.replace_range(at..=at, next.encode_utf8(&mut [0; 4]));
+    Some(other)
+}
+
+/// Text in one line, without a character that a terminal or a page would obey.
+fn in_one_line(text: &str) -> String {
+    let turns =
+        |c: char| matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            c if c.is_control() || turns(c) => out.extend(c.escape_unicode()),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+impl Ledger {
+    /// The reply to a question, as text: what a page asks that lets claims be checked.
+    ///
+    /// `list` gives the ids of all claims with their recorded verdicts, a line each, and `printed ID` the printed characters.
+    /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between the parts of a line stands a tab. The first
+    /// line of a check is the derived verdict, the recorded one, `holds` or `differs`, and what contradicts the record. A question
+    /// that cannot be answered gets `error` and what to give.
+    pub fn reply(&'static self, question: &str) -> String {
+        self.replied(question).unwrap_or_else(|message| format!("error\t{}", in_one_line(&message)))
+    }
+
+    fn replied(&'static self, question: &str) -> Result<String, String> {
+        let (line, characters) = question.split_once('\n').map_or((question, None), |(line, rest)| (line, Some(rest)));
+        let (word, id) = line.split_once(' ').unwrap_or((line, ""));
+        let claim = || self.claim(id).ok_or_else(|| format!("no claim has the id `{id}`"));
+        let head = |judged: &Judged| {
+            let holds = if judged.matches_record() { "holds" } else { "differs" };
+            let complaints = in_one_line(&judged.complaints().join("; "));
+            format!("{}\t{}\t{holds}\t{complaints}", judged.verdict, judged.claim.expected)
+        };
+        match (word, characters) {
+            ("list", None) => {
+                let lines = self.claims().iter().map(|claim| format!("{}\t{}", claim.id, claim.expected));
+                Ok(lines.collect::<Vec<_>>().join("\n"))
+            }
+            ("printed", None) => Ok(claim()?.printed.to_owned()),
+            ("judge", None) => Ok(head(&judge(claim()?))),
+            ("account", characters) => {
+                let account = match characters {
+                    Some(characters) => Account::of_characters(claim()?, characters)?,
+                    None => Account::of(claim()?),
+                };
+                let lines = account.lines.iter().map(|(label, text)| format!("\n{label}\t{text}"));
+                Ok(head(&account.judged) + &lines.collect::<String>())
+            }
+            _ => Err(
+                "ask `list`, `printed ID`, `judge ID`, or `account ID` with other characters in the lines behind it"
+                    .to_owned(),
+            ),
+        }
+    }
+}
