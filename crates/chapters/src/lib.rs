@@ -35,7 +35,7 @@ mod tests;
 use geneva_documents::LEDGER;
 use geneva_figures::notation::NOTATION;
 use geneva_press::Book;
-use geneva_press::book::{Examples, NotationLetter};
+use geneva_press::book::{Examples, LedgerCrate, NotationLetter};
 use geneva_press::pages::{generate_listings, generate_summary};
 
 /// This book.
@@ -57,6 +57,11 @@ pub static BOOK: Book = Book {
     address_and_day: geneva_documents::wild::read,
     field_meanings: FIELD_MEANINGS,
     modules: modules::MODULES,
+    ledger_crate: Some(LedgerCrate {
+        package: "geneva-documents",
+        folder: "crates/documents",
+        command: "cargo run -p geneva -- claims ID --printed 'CHARACTERS'",
+    }),
     examples: EXAMPLES,
     citation_file: include_str!("../../../CITATION.cff"),
 };

@@ -84,6 +84,7 @@ fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
     }
     // What an argument without a name is.
     let decks = DECKS.iter().map(|(name, _)| (*name).to_owned()).chain(["no-deck".to_owned()]).collect::<Vec<_>>();
+    let ids = geneva_documents::PIN.claims().iter().map(|claim| claim.id.to_owned()).collect::<Vec<_>>();
     let is_strange = dice.usize(..3) == 0;
     for argument in command.get_arguments() {
         let (name, is_required) = (argument.get_long(), argument.is_required_set());
@@ -95,6 +96,7 @@ fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
             0 if is_strange => pick(dice, &STRANGE).to_owned(),
             1 if is_strange => pick(dice, &USUAL).repeat(40),
             _ if !possible.is_empty() => pick(dice, &possible),
+            _ if name.is_none() && command.get_name() == "claims" => pick(dice, &ids),
             _ if name.is_none() => pick(dice, &decks),
             _ => pick(dice, &USUAL).to_owned(),
         };

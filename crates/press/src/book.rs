@@ -41,6 +41,8 @@ pub struct Book {
     pub field_meanings: &'static [(&'static str, &'static str, &'static str)],
     /// Programs that answer its pages, compiled for WebAssembly.
     pub modules: &'static [PageModule],
+    /// The crate that has its ledger, so that readers can check claims in its pages; none for pages without checks.
+    pub ledger_crate: Option<LedgerCrate>,
     /// The examples in its chapters.
     pub examples: Examples,
     /// The text of `CITATION.cff`, which is among its data.
@@ -193,6 +195,18 @@ pub struct PageModule {
     pub script: &'static str,
     /// How they look.
     pub style: &'static str,
+}
+
+/// The crate that has a book's ledger, as `LEDGER`, a `static` at its root. It is compiled for WebAssembly, so it may depend on the
+/// builder only where that is not the target: in `[target.'cfg(not(target_family = "wasm"))'.dependencies]`.
+#[derive(Clone, Copy, Debug)]
+pub struct LedgerCrate {
+    /// Its package.
+    pub package: &'static str,
+    /// Its folder, from the workspace of the book.
+    pub folder: &'static str,
+    /// What to type for the check of a claim without a browser, with words for what is to be put in; empty for nothing.
+    pub command: &'static str,
 }
 
 /// The examples in Rust in a book's chapters.

@@ -22,6 +22,7 @@ mod phone_tables;
 mod policy;
 pub mod print;
 mod search;
+mod verify;
 
 // A chapter.
 mod braces;

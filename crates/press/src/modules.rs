@@ -5,14 +5,16 @@ use crate::book::{Book, PageModule};
 use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "live";
+/// The settings of that profile, as a workspace must have them: on a page, size counts.
+pub(crate) const PROFILE_SETTINGS: &str = "[profile.live]\ninherits = \"release\"\nopt-level = \"z\"\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = true\n";
 /// What asks a module, in a thread of its own: the first part of every script that has one.
-const THREAD: &str = include_str!("../theme/thread.js");
+pub(crate) const THREAD: &str = include_str!("../theme/thread.js");
 /// Of ten levels, the one that packs best.
 const LEVEL: u8 = 10;
 
@@ -55,7 +57,7 @@ fn style_path(module: &PageModule) -> String {
 }
 
 fn scripts(module: &PageModule, root: &Path) -> Result<[PageFile; 3], String> {
-    let packed = base64(&compress_to_vec(&compiled(module, root)?, LEVEL));
+    let packed = packed(&compiled(module, root)?);
     Ok([
         PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
         PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
@@ -72,35 +74,46 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
     )
 }
 
+/// A module as text.
+pub(crate) fn packed(module: &[u8]) -> String {
+    base64(&compress_to_vec(module, LEVEL))
+}
+
 /// The compiled module.
 fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
     if !root.join("crates").join(module.folder).join("Cargo.toml").is_file() {
         return Err(format!("{} does not hold their program", root.display()));
     }
-    // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
-    let compiled = compile(root, module.package)
-        .or_else(|first| if is_target_added(root) { compile(root, module.package) } else { Err(first) });
-    let file = format!("{}.wasm", module.package.replace('-', "_"));
-    let path = compiled?.join(TARGET).join(PROFILE).join(file);
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
+    let path = compiled_in(root, Some(module.package), &target, module.package)?;
     fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// Lets Cargo compile it; the target directory, or Cargo's reason.
-fn compile(root: &Path, package: &str) -> Result<std::path::PathBuf, String> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
+/// Lets Cargo compile a package of the workspace in this folder, or its only one, into this target directory; the module, or
+/// Cargo's reason.
+pub(crate) fn compiled_in(folder: &Path, package: Option<&str>, target: &Path, name: &str) -> Result<PathBuf, String> {
+    // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
+    compile(folder, package, target)
+        .or_else(|first| if is_target_added(folder) { compile(folder, package, target) } else { Err(first) })?;
+    Ok(target.join(TARGET).join(PROFILE).join(format!("{}.wasm", name.replace('-', "_"))))
+}
+
+/// Lets Cargo compile it, or gives Cargo's reason.
+fn compile(folder: &Path, package: Option<&str>, target: &Path) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.current_dir(root).args(["rustc", "--quiet", "--package", package, "--lib", "--crate-type", "cdylib"]);
+    command.current_dir(folder).args(["rustc", "--quiet", "--lib", "--crate-type", "cdylib"]);
+    command.args(package.into_iter().flat_map(|package| ["--package", package]));
     command.args(["--target", TARGET, "--profile", PROFILE]).stdin(Stdio::null());
     // Addresses in as many bytes as they need, not in five each: the module is a twentieth smaller.
     command.args(["--", "-C", "link-arg=--compress-relocations"]);
     // What is set for tests or documentation of the machine at hand is not for this.
-    command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS").env("CARGO_TARGET_DIR", target);
     let output = command
         .output()
         .map_err(|error| format!("cargo does not run ({error}): install Rust from https://rustup.rs"))?;
     if output.status.success() {
-        return Ok(target);
+        return Ok(());
     }
     let said = String::from_utf8_lossy(&output.stderr);
     let line = said.lines().find(|line| line.contains("error")).unwrap_or("cargo gives no reason").trim();

@@ -3,7 +3,7 @@
 //! Scripts and styles that stand in a page are allowed by their hashes, so that text that finds its way into a page is never
 //! run as a script. Scripts, styles, fonts and pictures in files are allowed from the book's own place. (A hash for a
 //! script in a file needs subresource integrity, and browsers refuse that for a page that is opened from disk.) WebAssembly
-//! and a thread of its own are allowed where a figure moves or a text is proofread. Nothing may be sent anywhere.
+//! and a thread of its own are allowed where a figure moves, a text is proofread or a claim can be checked. Nothing may be sent anywhere.
 
 use anyhow::{Context, ensure};
 use html5ever::tokenizer::states::RawKind;
@@ -16,6 +16,7 @@ use std::collections::BTreeSet;
 
 use crate::base64::base64;
 use crate::book::PageModule;
+use crate::verify;
 
 /// The element behind which the policy stands: as the pages have it, and as those that lead on to another have it.
 const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
@@ -80,7 +81,8 @@ impl TokenSink for InlineSink<'_> {
         match token {
             Token::TagToken(tag) if tag.kind == StartTag => {
                 let has = |name: &str| tag.attrs.iter().any(|of| &*of.name.local == name);
-                state.inline.moves |= self.modules.iter().any(|module| has(module.asking()));
+                state.inline.moves |= self.modules.iter().any(|module| has(module.asking()))
+                    || tag.attrs.iter().any(|of| &*of.name.local == "src" && &*of.value == verify::SCRIPT);
                 let raw = match &*tag.name {
                     "script" => RawKind::ScriptData,
                     "style" => RawKind::Rawtext,

@@ -7,7 +7,7 @@ use crate::html::escape;
 use crate::ledger_pages::ledger;
 use crate::pages::PageRole;
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
-use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, records};
+use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, records, verify};
 use anyhow::{bail, ensure};
 use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -102,6 +102,7 @@ impl Preprocessor for Press {
         let mut contents = Vec::new();
         chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
         files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root));
+        files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root)?);
         let mut contents = contents.into_iter();
         chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
         data::write(&folder, &files)?;

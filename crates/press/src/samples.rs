@@ -149,6 +149,7 @@ pub(crate) static BOOK: Book = Book {
         script: "",
         style: "",
     }],
+    ledger_crate: None,
     examples: Examples { package: "sample", crates: &[] },
     citation_file: "",
 };

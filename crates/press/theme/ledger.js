@@ -14,7 +14,7 @@
 
     // What stands in the address: of a filter the fields that are set, of a claim its id.
     const address = () => decodeURIComponent(location.hash.slice(1));
-    const isFilter = () => address().includes('=');
+    const isFilter = () => !location.hash.startsWith('#check:') && address().includes('=');
 
     /** Shows the rows that have all that is asked for. */
     const filter = () => {
@@ -72,6 +72,7 @@
     const waiting = new Set();
     const fill = body => {
         body.innerHTML = known[body.dataset.of];
+        globalThis.genevaCheck?.(body, body.dataset.of);
         body.removeAttribute('aria-busy');
     };
     globalThis.genevaDetails = details => {

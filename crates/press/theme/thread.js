@@ -1,12 +1,11 @@
-// Questions to a module of WebAssembly, which runs in a thread of its own. `source` is the script that holds it as text. `load`
-// gets the module, `ask` the text of an answer.
-const genevaThread = source => {
-    // How long an answer may take, in milliseconds, before the module is taken to be stuck.
-    const patience = 5000;
+// Questions to a module of WebAssembly, which runs in a thread of its own. `source` is the script that holds it as text, or what
+// loads it for another thread. `patience` is how long an answer may take, in milliseconds, before the module is taken to be stuck.
+// `load` gets the module, `ask` the text of an answer, and `stop` ends the thread.
+const genevaThread = (source, patience = 5000) => {
     let module, thread, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
-    const load = () => module ??= new Promise((done, failed) => {
+    const load = () => module ??= typeof source === 'function' ? source() : new Promise((done, failed) => {
         globalThis.genevaModule = async text => {
             try {
                 const packed = Uint8Array.from(atob(text), character => character.charCodeAt(0));
@@ -59,14 +58,17 @@ const genevaThread = source => {
         worker.postMessage({ code });
         return worker;
     };
+    const stop = () => {
+        thread?.terminate();
+        thread = undefined;
+    };
     const answered = async question => {
         const code = await load();
         thread ??= begun(code);
         return new Promise((done, failed) => {
             const fail = why => {
                 // The next question gets a fresh module.
-                thread?.terminate();
-                thread = undefined;
+                stop();
                 failed(new Error(why));
             };
             const timer = setTimeout(() => fail(`no answer within ${patience / 1000} s`), patience);
@@ -87,5 +89,5 @@ const genevaThread = source => {
         queue = answer.catch(() => {});
         return answer;
     };
-    return { load, ask };
+    return { load, ask, stop };
 };

@@ -2,66 +2,20 @@
 //!
 //! The leaflet is made up. It has two mistakes, of which one reaches two claims, and one number that cannot be decided.
 
+#[cfg(not(target_family = "wasm"))]
+mod book;
 mod leaflet;
 mod letters;
 mod steps;
 
+#[cfg(not(target_family = "wasm"))]
+pub use book::BOOK;
 pub use leaflet::{BODIES, IN_STEPS, LEAFLET};
 
-use geneva_evidence::{Consequence, Evidence, Ledger};
-use geneva_press::Book;
-use geneva_press::book::{Examples, no_figures};
-use geneva_press::imprint::Imprint;
-use geneva_press::pages::{Page, PagePlace, PageRole};
+use geneva_evidence::{Evidence, Ledger};
 
 /// The leaflet with its verdicts.
 pub static LEDGER: Ledger = Ledger::new(
     &[&LEAFLET],
     &[Evidence::CLOSED_FORM, Evidence::LIMIT_CASE, IN_STEPS, BODIES, Evidence::OTHER_PLACE_IN_SOURCE],
 );
-
-/// The book on the leaflet.
-pub static BOOK: Book = Book {
-    imprint: Imprint {
-        title: "Falling bodies, checked",
-        subtitle: "A leaflet, computed again",
-        authors: "The example's authors",
-        key: "bodies",
-        summary: &["A leaflet on falling and swinging bodies, computed again."],
-        request: &["Please cite it by its title."],
-        keywords: &["falling bodies", "pendulum"],
-        version: env!("CARGO_PKG_VERSION"),
-        licence: "CC-BY-4.0",
-        licence_words: "CC BY 4.0",
-        licence_address: "https://creativecommons.org/licenses/by/4.0/",
-        program_licences: &["MIT", "Apache-2.0"],
-        homepage: "",
-        repository: "",
-        program: "geneva-example-bodies",
-        compiled_from: None,
-    },
-    ledger: &LEDGER,
-    pages: &[
-        Page::new("falling", "Falling", PagePlace::In("The leaflet")),
-        Page::new("swinging", "Swinging", PagePlace::In("The leaflet")),
-        Page::new("errata", "Errata", PagePlace::In("Records"))
-            .with_role(PageRole::Slips(&[Consequence::Result, Consequence::Number])),
-        Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
-        Page::new("coverage", "Coverage", PagePlace::Behind).with_role(PageRole::Coverage),
-    ],
-    sections: &[],
-    keys: &[],
-    own_numbers: Default::default,
-    own_words: &[],
-    figures: no_figures,
-    tables: &[],
-    works: &[],
-    open_groups: &[],
-    notation: Vec::new,
-    letter_units: &[],
-    address_and_day: |_| None,
-    field_meanings: &[],
-    modules: &[],
-    examples: Examples { package: "geneva-example-bodies", crates: &[] },
-    citation_file: "",
-};
