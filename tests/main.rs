@@ -27,6 +27,7 @@ mod snapshots;
 mod supply;
 mod tidy;
 mod typed;
+mod verify_page;
 
 use geneva_documents::LEDGER;
 use geneva_evidence::{Decimal, numeric_tokens};

@@ -39,7 +39,10 @@ impl Account {
         if printed == claim.printed {
             return Ok(Self::of(claim));
         }
-        Ok(Self::with(judge_characters(claim, printed.to_owned().into()), None))
+        let judged = judge_characters(claim, printed.to_owned().into());
+        // Of what is not read, it is told what is tried instead.
+        let near_miss = if judged.reads_characters { None } else { near_miss(&judged) };
+        Ok(Self::with(judged, near_miss))
     }
 
     fn with(judged: Judged, near_miss: Option<String>) -> Self {
@@ -75,6 +78,9 @@ impl Account {
         tell("From the source’s rounded steps", judged.from_rounded.map(number).unwrap_or_default());
         let other_right = judged.right_value.filter(|right| judged.computed != Some(*right));
         tell("Right", other_right.map(number).unwrap_or_default());
+        if !judged.is_as_printed() && !judged.reads_characters {
+            tell("Not read", NOT_READ.to_owned());
+        }
         tell("Found", found(&judged).join(" "));
         tell("Near miss", near_miss.unwrap_or_default());
         // What the class means is said of documents.
@@ -97,6 +103,10 @@ impl Account {
         self.lines.iter().map(|(label, text)| format!("{label}: {text}\n")).collect()
     }
 }
+
+/// What is said of characters that a check does not read.
+const NOT_READ: &str = "The check of this claim does not read its characters. It tries what they say and a false version of it, so \
+                        other characters change nothing; what it refuses is below.";
 
 /// What was found of the digits of a number, or of the form of anything else.
 fn found(judged: &Judged) -> Vec<String> {
@@ -157,7 +167,8 @@ fn near_miss(judged: &Judged) -> Option<String> {
         Check::Equation { .. } => {
             let refused = |tex: &str| claim.read_with(tex) == Some([Some(false); 2]);
             let misprint = misprints(claim.right_characters()).into_iter().find(|misprint| refused(&misprint.tex))?;
-            Some(format!("{} ({}): {}", misprint.tex, misprint.change, refusals([false; 2])))
+            let change = misprint.change.split_once(": ").map_or(&*misprint.change, |(_, change)| change);
+            Some(format!("{} ({change}): {}", misprint.tex, refusals([false; 2])))
         }
         Check::Statement { neighbour, .. } => {
             let names = match neighbour {
@@ -210,7 +221,8 @@ impl Ledger {
     ///
     /// `list` gives the ids of all claims with their recorded verdicts, a line each, and `printed ID` the printed characters.
     /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between the parts of a line stands a tab. The first
-    /// line of a check is the derived verdict, the recorded one, `holds` or `differs`, and what contradicts the record. A question
+    /// line of a check is the derived verdict, the recorded one, `holds`, `differs`, or `unread` where other characters were put in that
+    /// the check does not read, and what contradicts the record. A question
     /// that cannot be answered gets `error` and what to give.
     pub fn reply(&'static self, question: &str) -> String {
         self.replied(question).unwrap_or_else(|message| format!("error\t{}", in_one_line(&message)))
@@ -221,7 +233,11 @@ impl Ledger {
         let (word, id) = line.split_once(' ').unwrap_or((line, ""));
         let claim = || self.claim(id).ok_or_else(|| format!("no claim has the id `{id}`"));
         let head = |judged: &Judged| {
-            let holds = if judged.matches_record() { "holds" } else { "differs" };
+            let holds = match (judged.matches_record(), judged.is_as_printed() || judged.reads_characters) {
+                (false, _) => "differs",
+                (true, true) => "holds",
+                (true, false) => "unread",
+            };
             let complaints = in_one_line(&judged.complaints().join("; "));
             format!("{}\t{}\t{holds}\t{complaints}", judged.verdict, judged.claim.expected)
         };

@@ -1,6 +1,7 @@
 //! The verdict on a claim, derived.
 
 use crate::number_format::fixed;
+use crate::stated::reading;
 use crate::tex::places_changed;
 use crate::units::unit_fault;
 use crate::{
@@ -30,6 +31,8 @@ pub struct Judged {
     pub right_value: Option<f64>,
     /// How the printed form, its correction and its witness were found to hold or to fail.
     pub findings: Vec<(&'static str, Finding)>,
+    /// Whether the check has asked for the characters: that of a statement may only try what is said and a false version of it.
+    pub reads_characters: bool,
     /// What contradicts the record, beside a differing verdict. Empty if all is well.
     pub faults: Vec<String>,
 }
@@ -46,6 +49,7 @@ impl Judged {
             from_rounded: None,
             right_value: None,
             findings: Vec::new(),
+            reads_characters: true,
             faults: Vec::new(),
         }
     }
@@ -283,12 +287,12 @@ fn equation(judged: &mut Judged, decide: &DecisionFn, witness: &Evidence) {
 fn statement(judged: &mut Judged, first: &Route<ChoiceFn>, witness: &Route<ChoiceFn>, neighbour: Option<&'static str>) {
     let printed = judged.printed.clone();
     let both = [Stated::right(judged.claim.right_for(&printed)), Stated::wrong(&printed)];
-    let [right, wrong] = both.map(&*first.run);
+    let ([[right, wrong], [witnessed, refused]], reads) = reading(|| [both.map(&*first.run), both.map(&*witness.run)]);
+    judged.reads_characters = reads;
     judged.verdict = match neighbour {
         Some(_) => verdict(right.holds, None),
         None => verdict(wrong.holds, Some(right.holds)),
     };
-    let [witnessed, refused] = both.map(&*witness.run);
     for (route, accepts) in [("first route", wrong.holds), ("witness", refused.holds)] {
         if accepts {
             let what = neighbour.unwrap_or("the printed form");

@@ -5,7 +5,7 @@ use crate::book::{Book, PageModule};
 use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
@@ -85,30 +85,58 @@ fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
         return Err(format!("{} does not hold their program", root.display()));
     }
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
-    let path = compiled_in(root, Some(module.package), &target, module.package)?;
-    fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    let of = Compilation { workspace: root, folder: root, package: Some(module.package), target: &target };
+    of.module(module.package)
 }
 
-/// Lets Cargo compile a package of the workspace in this folder, or its only one, into this target directory; the module, or
-/// Cargo's reason.
-pub(crate) fn compiled_in(folder: &Path, package: Option<&str>, target: &Path, name: &str) -> Result<PathBuf, String> {
-    // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
-    compile(folder, package, target)
-        .or_else(|first| if is_target_added(folder) { compile(folder, package, target) } else { Err(first) })?;
-    Ok(target.join(TARGET).join(PROFILE).join(format!("{}.wasm", name.replace('-', "_"))))
+/// A library to be compiled for WebAssembly.
+pub(crate) struct Compilation<'a> {
+    /// The workspace of the sources, from which files are named in messages.
+    pub(crate) workspace: &'a Path,
+    /// The folder in which Cargo is called.
+    pub(crate) folder: &'a Path,
+    /// The package, if there are several in the folder's workspace.
+    pub(crate) package: Option<&'a str>,
+    /// The target directory.
+    pub(crate) target: &'a Path,
+}
+
+impl Compilation<'_> {
+    /// Lets Cargo compile it; the module of the library of this name, or Cargo's reason.
+    pub(crate) fn module(&self, name: &str) -> Result<Vec<u8>, String> {
+        // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
+        compile(self).or_else(|first| if is_target_added(self.folder) { compile(self) } else { Err(first) })?;
+        let file = format!("{}.wasm", name.replace('-', "_"));
+        let path = self.target.join(TARGET).join(PROFILE).join(file);
+        fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    }
+}
+
+/// Flags by which no file is named from where it is on this machine, so that the module is the same on every one.
+fn flags(workspace: &Path) -> String {
+    let home = std::env::home_dir().unwrap_or_default();
+    let cargo = std::env::var_os("CARGO_HOME").map_or_else(|| home.join(".cargo"), Into::into);
+    let rustup = std::env::var_os("RUSTUP_HOME").map_or_else(|| home.join(".rustup"), Into::into);
+    let shortened = [
+        (format!("{}/", workspace.display()), ""),
+        (cargo.display().to_string(), "cargo"),
+        (rustup.display().to_string(), "rustup"),
+    ];
+    shortened.map(|(path, short)| format!("--remap-path-prefix={path}={short}")).join("\x1f")
 }
 
 /// Lets Cargo compile it, or gives Cargo's reason.
-fn compile(folder: &Path, package: Option<&str>, target: &Path) -> Result<(), String> {
+fn compile(of: &Compilation<'_>) -> Result<(), String> {
+    let Compilation { workspace, folder, package, target } = of;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.current_dir(folder).args(["rustc", "--quiet", "--lib", "--crate-type", "cdylib"]);
-    command.args(package.into_iter().flat_map(|package| ["--package", package]));
+    command.args(package.iter().flat_map(|package| ["--package", *package]));
     command.args(["--target", TARGET, "--profile", PROFILE]).stdin(Stdio::null());
     // Addresses in as many bytes as they need, not in five each: the module is a twentieth smaller.
     command.args(["--", "-C", "link-arg=--compress-relocations"]);
     // What is set for tests or documentation of the machine at hand is not for this.
-    command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS").env("CARGO_TARGET_DIR", target);
+    command.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", flags(workspace)).env("CARGO_TARGET_DIR", target);
     let output = command
         .output()
         .map_err(|error| format!("cargo does not run ({error}): install Rust from https://rustup.rs"))?;

@@ -99,6 +99,12 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
         Of(errata::slip_count),
     ),
     PlaceholderKey::new(
+        "spoil",
+        "a link to the check of a claim with other characters: its id, some of its characters, others for them, and the words of \
+         the link, with semicolons between",
+        Of(inline::spoiling),
+    ),
+    PlaceholderKey::new(
         "symbols",
         "a source's letters and the book's",
         Of(|book, of| Ok(lists::symbols(book, of)?.html("Letters"))),
@@ -119,6 +125,12 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
         "the classes of verdict and how many claims have each",
         Bare(|book| Ok(lists::verdicts(book)?.html("Classes of verdict"))),
     ),
+    PlaceholderKey::new(
+        "verify",
+        "a button by which a reader has everything checked in the page",
+        Bare(|_| Ok("<div data-verify-all></div>".to_owned())),
+    )
+    .without_text(),
     PlaceholderKey::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
 ];
 

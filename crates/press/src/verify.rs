@@ -4,8 +4,8 @@
 //! this by naming that crate, without a line of its own.
 
 use crate::book::{Book, LedgerCrate};
-use crate::data::{FOLDER, PageFile};
-use crate::modules::{self, THREAD};
+use crate::data::PageFile;
+use crate::modules::{self, Compilation, THREAD};
 use anyhow::Context;
 use std::collections::BTreeMap;
 use std::fs;
@@ -68,8 +68,8 @@ fn compiled(of: &LedgerCrate, root: &Path) -> anyhow::Result<Vec<u8>> {
     let workspace = workspace.with_context(|| format!("no {LOCK} in {} or above it", folder.display()))?;
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), |own| root.join(own));
     let own = made(of, &folder, workspace, &target)?;
-    let module = modules::compiled_in(&own, None, &target, NAME).map_err(anyhow::Error::msg)?;
-    fs::read(&module).with_context(|| format!("cannot read {}", module.display()))
+    let compilation = Compilation { workspace, folder: &own, package: None, target: &target };
+    compilation.module(NAME).map_err(anyhow::Error::msg)
 }
 
 const LOCK: &str = "Cargo.lock";

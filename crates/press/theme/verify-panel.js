@@ -33,11 +33,12 @@
         if (head[0] === 'error') {
             throw new Error(head[1]);
         }
-        const [verdict, recorded, holds, why] = head;
-        return { verdict, recorded, holds: holds === 'holds', why, lines };
+        const [verdict, , outcome, why] = head;
+        return { verdict, holds: outcome !== 'differs', isRead: outcome !== 'unread', why, lines };
     };
     const duration = milliseconds => milliseconds < 1000 ? `${Math.max(1, Math.round(milliseconds))} ms` : `${(milliseconds / 1000).toFixed(1)} s`;
-    const asBuilt = (id, verdict) => globalThis.genevaRecord?.verdicts[id] === verdict;
+    const recorded = id => globalThis.genevaRecord?.verdicts[id] ?? 'no verdict';
+    const asBuilt = (id, verdict) => recorded(id) === verdict;
 
     // One claim: its printed characters may be changed, and the verdict follows.
     const one = async (id, characters) => {
@@ -54,17 +55,19 @@
             list,
         );
         let printed, last = 0;
-        const show = ({ verdict, holds, why, lines }, spoilt, took) => {
-            const time = `Derived in your browser in ${duration(took)}`;
-            const differs = spoilt
-                ? `With these characters the check notices: ${verdict}.`
-                : asBuilt(id, verdict) ? `The verdict differs from the record: ${why}.` : `The verdict is ${verdict}, and not what this book was built with: ${why}.`;
-            const same = spoilt
-                ? `With these characters the verdict stays: ${verdict}.`
-                : asBuilt(id, verdict) ? `${verdict}, as recorded.` : `${verdict}; this book was built with ${globalThis.genevaRecord?.verdicts[id] ?? 'no record'}.`;
-            const isWell = holds && (spoilt || asBuilt(id, verdict));
-            status.textContent = `${isWell ? '✓' : '✗'} ${holds ? same : differs} ${time}.`;
-            box.classList.toggle('differs', !isWell);
+        const show = ({ verdict, holds, isRead, why, lines }, spoilt, took) => {
+            let words;
+            if (spoilt) {
+                words = !isRead ? 'The check of this claim does not read its characters.'
+                    : holds ? `✓ With these characters the verdict stays: ${verdict}.`
+                    : `✗ With these characters the check says: ${verdict}. The record has ${recorded(id)}.`;
+            } else if (!asBuilt(id, verdict)) {
+                words = `✗ The verdict is ${verdict}, but this book was built with ${recorded(id)}.`;
+            } else {
+                words = holds ? `✓ ${verdict}, as recorded.` : `✗ ${verdict} as recorded, but: ${why}.`;
+            }
+            status.textContent = `${words} Derived in your browser in ${duration(took)}.`;
+            box.classList.toggle('differs', words[0] === '✗');
             list.replaceChildren(...lines.flatMap(([label, text]) => [
                 element('dt', { textContent: label }), element('dd', { textContent: text }),
             ]));
@@ -165,7 +168,7 @@
                         if (holds && asBuilt(id, verdict)) {
                             well++;
                         } else {
-                            say(id, why || `${verdict}, and this book was built with ${globalThis.genevaRecord?.verdicts[id]}`);
+                            say(id, why || `${verdict}, and this book was built with ${recorded(id)}`);
                         }
                     } catch (error) {
                         say(id, `no answer: ${error.message}`);
@@ -208,5 +211,5 @@
         box.addEventListener('close', () => running = false);
         await run();
     };
-    globalThis.genevaVerify = { one, many };
+    globalThis.genevaVerify = { one, many, ask: first.ask };
 })();

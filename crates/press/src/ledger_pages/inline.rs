@@ -4,7 +4,7 @@ use crate::book::Book;
 use crate::formula::{breakable, tex_or_text};
 use crate::html::{GLUED, escape, prose};
 use crate::{lookup, maths};
-use anyhow::anyhow;
+use anyhow::{anyhow, bail, ensure};
 use geneva_evidence::{Check, Claim, Consequence, Erratum, Judged, Truth, Verdict, without_ellipses};
 
 /// The printed characters with their unit.
@@ -143,6 +143,26 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
     }
     out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", book.address_of_claim(id)));
     Ok(out)
+}
+
+/// A link to the check of a claim with some of its characters replaced; without scripts it leads to the claim's row in the ledger.
+pub fn spoiling(book: &Book, of: &str) -> anyhow::Result<String> {
+    let parts: Vec<&str> = of.splitn(4, ';').map(str::trim).collect();
+    let [id, old, new, words] = parts[..] else { bail!("`{of}`: give `ID; CHARACTERS; OTHERS; WORDS`") };
+    let claim = lookup::verdict(book.ledger, id)?.claim;
+    let count = claim.printed.matches(old).count();
+    ensure!(
+        count == 1,
+        "`{old}` stands {count} times in what `{id}` prints, `{}`: give characters that stand there once",
+        claim.printed
+    );
+    let spoilt = claim.printed.replace(old, new);
+    Ok(format!(
+        "<a href=\"{}\" data-verify=\"{id}\" data-characters=\"{}\">{}</a>",
+        book.address_of_claim(id),
+        escape(&spoilt),
+        escape(words)
+    ))
 }
 
 /// The number of claims of a source, or of `all` documents.

@@ -4,6 +4,7 @@ use super::*;
 use crate::meyer::slips::RESET_ANGLE;
 use geneva_evidence::Decimal;
 use geneva_evidence::agreement::joined;
+use std::f64::consts::TAU;
 
 /// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
 pub(super) fn reset(
@@ -40,19 +41,24 @@ pub(super) fn reset(
         .corrected(corrected, RESET_ANGLE)
 }
 
-/// The angle after which the driver's angle is reset: the angle between two pins, if the correction gives it, or as
-/// printed.
+/// The angle after which the driver's angle is reset, as the characters say: the angle between two pins if they name that of each
+/// mechanism and nothing else than such angles and their halves, or else the first angle that they name, in radians or degrees.
+/// Without a number it is that of the line of the program.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
     let said = stated.decimals();
+    let pitches = Mechanism::ALL.map(|at| at.driver_pitch_angle());
     let is = |said: &Decimal, angle: f64| said.is_rounding_of(angle) || said.is_rounding_of(angle.to_degrees());
-    let pitch = at.driver_pitch_angle();
-    // Each of the angles is one between two pins or half of one.
-    let known = said.iter().all(|said| {
-        let pitches = Mechanism::ALL.iter().map(|at| at.driver_pitch_angle());
-        pitches.into_iter().any(|pitch| is(said, pitch) || is(said, pitch / 2.0))
-    });
-    let corrected = if known && said.iter().any(|said| is(said, pitch)) { pitch } else { f64::INFINITY };
-    stated.pick(corrected, MEYER.printed_number("meyer.listing.quarter-turn"))
+    let names_each = pitches.iter().all(|pitch| said.iter().any(|said| is(said, *pitch)));
+    if names_each {
+        let is_known = |said: &Decimal| pitches.iter().any(|pitch| is(said, *pitch) || is(said, pitch / 2.0));
+        return if said.iter().all(is_known) { at.driver_pitch_angle() } else { f64::INFINITY };
+    }
+    match said.first().map(Decimal::to_f64) {
+        // No angle of a turn in radians is greater.
+        Some(angle) if angle > TAU => angle.to_radians(),
+        Some(angle) => angle,
+        None => MEYER.printed_number("meyer.listing.quarter-turn"),
+    }
 }
 
 /// Whether the reset angle runs from entry to exit and no farther, for each escapement with its modulus.
