@@ -20,7 +20,7 @@ pub const MOST_CHARACTERS: usize = 2000;
 
 impl Account {
     /// The account of a claim as it is printed, with a near miss that both routes refuse.
-    pub fn of(claim: &'static Claim) -> Self {
+    pub fn for_claim(claim: &'static Claim) -> Self {
         let judged = judge(claim);
         let near_miss = near_miss(&judged);
         Self::with(judged, near_miss)
@@ -31,13 +31,13 @@ impl Account {
     /// # Errors
     ///
     /// If there are more than [`MOST_CHARACTERS`]; the message says so.
-    pub fn of_characters(claim: &'static Claim, printed: &str) -> Result<Self, String> {
+    pub fn for_characters(claim: &'static Claim, printed: &str) -> Result<Self, String> {
         let count = printed.chars().count();
         if count > MOST_CHARACTERS {
             return Err(format!("{count} characters are too many: give at most {MOST_CHARACTERS}"));
         }
         if printed == claim.printed {
-            return Ok(Self::of(claim));
+            return Ok(Self::for_claim(claim));
         }
         let judged = judge_characters(claim, printed.to_owned().into());
         // Of what is not read, it is told what is tried instead.
@@ -97,7 +97,7 @@ impl Account {
     /// ```no_run
     /// # static LEDGER: geneva_evidence::Ledger = geneva_evidence::Ledger::new(&[], &[]);
     /// let claim = LEDGER.claim("leaflet.fall-time").expect("a claim");
-    /// print!("{}", geneva_evidence::Account::of(claim).text());
+    /// print!("{}", geneva_evidence::Account::for_claim(claim).text());
     /// ```
     pub fn text(&self) -> String {
         self.lines.iter().map(|(label, text)| format!("{label}: {text}\n")).collect()
@@ -250,8 +250,8 @@ impl Ledger {
             ("judge", None) => Ok(head(&judge(claim()?))),
             ("account", characters) => {
                 let account = match characters {
-                    Some(characters) => Account::of_characters(claim()?, characters)?,
-                    None => Account::of(claim()?),
+                    Some(characters) => Account::for_characters(claim()?, characters)?,
+                    None => Account::for_claim(claim()?),
                 };
                 let lines = account.lines.iter().map(|(label, text)| format!("\n{label}\t{text}"));
                 Ok(head(&account.judged) + &lines.collect::<String>())

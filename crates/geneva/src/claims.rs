@@ -51,8 +51,8 @@ pub(crate) fn accounts(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::
     if wanted.ids.is_empty() {
         return Ok(None);
     }
-    wanted.format.only_with(
-        CommandFormat::Text,
+    CommandFormat::Text.only_with(
+        wanted.format,
         "--printed",
         wanted.printed.as_deref().map(escape_and_shorten),
         "text",
@@ -61,9 +61,9 @@ pub(crate) fn accounts(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::
         return Ok(None);
     }
     let accounts = match (&wanted.printed, &wanted.ids[..]) {
-        (None, ids) => ids.iter().map(|claim| Account::of(claim)).collect::<Vec<_>>(),
+        (None, ids) => ids.iter().map(|claim| Account::for_claim(claim)).collect::<Vec<_>>(),
         (Some(characters), [claim]) => {
-            vec![Account::of_characters(claim, characters).map_err(|why| anyhow!("--printed: {why}"))?]
+            vec![Account::for_characters(claim, characters).map_err(|why| anyhow!("--printed: {why}"))?]
         }
         (Some(_), ids) => bail!("--printed is about one claim, and {} are named: name one", ids.len()),
     };
@@ -228,6 +228,47 @@ mod tests {
             page.lines().any(|line| line.contains(judged.claim.id) && line.contains("2.33"))
         };
         assert!(has_one(needed) && !has_one(needed - 1), "{needed}");
+    }
+
+    /// What is told of single claims, and whether all match the record.
+    fn told(options: &[&str]) -> anyhow::Result<Option<(String, Outcome)>> {
+        let line = [&["geneva", "claims"], options].concat();
+        let Some(Command::Claims(wanted)) = Arguments::try_parse_from(line)?.command else { panic!("{options:?}") };
+        accounts(&wanted, TextLayout::default())
+    }
+
+    #[test]
+    fn a_claim_is_told_as_in_a_page_to_the_letter_with_whatever_characters() {
+        let as_told =
+            |reply: &str| reply.lines().skip(1).map(|line| line.replacen('\t', ": ", 1) + "\n").collect::<String>();
+        for claim in PIN.claims() {
+            let (page, outcome) = told(&[claim.id]).expect("told").expect("an account");
+            assert_eq!(page, as_told(&LEDGER.reply(&format!("account {}", claim.id))));
+            assert_eq!(outcome, Outcome::AsRecorded, "{page}");
+        }
+        for characters in ["3", "-1", "", "\u{1b}[31m", "<b>", PIN.printed_text("pin.radius")] {
+            let (page, outcome) = told(&["pin.radius", "--printed", characters]).expect("told").expect("an account");
+            assert_eq!(page, as_told(&LEDGER.reply(&format!("account pin.radius\n{characters}"))));
+            assert_eq!(outcome, Outcome::as_recorded_if(characters == PIN.printed_text("pin.radius")), "{page}");
+            assert!(!page.contains('\u{1b}'), "{page}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_told_of_a_claim_is_refused_with_what_to_do() {
+        let long = "9".repeat(geneva_evidence::MOST_CHARACTERS + 1);
+        for (options, why) in [
+            (&["pin.radios"][..], "the nearest is `pin.radius`"),
+            (&["pin.radius", "--source", "pin"], "cannot be used with"),
+            (&["--printed", "3"], "<ID>"),
+            (&["pin.radius", "pin.pin-speed", "--printed", "3"], "name one"),
+            (&["pin.radius", "--printed", "3", "--format", "json"], "--format text"),
+            (&["pin.radius", "--printed", &long], "give at most 2000"),
+        ] {
+            let error = told(options).map(|_| ()).expect_err(why);
+            assert!(error.to_string().contains(why), "{options:?}: {error}");
+        }
+        assert_eq!(listed(&["pin.radius", "pin.pin-speed"]), ["pin.radius", "pin.pin-speed"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 // Questions to a module of WebAssembly, which runs in a thread of its own. `source` is the script that holds it as text, or what
-// loads it for another thread. `patience` is how long an answer may take, in milliseconds, before the module is taken to be stuck.
+// loads it for another thread. `limit` is how long an answer may take, in milliseconds, before the module is taken to be stuck.
 // `load` gets the module, `ask` the text of an answer, and `stop` ends the thread.
-globalThis.genevaThread ??= (source, patience = 5000) => {
+globalThis.genevaThread ??= (source, limit = 5000) => {
     let module, thread, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
@@ -71,7 +71,7 @@ globalThis.genevaThread ??= (source, patience = 5000) => {
                 stop();
                 failed(new Error(why));
             };
-            const timer = setTimeout(() => fail(`no answer within ${patience / 1000} s`), patience);
+            const timer = setTimeout(() => fail(`no answer within ${limit / 1000} s`), limit);
             thread.onmessage = ({ data: { text, failed: why } }) => {
                 clearTimeout(timer);
                 why === undefined ? done(text) : fail(why);

@@ -21,6 +21,13 @@
         heading.id = 'verify-title';
         box.setAttribute('aria-labelledby', heading.id);
         close.onclick = () => box.close();
+        // mdBook has keys of its own on the page behind, Escape among them.
+        box.addEventListener('keydown', event => {
+            event.stopPropagation();
+            if (event.key === 'Escape') {
+                box.close();
+            }
+        });
         box.addEventListener('close', () => box.remove());
         document.querySelector('dialog.verify')?.close();
         document.body.append(box);
@@ -59,15 +66,15 @@
             let words;
             if (spoilt) {
                 words = !isRead ? 'The check of this claim does not read its characters.'
-                    : holds ? `✓ With these characters the verdict stays: ${verdict}.`
-                    : `✗ With these characters the check says: ${verdict}. The record has ${recorded(id)}.`;
+                    : verdict === recorded(id) ? `With these characters the verdict stays ${verdict}.`
+                    : `With these characters the verdict changes from ${recorded(id)} to ${verdict}.`;
             } else if (!asBuilt(id, verdict)) {
                 words = `✗ The verdict is ${verdict}, but this book was built with ${recorded(id)}.`;
             } else {
                 words = holds ? `✓ ${verdict}, as recorded.` : `✗ ${verdict} as recorded, but: ${why}.`;
             }
             status.textContent = `${words} Derived in your browser in ${duration(took)}.`;
-            box.classList.toggle('differs', words[0] === '✗');
+            box.classList.toggle('differs', !holds || words[0] === '✗');
             list.replaceChildren(...lines.flatMap(([label, text]) => [
                 element('dt', { textContent: label }), element('dd', { textContent: text }),
             ]));

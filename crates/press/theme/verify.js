@@ -25,11 +25,12 @@
         const button = document.createElement('button');
         button.type = 'button';
         button.className = 'verify';
+        button.style.cssText = 'font: inherit; padding: 0.3em 0.8em';
         button.textContent = words;
         button.onclick = () => run(button, act);
-        const paragraph = document.createElement('p');
-        paragraph.append(button);
-        place.insertBefore(paragraph, before ?? null);
+        const row = document.createElement('div');
+        row.append(button);
+        place.insertBefore(row, before ?? null);
     };
     // Of one claim: in its note, and in its row of the ledger.
     const ofClaim = (place, id) => put(place, 'Check this here', ({ one }) => one(id));
