@@ -95,9 +95,12 @@ fn made(of: &LedgerCrate, folder: &Path, workspace: &Path, target: &Path) -> any
     // Cargo takes the versions of the workspace, and leaves out what is not needed.
     let lock = workspace.join(LOCK);
     let versions = fs::read_to_string(&lock).with_context(|| format!("cannot read {}", lock.display()))?;
-    if write_if_other(&own.join("workspace.lock"), &versions)? {
+    let known = own.join("workspace.lock");
+    if !own.join(LOCK).is_file() || fs::read_to_string(&known).is_ok_and(|known| known != versions) {
         write_if_other(&own.join(LOCK), &versions)?;
     }
+    // After the other one, so that a build at the same time never finds none.
+    write_if_other(&known, &versions)?;
     Ok(own)
 }
 
