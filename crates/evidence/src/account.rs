@@ -11,8 +11,21 @@ use crate::{Check, Claim, Decimal, Judged, Ledger, Verdict, judge, judge_charact
 pub struct Account {
     /// The claim as it was judged.
     pub judged: Judged,
+    /// How other characters were taken; none if those that are printed were judged.
+    pub taken: Option<Taken>,
     /// What is told, each with its label, as plain text in one line.
     pub lines: Vec<(&'static str, String)>,
+}
+
+/// How a check takes characters that are put in the place of the printed ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Taken {
+    /// They are read, and what is found follows them.
+    Read,
+    /// They cannot be read, so they are neither right nor wrong.
+    Unreadable,
+    /// The check finds what it finds of the printed ones: it does not read them, or they say the same to it.
+    Unread,
 }
 
 /// Most characters that may be put in the place of the printed ones.
@@ -23,7 +36,7 @@ impl Account {
     pub fn for_claim(claim: &'static Claim) -> Self {
         let judged = judge(claim);
         let near_miss = near_miss(&judged);
-        Self::with(judged, near_miss)
+        Self::with(judged, None, near_miss)
     }
 
     /// The account of a claim as if other characters were printed in it.
@@ -40,12 +53,21 @@ impl Account {
             return Ok(Self::for_claim(claim));
         }
         let judged = judge_characters(claim, printed.to_owned().into());
+        let as_printed = judge(claim);
+        let finds_the_same = matches!(claim.check, Check::Statement { .. } | Check::Missing { .. })
+            && judged.findings == as_printed.findings
+            && judged.faults == as_printed.faults;
+        let taken = match (finds_the_same, judged.is_readable()) {
+            (true, _) => Taken::Unread,
+            (false, true) => Taken::Read,
+            (false, false) => Taken::Unreadable,
+        };
         // Of what is not read, it is told what is tried instead.
-        let near_miss = if judged.reads_characters { None } else { near_miss(&judged) };
-        Ok(Self::with(judged, near_miss))
+        let near_miss = if taken == Taken::Unread { near_miss(&judged) } else { None };
+        Ok(Self::with(judged, Some(taken), near_miss))
     }
 
-    fn with(judged: Judged, near_miss: Option<String>) -> Self {
+    fn with(judged: Judged, taken: Option<Taken>, near_miss: Option<String>) -> Self {
         let claim = judged.claim;
         let mut lines = Vec::new();
         let mut tell = |label, text: String| {
@@ -78,8 +100,10 @@ impl Account {
         tell("From the source’s rounded steps", judged.from_rounded.map(number).unwrap_or_default());
         let other_right = judged.right_value.filter(|right| judged.computed != Some(*right));
         tell("Right", other_right.map(number).unwrap_or_default());
-        if !judged.is_as_printed() && !judged.reads_characters {
-            tell("Not read", NOT_READ.to_owned());
+        match taken {
+            Some(Taken::Unread) => tell("Not read", NOT_READ.to_owned()),
+            Some(Taken::Unreadable) => tell("Not read", UNREADABLE.to_owned()),
+            _ => {}
         }
         tell("Found", found(&judged).join(" "));
         tell("Near miss", near_miss.unwrap_or_default());
@@ -89,7 +113,7 @@ impl Account {
         let complaints = judged.complaints();
         tell("Record", if complaints.is_empty() { "as recorded".to_owned() } else { complaints.join("; ") });
         tell("Stated in", format!("{}:{}", claim.stated_at.file(), claim.stated_at.line()));
-        Self { judged, lines }
+        Self { judged, taken, lines }
     }
 
     /// The account as text: a line for each thing that is told.
@@ -105,8 +129,10 @@ impl Account {
 }
 
 /// What is said of characters that a check does not read.
-const NOT_READ: &str = "The check of this claim does not read its characters. It tries what they say and a false version of it, so \
-                        other characters change nothing; what it refuses is below.";
+const NOT_READ: &str = "These characters change nothing in what the check finds. It does not read words: it tries what the claim says \
+                        and a false version of it.";
+/// What is said of characters that cannot be read.
+const UNREADABLE: &str = "These characters cannot be read, so they are neither right nor wrong.";
 
 /// What was found of the digits of a number, or of the form of anything else.
 fn found(judged: &Judged) -> Vec<String> {
@@ -130,9 +156,13 @@ fn digits(judged: &Judged, printed: &Decimal, value: f64) -> String {
         _ => told,
     };
     if printed.is_rounding_of(value) {
-        return as_right(format!("these digits are a rounding of {computed}"));
+        return as_right(format!("These digits are a rounding of {computed}"));
     }
-    let no_rounding = format!("these digits are not a rounding of {computed}");
+    let no_rounding = format!("These digits are not a rounding of {computed}");
+    if let Some(right) = judged.right_value.filter(|right| *right != value && printed.is_rounding_of(*right)) {
+        let right = judged.rounded(right);
+        return format!("{no_rounding}, which the source’s own way gives, but of the right number, {right}");
+    }
     as_right(match (judged.verdict, judged.from_rounded) {
         (Verdict::Truncated, _) => format!("{no_rounding}, but its first digits, cut off"),
         (Verdict::ReadOff, _) => format!("{no_rounding}, but as near to it as they could be read off"),
@@ -151,7 +181,6 @@ fn near_miss(judged: &Judged) -> Option<String> {
             let (first, second) = (judged.computed?, judged.witnessed?);
             let printed: Decimal = claim.printed.parse().ok()?;
             let reach = resolution.as_ref().map_or(0.0, |run| run());
-            let last = claim.printed.rfind(|c: char| c.is_ascii_digit())?;
             let nearest = (2.0 * reach / printed.unit_in_last_place().to_f64_fast()) as u32 + 1;
             let accepts = |digits: &Decimal, value: f64| {
                 digits.is_rounding_of(value)
@@ -159,9 +188,21 @@ fn near_miss(judged: &Judged) -> Option<String> {
                     || (value - digits.to_f64()).abs() <= reach && reach > 0.0
             };
             // Beside digits that were cut off stand the rounded ones, which are right.
-            let refused =
-                |near: &String| near.parse().is_ok_and(|digits| !accepts(&digits, first) && !accepts(&digits, second));
-            let near = (nearest..10).filter_map(|step| with_next_digit(claim.printed, last, step)).find(refused)?;
+            let is_right = |digits: &Decimal| judged.right_value.is_some_and(|right| digits.is_rounding_of(right));
+            let refused = |near: &String| {
+                let refuses =
+                    |digits: &Decimal| !accepts(digits, first) && !accepts(digits, second) && !is_right(digits);
+                near.parse().is_ok_and(|digits| refuses(&digits))
+            };
+            // So many units of the last place more, or less.
+            let unit = printed.unit_in_last_place().to_f64_fast();
+            let beside =
+                |step: u32| [1.0, -1.0].map(|side| printed.like(printed.to_f64() + side * f64::from(step) * unit));
+            // A fraction has no last place.
+            let last = claim.printed.rfind(|c: char| c.is_ascii_digit())?;
+            let digits = (1..10).filter_map(|step| with_next_digit(claim.printed, last, step));
+            let near = (nearest..nearest + MOST_STEPS).flat_map(beside).filter(|_| !claim.printed.contains('/'));
+            let near = near.chain(digits).find(refused)?;
             Some(format!("{near} in its place: {}", refusals([false; 2])))
         }
         Check::Equation { .. } => {
@@ -182,6 +223,9 @@ fn near_miss(judged: &Judged) -> Option<String> {
         Check::Missing { .. } => None,
     }
 }
+
+/// How many neighbours of a number are tried to either side.
+const MOST_STEPS: u32 = 10;
 
 /// Which of two routes refuse, of which it is known whether they accept.
 fn refusals(accepted: [bool; 2]) -> &'static str {
@@ -221,8 +265,8 @@ impl Ledger {
     ///
     /// `list` gives the ids of all claims with their recorded verdicts, a line each, and `printed ID` the printed characters.
     /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between the parts of a line stands a tab. The first
-    /// line of a check is the derived verdict, the recorded one, `holds`, `differs`, or `unread` where other characters were put in that
-    /// the check does not read, and what contradicts the record. A question
+    /// line of a check is the derived verdict, the recorded one, `holds` or `differs`, and what contradicts the record; of other
+    /// characters it may be `unread` or `unreadable` instead. A question
     /// that cannot be answered gets `error` and what to give.
     pub fn reply(&'static self, question: &str) -> String {
         self.replied(question).unwrap_or_else(|message| format!("error\t{}", in_one_line(&message)))
@@ -232,11 +276,12 @@ impl Ledger {
         let (line, characters) = question.split_once('\n').map_or((question, None), |(line, rest)| (line, Some(rest)));
         let (word, id) = line.split_once(' ').unwrap_or((line, ""));
         let claim = || self.claim(id).ok_or_else(|| format!("no claim has the id `{id}`"));
-        let head = |judged: &Judged| {
-            let holds = match (judged.matches_record(), judged.is_as_printed() || judged.reads_characters) {
-                (false, _) => "differs",
-                (true, true) => "holds",
-                (true, false) => "unread",
+        let head = |judged: &Judged, taken: Option<Taken>| {
+            let holds = match taken {
+                Some(Taken::Unread) => "unread",
+                Some(Taken::Unreadable) => "unreadable",
+                _ if judged.matches_record() => "holds",
+                _ => "differs",
             };
             let complaints = in_one_line(&judged.complaints().join("; "));
             format!("{}\t{}\t{holds}\t{complaints}", judged.verdict, judged.claim.expected)
@@ -247,14 +292,14 @@ impl Ledger {
                 Ok(lines.collect::<Vec<_>>().join("\n"))
             }
             ("printed", None) => Ok(claim()?.printed.to_owned()),
-            ("judge", None) => Ok(head(&judge(claim()?))),
+            ("judge", None) => Ok(head(&judge(claim()?), None)),
             ("account", characters) => {
                 let account = match characters {
                     Some(characters) => Account::for_characters(claim()?, characters)?,
                     None => Account::for_claim(claim()?),
                 };
                 let lines = account.lines.iter().map(|(label, text)| format!("\n{label}\t{text}"));
-                Ok(head(&account.judged) + &lines.collect::<String>())
+                Ok(head(&account.judged, account.taken) + &lines.collect::<String>())
             }
             _ => Err(
                 "ask `list`, `printed ID`, `judge ID`, or `account ID` with other characters in the lines behind it"

@@ -1,7 +1,6 @@
 //! The verdict on a claim, derived.
 
 use crate::number_format::fixed;
-use crate::stated::reading;
 use crate::tex::places_changed;
 use crate::units::unit_fault;
 use crate::{
@@ -31,8 +30,6 @@ pub struct Judged {
     pub right_value: Option<f64>,
     /// How the printed form, its correction and its witness were found to hold or to fail.
     pub findings: Vec<(&'static str, Finding)>,
-    /// Whether the check has asked for the characters: that of a statement may only try what is said and a false version of it.
-    pub reads_characters: bool,
     /// What contradicts the record, beside a differing verdict. Empty if all is well.
     pub faults: Vec<String>,
 }
@@ -49,7 +46,6 @@ impl Judged {
             from_rounded: None,
             right_value: None,
             findings: Vec::new(),
-            reads_characters: true,
             faults: Vec::new(),
         }
     }
@@ -73,6 +69,13 @@ impl Judged {
     /// Whether the characters that were judged are the printed ones.
     pub fn is_as_printed(&self) -> bool {
         self.printed == self.claim.printed
+    }
+
+    /// Whether the characters could be read where the check reads them; what cannot be read is neither right nor wrong.
+    pub fn is_readable(&self) -> bool {
+        let is_number = self.computed.is_some();
+        self.findings.iter().all(|(_, finding)| finding.evaluated)
+            && (!is_number || self.printed.parse::<Decimal>().is_ok())
     }
 
     /// A number beside the judged characters, with some places more.
@@ -223,7 +226,12 @@ fn record_disagreement(
         (Agreement::ToPrintedDigits, Agreement::Within(tolerance)) => tolerance.agrees(value, witnessed),
     };
     if !agrees {
-        judged.faults.push(format!("the witness ({witness}) gives {witnessed}, not {value}"));
+        judged.faults.push(match witness.agreement {
+            Agreement::ToPrintedDigits => {
+                format!("the witness ({witness}) gives {witnessed}, of which the digits are not a rounding")
+            }
+            Agreement::Within(_) => format!("the witness ({witness}) gives {witnessed}, not {value}"),
+        });
     }
 }
 
@@ -266,7 +274,7 @@ fn equation(judged: &mut Judged, decide: &DecisionFn, witness: &Evidence) {
     }
     if let Some(erratum) = &claim.erratum {
         let places = places_changed(&judged.printed, erratum.corrected);
-        if places != erratum.places {
+        if places != erratum.places && judged.is_as_printed() {
             judged.faults.push(format!(
                 "the correction changes the printed characters in {places} places, and {} on record",
                 match erratum.places {
@@ -286,9 +294,11 @@ fn equation(judged: &mut Judged, decide: &DecisionFn, witness: &Evidence) {
 
 fn statement(judged: &mut Judged, first: &Route<ChoiceFn>, witness: &Route<ChoiceFn>, neighbour: Option<&'static str>) {
     let printed = judged.printed.clone();
-    let both = [Stated::right(judged.claim.right_for(&printed)), Stated::wrong(&printed)];
-    let ([[right, wrong], [witnessed, refused]], reads) = reading(|| [both.map(&*first.run), both.map(&*witness.run)]);
-    judged.reads_characters = reads;
+    // Who puts in the correction says what is right.
+    let is_correction = judged.claim.erratum.as_ref().is_some_and(|erratum| erratum.corrected == printed);
+    let said = if is_correction { Stated::right(&printed) } else { Stated::wrong(&printed) };
+    let both = [Stated::right(judged.claim.right_for(&printed)), said];
+    let [[right, wrong], [witnessed, refused]] = [both.map(&*first.run), both.map(&*witness.run)];
     judged.verdict = match neighbour {
         Some(_) => verdict(right.holds, None),
         None => verdict(wrong.holds, Some(right.holds)),

@@ -84,7 +84,7 @@ mod units;
 mod verdict;
 mod vocabulary;
 
-pub use account::{Account, MOST_CHARACTERS};
+pub use account::{Account, MOST_CHARACTERS, Taken};
 pub use building::{Locator, Unchecked, Unwitnessed, intern};
 pub use check::{Check, ChoiceFn, DecisionFn, Finding, NumberFn, ReadingFn, Route, TestFn};
 pub use coverage::{entry_numbers, line_gap, without_ellipses};

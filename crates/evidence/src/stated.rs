@@ -2,7 +2,6 @@
 
 use crate::Decimal;
 use crate::number_words::{next_number_word, number_in_word};
-use std::cell::Cell;
 use std::ops::Range;
 
 /// Which of two neighbouring statements is put to a route, and its characters. A check that cannot fail is not a check: a
@@ -11,18 +10,6 @@ use std::ops::Range;
 pub struct Stated<'a> {
     characters: &'a str,
     right: bool,
-}
-
-thread_local! {
-    /// Whether the characters of a statement have been asked for on this thread.
-    static READ: Cell<bool> = const { Cell::new(false) };
-}
-
-/// What a function gives, and whether it has asked for the characters of a statement.
-pub(crate) fn reading<T>(run: impl FnOnce() -> T) -> (T, bool) {
-    let before = READ.replace(false);
-    let found = run();
-    (found, READ.replace(before))
 }
 
 impl<'a> Stated<'a> {
@@ -44,19 +31,18 @@ impl<'a> Stated<'a> {
 
     /// The characters: of the printed form, or of its correction.
     pub fn characters(self) -> &'a str {
-        READ.set(true);
         self.characters
     }
 
     /// The numbers of the characters, in digits or in words, in their order; without a sign. Digits beside a letter belong
     /// to a name, and those beside a hyphen and digits to a label.
     pub fn numbers(self) -> Vec<f64> {
-        numbers_in(self.characters()).into_iter().map(|(_, number)| number).collect()
+        numbers_in(self.characters).into_iter().map(|(_, number)| number).collect()
     }
 
     /// Those in digits, with their places.
     pub fn decimals(self) -> Vec<Decimal> {
-        numbers_in(self.characters()).into_iter().filter_map(|(at, _)| decimal(&self.characters[at])).collect()
+        numbers_in(self.characters).into_iter().filter_map(|(at, _)| decimal(&self.characters[at])).collect()
     }
 
     /// Whether these numbers round to those in digits, one by one, and there are no others.

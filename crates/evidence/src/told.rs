@@ -85,7 +85,11 @@ fn finding_on<'a>(judged: &'a Judged, form: &str) -> Option<&'a Finding> {
 }
 
 fn says(finding: &Finding) -> &'static str {
-    if finding.holds { "holds" } else { "fails" }
+    match (finding.evaluated, finding.holds) {
+        (false, _) => "cannot be read",
+        (true, true) => "holds",
+        (true, false) => "fails",
+    }
 }
 
 fn lowered(words: &str) -> String {

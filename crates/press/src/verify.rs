@@ -69,22 +69,28 @@ fn compiled(of: &LedgerCrate, root: &Path) -> anyhow::Result<Vec<u8>> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), |own| root.join(own));
     let own = made(of, &folder, workspace, &target)?;
     let compilation = Compilation { workspace, folder: &own, package: None, target: &target };
-    compilation.module(NAME).map_err(anyhow::Error::msg)
+    compilation.module(&crate_name(of)).map_err(anyhow::Error::msg)
 }
 
 const LOCK: &str = "Cargo.lock";
-/// The name of the crate that is made.
-const NAME: &str = "verify";
+/// The folder below the target directory in which crates are made.
+const MADE: &str = "verify";
+
+/// The name of the crate that is made: books that share a target directory have modules of their own.
+fn crate_name(of: &LedgerCrate) -> String {
+    format!("verify-{}", of.package)
+}
 
 /// The folder of the crate that calls the ledger's, with its files as they should be.
 fn made(of: &LedgerCrate, folder: &Path, workspace: &Path, target: &Path) -> anyhow::Result<PathBuf> {
-    let own = target.join(NAME).join(of.package);
+    let own = target.join(MADE).join(of.package);
     let source = own.join("src");
     fs::create_dir_all(&source).with_context(|| format!("cannot make {}", source.display()))?;
     let path = folder.to_str().with_context(|| format!("{} is not UTF-8", folder.display()))?;
     let manifest = format!(
-        "[package]\nname = \"{NAME}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n[lib]\ncrate-type = [\"cdylib\"]\n\n\
+        "[package]\nname = \"{}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n[lib]\ncrate-type = [\"cdylib\"]\n\n\
          [dependencies]\nledger = {{ package = {:?}, path = {path:?} }}\n\n[workspace]\n\n{}",
+        crate_name(of),
         of.package,
         modules::PROFILE_SETTINGS
     );

@@ -2,11 +2,11 @@
 // loads it for another thread. `limit` is how long an answer may take, in milliseconds, before the module is taken to be stuck.
 // `load` gets the module, `ask` the text of an answer, and `stop` ends the thread.
 globalThis.genevaThread ??= (source, limit = 5000) => {
-    let module, thread, queue = Promise.resolve();
+    let module, thread, abort, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
     const load = () => module ??= typeof source === 'function' ? source() : new Promise((done, failed) => {
-        globalThis.genevaModule = async text => {
+        (globalThis.genevaModules ??= {})[source] = async text => {
             try {
                 const packed = Uint8Array.from(atob(text), character => character.charCodeAt(0));
                 const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
@@ -15,6 +15,7 @@ globalThis.genevaThread ??= (source, limit = 5000) => {
                 failed(error);
             }
         };
+        globalThis.genevaModule ??= text => genevaModules[document.currentScript.getAttribute('src')](text);
         const script = document.createElement('script');
         script.src = source;
         script.onerror = () => failed(new Error('its module does not load'));
@@ -58,28 +59,26 @@ globalThis.genevaThread ??= (source, limit = 5000) => {
         worker.postMessage({ code });
         return worker;
     };
-    const stop = () => {
+    // Ends the thread, and the question that it has; the next one gets a fresh module.
+    const stop = (why = 'stopped') => {
         thread?.terminate();
         thread = undefined;
+        abort?.(new Error(why));
     };
     const answered = async question => {
         const code = await load();
         thread ??= begun(code);
         return new Promise((done, failed) => {
-            const fail = why => {
-                // The next question gets a fresh module.
-                stop();
-                failed(new Error(why));
+            const timer = setTimeout(() => stop(`no answer within ${limit / 1000} s`), limit);
+            abort = error => {
+                clearTimeout(timer);
+                failed(error);
             };
-            const timer = setTimeout(() => fail(`no answer within ${limit / 1000} s`), limit);
             thread.onmessage = ({ data: { text, failed: why } }) => {
                 clearTimeout(timer);
-                why === undefined ? done(text) : fail(why);
+                why === undefined ? done(text) : stop(why);
             };
-            thread.onerror = event => {
-                clearTimeout(timer);
-                fail(event.message ?? 'its thread does not start');
-            };
+            thread.onerror = event => stop(event.message ?? 'its thread does not start');
             thread.postMessage({ question });
         });
     };

@@ -14,7 +14,7 @@
         made.append(...children);
         return made;
     };
-    const dialog = (title, ...children) => {
+    const dialog = (isAbove, title, ...children) => {
         const close = element('button', { type: 'button', className: 'close', textContent: 'Close' });
         const heading = element('h2', {}, ...title);
         const box = element('dialog', { className: 'verify' }, element('header', {}, heading, close), ...children);
@@ -28,8 +28,16 @@
                 box.close();
             }
         });
-        box.addEventListener('close', () => box.remove());
-        document.querySelector('dialog.verify')?.close();
+        box.addEventListener('close', () => {
+            box.remove();
+            // Who loads the page again wants the page.
+            if (location.hash.startsWith('#check:')) {
+                history.replaceState(null, '', location.pathname + location.search);
+            }
+        });
+        if (!isAbove) {
+            document.querySelectorAll('dialog.verify').forEach(other => other.close());
+        }
         document.body.append(box);
         box.showModal();
         return box;
@@ -41,49 +49,63 @@
             throw new Error(head[1]);
         }
         const [verdict, , outcome, why] = head;
-        return { verdict, holds: outcome !== 'differs', isRead: outcome !== 'unread', why, lines };
+        return { verdict, outcome, holds: outcome === 'holds', why, lines };
     };
     const duration = milliseconds => milliseconds < 1000 ? `${Math.max(1, Math.round(milliseconds))} ms` : `${(milliseconds / 1000).toFixed(1)} s`;
     const recorded = id => globalThis.genevaRecord?.verdicts[id] ?? 'no verdict';
     const asBuilt = (id, verdict) => recorded(id) === verdict;
 
     // One claim: its printed characters may be changed, and the verdict follows.
-    const one = async (id, characters) => {
+    const one = async (id, characters, isAbove = false) => {
         const field = element('textarea', { spellcheck: false, maxLength: most, rows: 2, disabled: true });
         const status = element('output', { textContent: 'The check is being loaded…' });
         const list = element('dl');
         const reset = element('button', { type: 'button', textContent: 'As printed', disabled: true });
-        const link = element('a', { textContent: 'Address of this check' });
+        const link = element('a', { textContent: 'Link to this check' });
         const box = dialog(
+            isAbove,
             ['Check ', element('code', { textContent: id })],
-            element('label', {}, 'Printed characters: change one, and see what the check says', field),
+            element('label', {}, 'Characters that are checked: change one, and see what happens', field),
             element('p', {}, reset, ' ', link),
             element('p', { className: 'status' }, status),
             list,
         );
-        let printed, last = 0;
-        const show = ({ verdict, holds, isRead, why, lines }, spoilt, took) => {
+        let printed, last = 0, busy = 0;
+        const isAccepted = verdict => ['reproduced', 'read-off'].includes(verdict);
+        const taken = (verdict, outcome) => {
+            if (outcome === 'unread') {
+                return 'These characters change nothing: the check of this claim doesn’t read them.';
+            }
+            if (outcome === 'unreadable') {
+                return '✗ These characters can’t be read, so they are neither right nor wrong.';
+            }
+            const change = verdict === recorded(id) ? `the verdict stays ${verdict}` : `the verdict changes from ${recorded(id)} to ${verdict}`;
+            return `${isAccepted(verdict) ? '✓ Accepted' : '✗ Refused'}: ${change}.`;
+        };
+        const show = ({ verdict, outcome, holds, why, lines }, spoilt, took) => {
             let words;
             if (spoilt) {
-                words = !isRead ? 'The check of this claim does not read its characters.'
-                    : verdict === recorded(id) ? `With these characters the verdict stays ${verdict}.`
-                    : `With these characters the verdict changes from ${recorded(id)} to ${verdict}.`;
+                words = taken(verdict, outcome);
             } else if (!asBuilt(id, verdict)) {
                 words = `✗ The verdict is ${verdict}, but this book was built with ${recorded(id)}.`;
             } else {
                 words = holds ? `✓ ${verdict}, as recorded.` : `✗ ${verdict} as recorded, but: ${why}.`;
             }
             status.textContent = `${words} Derived in your browser in ${duration(took)}.`;
-            box.classList.toggle('differs', !holds || words[0] === '✗');
+            box.classList.toggle('differs', words[0] === '✗');
             list.replaceChildren(...lines.flatMap(([label, text]) => [
                 element('dt', { textContent: label }), element('dd', { textContent: text }),
             ]));
         };
         const ask = async () => {
             const own = ++last, text = field.value, spoilt = text !== printed;
-            link.href = `#check:${id}${spoilt ? `:${encodeURIComponent(text)}` : ''}`;
+            link.href = `#check:${id}${spoilt ? `:${encodeURIComponent(text.replace(/\p{Surrogate}/gu, ''))}` : ''}`;
             reset.disabled = !spoilt;
             box.setAttribute('aria-busy', 'true');
+            // A newer question does not wait for one that nobody wants any more.
+            if (busy++) {
+                first.stop();
+            }
             const begun = performance.now();
             try {
                 const answer = checked(await first.ask(`account ${id}${spoilt ? `\n${text}` : ''}`));
@@ -97,6 +119,7 @@
                     status.textContent = `✗ The check gives no answer: ${error.message}.`;
                 }
             }
+            busy--;
             if (own === last) {
                 box.removeAttribute('aria-busy');
             }
@@ -121,7 +144,7 @@
             status.textContent = told(error);
             return;
         }
-        field.value = characters === undefined ? printed : characters.slice(0, most);
+        field.value = characters === undefined ? printed : Array.from(characters).slice(0, most).join('');
         field.disabled = false;
         await ask();
     };
@@ -134,10 +157,12 @@
         const toggle = element('button', { type: 'button', textContent: 'Stop', disabled: true });
         const list = element('ul');
         const box = dialog(
+            false,
             [wanted ? 'Check this page' : 'Check everything'],
             element('p', {}, bar, ' ', toggle), element('p', { className: 'status' }, status), list,
         );
-        let ids;
+        let ids, running = false;
+        box.addEventListener('close', () => running = false);
         try {
             await first.load();
             const all = (await first.ask('list')).split('\n').map(line => line.split('\t')[0]);
@@ -154,10 +179,10 @@
         for (let at = 0; at < ids.length; at += share) {
             shares.push(ids.slice(at, at + share));
         }
-        let done = 0, well = 0, spent = 0, running = false;
+        let done = 0, well = 0, spent = 0;
         const say = (id, why) => {
             const button = element('button', { type: 'button', textContent: id });
-            button.onclick = () => one(id);
+            button.onclick = () => one(id, undefined, true);
             list.append(element('li', {}, button, `: ${why}`));
         };
         const work = async () => {
@@ -211,12 +236,14 @@
             }
             toggle.remove();
             box.classList.toggle('differs', well < done);
-            status.textContent = `${well === done ? '✓' : '✗'} ${well} of ${done} as recorded, derived in your browser in ${duration(spent)}` +
-                `${well === done ? '.' : `. These ${done - well} are not:`}`;
+            status.textContent = well === done
+                ? `✓ ${done} of ${done} verdicts derived in your browser, each as recorded, in ${duration(spent)}.`
+                : `✗ ${well} of ${done} verdicts derived in your browser are as recorded. These ${done - well} are not:`;
         };
         toggle.onclick = () => running ? running = false : run();
-        box.addEventListener('close', () => running = false);
-        await run();
+        if (box.isConnected) {
+            await run();
+        }
     };
     globalThis.genevaVerify = { one, many, ask: first.ask };
 })();

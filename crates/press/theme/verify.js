@@ -17,7 +17,12 @@
         try {
             act(await load());
         } catch (error) {
-            button.replaceWith(`Nothing can be checked here: ${error.message}.`);
+            panel = undefined;
+            const told = document.createElement('p');
+            told.className = 'verify-failed';
+            told.textContent = `Nothing can be checked here: ${error.message}.`;
+            document.querySelector('.verify-failed')?.remove();
+            button === main ? main.prepend(told) : button.after(told);
         }
         button.removeAttribute('aria-busy');
     };

@@ -45,9 +45,6 @@ pub(super) fn numbers() -> Vec<OwnNumber> {
             .with_second_route("one line makes most of the wrong claims", RECORD, || {
                 Ok(places_of_one_line(&[Kind::Statement]))
             }),
-        OwnNumber::count("claims.unread", || {
-            Ok(LEDGER.verdicts().iter().filter(|judged| !judged.reads_characters).count())
-        }),
         OwnNumber::count("claims.open", || Ok(claims(Truth::Open, |_| true))),
         OwnNumber::count("slips.grave", || Ok(GRAVE.map(|of| LEDGER.slips_of(of).count()).iter().sum::<usize>())),
         OwnNumber::count("rows", || Ok(rows().len())),

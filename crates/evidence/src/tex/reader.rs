@@ -37,6 +37,9 @@ pub(super) enum Brackets {
 pub(super) fn read(tex: &str, brackets: Brackets) -> Read<Display> {
     let pieces = without_layout(tex);
     let pieces: Vec<&str> = pieces.iter().map(String::as_str).collect();
+    if depth(&pieces) > DEEPEST {
+        return illegible(format!("more than {DEEPEST} parts inside one another"));
+    }
     let mut reader = Reader { pieces: &pieces, at: 0, bars: 0, brackets };
     let mut display = Display { tag: None, chains: Vec::new() };
     while let Some(piece) = reader.next() {
@@ -58,7 +61,35 @@ pub(super) fn read(tex: &str, brackets: Brackets) -> Read<Display> {
             }
         }
     }
+    if display.chains.iter().flatten().any(|side| side.highest_power() > HIGHEST_POWER) {
+        return illegible(format!("powers of powers, of more than {HIGHEST_POWER} in all"));
+    }
     Ok(display)
+}
+
+/// Most parts of a formula inside one another. Each takes room on the stack, of which a page has little.
+const DEEPEST: usize = 120;
+/// The highest power to which anything is raised, by its powers and theirs: beyond, a proof would not end.
+const HIGHEST_POWER: u64 = 4096;
+
+/// How many parts may be inside one another at most: brackets that are open, bars, and signs or functions in a row.
+fn depth(pieces: &[&str]) -> usize {
+    let (mut open, mut bars, mut in_a_row, mut deepest) = (0_usize, 0, 0_usize, 0);
+    for piece in pieces {
+        let is_operand = piece.chars().all(char::is_alphanumeric) && !piece.is_empty();
+        in_a_row = if is_operand { 0 } else { in_a_row + 1 };
+        match *piece {
+            "(" | "[" | "{" | r"\{" | r"\left|" => open += 1,
+            ")" | "]" | "}" | r"\}" | r"\right|" => {
+                open = open.saturating_sub(1);
+                in_a_row = 0;
+            }
+            "|" => bars += 1,
+            _ => {}
+        }
+        deepest = deepest.max(open + bars).max(in_a_row);
+    }
+    deepest
 }
 
 /// The one name that a formula is.

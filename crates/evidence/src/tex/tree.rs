@@ -91,6 +91,19 @@ impl Node {
         }
     }
 
+    /// To which power a part of it is raised in all, by its powers and theirs; of a power that is no number, as high as is proven.
+    pub(super) fn highest_power(&self) -> u64 {
+        match self {
+            Self::Number(..) | Self::Name(_) => 1,
+            Self::Of(_, of) => of.highest_power(),
+            Self::Two(Joint::Power, base, exponent) => {
+                let by = if let Self::Number(digits, 0) = **exponent { digits.unsigned_abs() } else { 16 };
+                base.highest_power().saturating_mul(by.max(1)).max(exponent.highest_power())
+            }
+            Self::Two(_, left, right) => left.highest_power().max(right.highest_power()),
+        }
+    }
+
     /// Whether this or a part of it is so.
     pub(super) fn contains(&self, is: impl Fn(&Self) -> bool) -> bool {
         let mut found = false;
