@@ -5,20 +5,19 @@ globalThis.genevaThread ??= (source, limit = 5000) => {
     let module, thread, abort, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
-    const load = () => module ??= typeof source === 'function' ? source() : new Promise((done, failed) => {
-        (globalThis.genevaModules ??= {})[source] = async text => {
+    const load = () => module ??= source.call ? source() : new Promise((done, failed) => {
+        const script = document.createElement('script');
+        globalThis.genevaModule = text => document.currentScript.take(text);
+        script.take = async text => {
             try {
-                const packed = Uint8Array.from(atob(text), character => character.charCodeAt(0));
-                const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+                const unpacked = new Blob([Uint8Array.from(atob(text), sign => sign.charCodeAt(0))]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
                 done(await WebAssembly.compile(await new Response(unpacked).arrayBuffer()));
             } catch (error) {
                 failed(error);
             }
         };
-        globalThis.genevaModule ??= text => genevaModules[document.currentScript.getAttribute('src')](text);
-        const script = document.createElement('script');
+        script.onerror = () => failed(new Error('no module loads'));
         script.src = source;
-        script.onerror = () => failed(new Error('its module does not load'));
         document.head.append(script);
     });
 
@@ -60,7 +59,7 @@ globalThis.genevaThread ??= (source, limit = 5000) => {
         return worker;
     };
     // Ends the thread, and the question that it has; the next one gets a fresh module.
-    const stop = (why = 'stopped') => {
+    const stop = why => {
         thread?.terminate();
         thread = undefined;
         abort?.(new Error(why));
@@ -74,11 +73,8 @@ globalThis.genevaThread ??= (source, limit = 5000) => {
                 clearTimeout(timer);
                 failed(error);
             };
-            thread.onmessage = ({ data: { text, failed: why } }) => {
-                clearTimeout(timer);
-                why === undefined ? done(text) : stop(why);
-            };
-            thread.onerror = event => stop(event.message ?? 'its thread does not start');
+            thread.onmessage = ({ data: { text, failed: why } }) => why === undefined ? (clearTimeout(timer), done(text)) : stop(why);
+            thread.onerror = event => stop(event.message ?? 'no thread starts');
             thread.postMessage({ question });
         });
     };

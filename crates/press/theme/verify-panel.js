@@ -104,7 +104,7 @@
             box.setAttribute('aria-busy', 'true');
             // A newer question does not wait for one that nobody wants any more.
             if (busy++) {
-                first.stop();
+                first.stop('another question came');
             }
             const begun = performance.now();
             try {
