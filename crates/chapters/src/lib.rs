@@ -60,7 +60,7 @@ pub static BOOK: Book = Book {
     ledger_crate: Some(LedgerCrate {
         package: "geneva-documents",
         folder: "crates/documents",
-        command: "cargo run -p geneva -- claims ID --printed 'CHARACTERS'",
+        command: "cargo run -- claims ID --printed 'CHARACTERS'",
     }),
     examples: EXAMPLES,
     citation_file: include_str!("../../../CITATION.cff"),
