@@ -4,6 +4,7 @@
 //! printed characters may be others than those of the document, to see that a check can fail.
 
 use crate::tex::misprints;
+use crate::told::finding_on;
 use crate::{Check, Claim, Decimal, Judged, Ledger, Verdict, judge, judge_characters, sentences};
 
 /// What was found when a claim was checked, in words.
@@ -53,11 +54,13 @@ impl Account {
             return Ok(Self::for_claim(claim));
         }
         let judged = judge_characters(claim, printed.to_owned().into());
-        let as_printed = judge(claim);
-        let finds_the_same = matches!(claim.check, Check::Statement { .. } | Check::Missing { .. })
-            && judged.findings == as_printed.findings
-            && judged.faults == as_printed.faults;
-        let taken = match (finds_the_same, judged.is_readable()) {
+        // Numbers and equations are read.
+        let finds_the_same = || {
+            let as_printed = judge(claim);
+            judged.findings == as_printed.findings && judged.faults == as_printed.faults
+        };
+        let may_be_unread = matches!(claim.check, Check::Statement { .. } | Check::Missing { .. });
+        let taken = match (may_be_unread && finds_the_same(), judged.is_readable()) {
             (true, _) => Taken::Unread,
             (false, true) => Taken::Read,
             (false, false) => Taken::Unreadable,
@@ -75,20 +78,14 @@ impl Account {
                 lines.push((label, in_one_line(&text)));
             }
         };
-        let with_unit = |characters: &str| {
-            let space = if claim.unit.is_empty() || claim.unit.starts_with('°') { "" } else { " " };
-            format!("{characters}{space}{}", claim.unit)
-        };
         tell("Claim", format!("{}, {}: {}", claim.document, claim.locator, claim.meaning));
-        if judged.is_as_printed() {
-            tell("Printed", with_unit(claim.printed));
-        } else {
-            tell("Put in", with_unit(&judged.printed));
-            tell("Printed", with_unit(claim.printed));
+        if !judged.is_as_printed() {
+            tell("Put in", claim.with_unit(&judged.printed));
         }
+        tell("Printed", claim.with_unit(claim.printed));
         let evidence = claim.check.evidence();
         let kinds = [evidence.first(), evidence.last()].map(|kind| kind.map_or("", |kind| kind.name));
-        let number = |number: f64| with_unit(&judged.rounded(number));
+        let number = |number: f64| claim.with_unit(&judged.rounded(number));
         match (judged.computed, judged.witnessed) {
             (Some(first), Some(second)) => {
                 tell("First route", format!("{} (by {})", number(first), kinds[0]));
@@ -181,7 +178,8 @@ fn near_miss(judged: &Judged) -> Option<String> {
             let (first, second) = (judged.computed?, judged.witnessed?);
             let printed: Decimal = claim.printed.parse().ok()?;
             let reach = resolution.as_ref().map_or(0.0, |run| run());
-            let nearest = (2.0 * reach / printed.unit_in_last_place().to_f64_fast()) as u32 + 1;
+            let unit = printed.unit_in_last_place().to_f64_fast();
+            let nearest = (2.0 * reach / unit) as u32 + 1;
             let accepts = |digits: &Decimal, value: f64| {
                 digits.is_rounding_of(value)
                     || reach == 0.0 && digits.is_truncation_of(value)
@@ -195,7 +193,6 @@ fn near_miss(judged: &Judged) -> Option<String> {
                 near.parse().is_ok_and(|digits| refuses(&digits))
             };
             // So many units of the last place more, or less.
-            let unit = printed.unit_in_last_place().to_f64_fast();
             let beside =
                 |step: u32| [1.0, -1.0].map(|side| printed.like(printed.to_f64() + side * f64::from(step) * unit));
             // A fraction has no last place.
@@ -216,9 +213,8 @@ fn near_miss(judged: &Judged) -> Option<String> {
                 Some(_) => ["neighbour", "neighbour by the witness"],
                 None => ["as printed", "as printed by the witness"],
             };
-            let holds = |name: &str| judged.findings.iter().find(|(of, _)| *of == name).map(|(_, found)| found.holds);
-            let accepted = [holds(names[0])?, holds(names[1])?];
-            Some(format!("{}: {}", neighbour.unwrap_or("what is printed itself"), refusals(accepted)))
+            let [first, second] = names.map(|name| finding_on(judged, name).map(|found| found.holds));
+            Some(format!("{}: {}", neighbour.unwrap_or("what is printed itself"), refusals([first?, second?])))
         }
         Check::Missing { .. } => None,
     }
@@ -264,10 +260,10 @@ impl Ledger {
     /// The reply to a question, as text: what a page asks that lets claims be checked.
     ///
     /// `list` gives the ids of all claims with their recorded verdicts, a line each, and `printed ID` the printed characters.
-    /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between the parts of a line stands a tab. The first
-    /// line of a check is the derived verdict, the recorded one, `holds` or `differs`, and what contradicts the record; of other
-    /// characters it may be `unread` or `unreadable` instead. A question
-    /// that cannot be answered gets `error` and what to give.
+    /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between
+    /// the parts of a line stands a tab. The first line of a check is the derived verdict, the recorded one, `holds` or `differs`,
+    /// and what contradicts the record; of other characters it may be `unread` or `unreadable` instead. A question that cannot be
+    /// answered gets `error` and what to give.
     pub fn reply(&'static self, question: &str) -> String {
         self.replied(question).unwrap_or_else(|message| format!("error\t{}", in_one_line(&message)))
     }

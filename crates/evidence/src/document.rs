@@ -308,6 +308,12 @@ impl Claim {
         self.right_for(self.printed)
     }
 
+    /// Characters in the place of the printed ones, or a number beside them, with the claim's unit.
+    pub fn with_unit(&self, characters: &str) -> String {
+        let space = if self.unit.is_empty() || self.unit.starts_with('°') { "" } else { " " };
+        format!("{characters}{space}{}", self.unit)
+    }
+
     /// The characters that are right if these are printed.
     pub(crate) fn right_for<'a>(&self, printed: &'a str) -> &'a str {
         match (&self.check, &self.erratum) {

@@ -80,7 +80,7 @@ fn statement(judged: &Judged, neighbour: &str) -> Vec<String> {
 }
 
 /// What was found of a form.
-fn finding_on<'a>(judged: &'a Judged, form: &str) -> Option<&'a Finding> {
+pub(crate) fn finding_on<'a>(judged: &'a Judged, form: &str) -> Option<&'a Finding> {
     judged.findings.iter().find(|(name, _)| *name == form).map(|(_, finding)| finding)
 }
 

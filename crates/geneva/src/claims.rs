@@ -7,8 +7,9 @@ use anyhow::{anyhow, bail};
 use clap::Args;
 use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
-use geneva_evidence::{Account, Claim, Decimal, Document, Judged, Verdict, nearest_name, without_ellipses};
+use geneva_evidence::{Account, Claim, Decimal, Document, Judged, Verdict, without_ellipses};
 use geneva_host::printable::escape_and_shorten;
+use geneva_press::lookup::unknown;
 use geneva_press::records;
 
 /// Options of `geneva claims`.
@@ -40,10 +41,7 @@ pub(crate) struct ClaimsArguments {
 
 /// The claim with this id.
 fn claim_with_id(id: &str) -> Result<&'static Claim, String> {
-    LEDGER.claim(id).ok_or_else(|| {
-        let nearest = nearest_name(id, LEDGER.claims().iter().map(|claim| claim.id));
-        format!("no claim has this id; the nearest is `{}`", nearest.unwrap_or_default())
-    })
+    LEDGER.claim(id).ok_or_else(|| unknown("claim", id, LEDGER.claims().iter().map(|claim| claim.id)).to_string())
 }
 
 /// What was found of each of the claims that are wanted by their ids, and whether all match the record. None if none is wanted so.
@@ -136,11 +134,11 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
             Some(number) => {
                 format!(
                     "{}  {number:>computed$}",
-                    truncate_to_width(&with_unit(&without_ellipses(claim), claim.unit), printed)
+                    truncate_to_width(&claim.with_unit(&without_ellipses(claim)), printed)
                 )
             }
             // A form has nothing to set beside it.
-            None => truncate_to_width(&with_unit(&without_ellipses(claim), claim.unit), middle),
+            None => truncate_to_width(&claim.with_unit(&without_ellipses(claim)), middle),
         };
         let mark = if judged.matches_record() { ' ' } else { DIFFERS };
         let id = format!("{:<before_verdict$}", claim.id);
@@ -156,12 +154,6 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
         );
     }
     page
-}
-
-/// The printed characters, or what should stand in their place, with the claim's unit.
-pub(crate) fn with_unit(characters: &str, unit: &str) -> String {
-    let space = if unit.is_empty() || unit.starts_with('°') { "" } else { " " };
-    format!("{characters}{space}{unit}")
 }
 
 /// The computed number with some places more than are printed.

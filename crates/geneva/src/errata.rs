@@ -1,6 +1,5 @@
 //! The mistakes in the sources, most serious consequence first.
 
-use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{TextLayout, count, field, heading};
 use crate::typed::{self, CommandFormat, Output, formats};
@@ -86,7 +85,7 @@ fn text(slips: &[TracedSlip], layout: TextLayout) -> String {
             let (slip, main) = (&places.slip, places.main());
             page += &layout
                 .folded(&format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.document, main.claim.locator));
-            page += &field("printed", &with_unit(&without_ellipses(main.claim), main.claim.unit));
+            page += &field("printed", &main.claim.with_unit(&without_ellipses(main.claim)));
             page += &field("right", &right(main));
             if !slip.changes.is_empty() {
                 page += &field("changes", slip.changes);
@@ -119,8 +118,7 @@ fn overview(slips: &[TracedSlip], layout: TextLayout) -> String {
                 let up_to = if wrong == 1 { "" } else { "up to " };
                 format!("; {} wrong by {up_to}{}", count(wrong, "number"), percent(change))
             });
-            let says =
-                format!("{} -> {}{numbers}", with_unit(&without_ellipses(main.claim), main.claim.unit), right(main));
+            let says = format!("{} -> {}{numbers}", main.claim.with_unit(&without_ellipses(main.claim)), right(main));
             page += &layout.wrapped(&format!("  {}  ", places.slip.id), &says);
         }
         page.push('\n');
@@ -130,7 +128,7 @@ fn overview(slips: &[TracedSlip], layout: TextLayout) -> String {
 
 /// What should be printed instead.
 fn right(judged: &Judged) -> String {
-    with_unit(&judged.corrected().unwrap_or_default(), judged.claim.unit)
+    judged.claim.with_unit(&judged.corrected().unwrap_or_default())
 }
 
 /// A share in per cent, to two significant digits.
@@ -166,7 +164,7 @@ fn markdown(slips: &[TracedSlip], works: &[&'static Document]) -> String {
             page += &format!("\n### {}\n\n", consequence.heading());
             for places in of {
                 let (slip, main) = (&places.slip, places.main());
-                let printed = with_unit(&without_ellipses(main.claim), main.claim.unit);
+                let printed = main.claim.with_unit(&without_ellipses(main.claim));
                 page += &format!("- **{}** ({}, {}). ", main.claim.locator, code(slip.id), slip.origin);
                 page += &format!("For {} read {}. {}", code(&printed), code(&right(main)), slip.reason);
                 if !slip.changes.is_empty() {

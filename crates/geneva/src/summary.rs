@@ -1,6 +1,5 @@
 //! A summary of all verdicts: a small table, and every claim that no longer matches the record.
 
-use crate::claims::with_unit;
 use crate::output::{TextLayout, count, field, heading, style};
 use geneva_documents::LEDGER;
 use geneva_evidence::Document;
@@ -94,7 +93,7 @@ fn differences(verdicts: &[&Judged], layout: TextLayout) -> String {
     for judged in differing {
         let claim = judged.claim;
         page += &layout.folded(&format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator));
-        page += &field("printed", &with_unit(&without_ellipses(claim), claim.unit));
+        page += &field("printed", &claim.with_unit(&without_ellipses(claim)));
         if let Some(computed) = judged.computed {
             page += &field("computed", &computed.to_string());
         }

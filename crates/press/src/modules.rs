@@ -5,7 +5,7 @@ use crate::book::{Book, PageModule};
 use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
@@ -84,9 +84,14 @@ fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
     if !root.join("crates").join(module.folder).join("Cargo.toml").is_file() {
         return Err(format!("{} does not hold their program", root.display()));
     }
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |own| root.join(own));
+    let target = target_directory(root, root);
     let of = Compilation { workspace: root, folder: root, package: Some(module.package), target: &target };
     of.module(module.package)
+}
+
+/// The target directory of a workspace, for Cargo called from the folder `from`.
+pub(crate) fn target_directory(workspace: &Path, from: &Path) -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), |own| from.join(own))
 }
 
 /// A library to be compiled for WebAssembly.
@@ -159,6 +164,11 @@ fn is_target_added(root: &Path) -> bool {
 mod tests {
     use super::*;
     use crate::samples::BOOK;
+
+    #[test]
+    fn a_crate_that_is_made_has_the_profile_of_this_workspace() {
+        assert!(include_str!("../../../Cargo.toml").contains(PROFILE_SETTINGS));
+    }
 
     #[test]
     fn a_folder_without_the_program_gets_still_figures_and_a_reason() {

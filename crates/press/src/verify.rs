@@ -7,6 +7,7 @@ use crate::book::{Book, LedgerCrate};
 use crate::data::PageFile;
 use crate::modules::{self, Compilation, THREAD};
 use anyhow::Context;
+use geneva_evidence::MOST_CHARACTERS;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
@@ -53,11 +54,11 @@ pub(crate) fn load_into_pages(
     ])
 }
 
-/// The verdicts with which the book is built, and the command that checks a claim.
+/// The verdicts with which the book is built, how many characters may be put in, and the command that checks a claim.
 fn record(book: &Book, of: &LedgerCrate) -> anyhow::Result<String> {
     let verdicts: BTreeMap<&str, String> =
         book.ledger.verdicts().iter().map(|judged| (judged.claim.id, judged.verdict.to_string())).collect();
-    let record = serde_json::json!({ "command": of.command, "verdicts": verdicts });
+    let record = serde_json::json!({ "command": of.command, "most": MOST_CHARACTERS, "verdicts": verdicts });
     Ok(format!("genevaRecord = {};\n", serde_json::to_string(&record)?))
 }
 
@@ -66,7 +67,7 @@ fn compiled(of: &LedgerCrate, root: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = root.join(of.folder).canonicalize().with_context(|| format!("no folder {}", of.folder))?;
     let workspace = folder.ancestors().find(|above| above.join(LOCK).is_file());
     let workspace = workspace.with_context(|| format!("no {LOCK} in {} or above it", folder.display()))?;
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), |own| root.join(own));
+    let target = modules::target_directory(workspace, root);
     let own = made(of, &folder, workspace, &target)?;
     let compilation = Compilation { workspace, folder: &own, package: None, target: &target };
     compilation.module(&crate_name(of)).map_err(anyhow::Error::msg)
@@ -110,10 +111,10 @@ fn made(of: &LedgerCrate, folder: &Path, workspace: &Path, target: &Path) -> any
     Ok(own)
 }
 
-/// Writes a file that does not hold this text already, whole; whether it did.
-fn write_if_other(path: &Path, text: &str) -> anyhow::Result<bool> {
+/// Writes a file that does not hold this text already, whole.
+fn write_if_other(path: &Path, text: &str) -> anyhow::Result<()> {
     if fs::read_to_string(path).is_ok_and(|known| known == text) {
-        return Ok(false);
+        return Ok(());
     }
     // Another build may read it now.
     let write = || {
@@ -122,6 +123,5 @@ fn write_if_other(path: &Path, text: &str) -> anyhow::Result<bool> {
         file.persist(path)?;
         Ok::<_, std::io::Error>(())
     };
-    write().with_context(|| format!("cannot write {}", path.display()))?;
-    Ok(true)
+    write().with_context(|| format!("cannot write {}", path.display()))
 }

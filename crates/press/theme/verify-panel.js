@@ -2,8 +2,8 @@
 // or of many. The module answers with text: lines whose parts are divided by tabs.
 (() => {
     'use strict';
-    // Most characters that may be put in, and how long one check may take, in milliseconds.
-    const most = 2000, patience = 60000;
+    // How long one check may take, in milliseconds.
+    const patience = 60000;
     const first = genevaThread('data/verify-module.js', patience);
     const command = () => globalThis.genevaRecord?.command ?? '';
     const told = error => `Nothing can be checked here: ${error.message}.` +
@@ -31,7 +31,7 @@
         box.addEventListener('close', () => {
             box.remove();
             // Who loads the page again wants the page.
-            if (location.hash.startsWith('#check:')) {
+            if (location.hash.startsWith('#check:') && !document.querySelector('dialog.verify')) {
                 history.replaceState(null, '', location.pathname + location.search);
             }
         });
@@ -57,7 +57,7 @@
 
     // One claim: its printed characters may be changed, and the verdict follows.
     const one = async (id, characters, isAbove = false) => {
-        const field = element('textarea', { spellcheck: false, maxLength: most, rows: 2, disabled: true });
+        const field = element('textarea', { spellcheck: false, rows: 2, disabled: true });
         const status = element('output', { textContent: 'The check is being loaded…' });
         const list = element('dl');
         const reset = element('button', { type: 'button', textContent: 'As printed', disabled: true });
@@ -144,6 +144,8 @@
             status.textContent = told(error);
             return;
         }
+        const { most } = globalThis.genevaRecord;
+        field.maxLength = most;
         field.value = characters === undefined ? printed : Array.from(characters).slice(0, most).join('');
         field.disabled = false;
         await ask();

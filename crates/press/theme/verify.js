@@ -1,6 +1,5 @@
 // Lets a reader have claims checked in this page. It only puts the buttons; what they need comes with the first touch.
 (() => {
-    const begin = button => button.setAttribute('aria-busy', 'true');
     let panel;
     const load = () => panel ??= new Promise((done, failed) => {
         const style = document.createElement('link');
@@ -13,7 +12,7 @@
         document.head.append(style, script);
     });
     const run = async (button, act) => {
-        begin(button);
+        button.setAttribute('aria-busy', 'true');
         try {
             act(await load());
         } catch (error) {

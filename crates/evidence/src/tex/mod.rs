@@ -180,23 +180,22 @@ pub fn value(formula: &str, letters: &Letters) -> f64 {
 
 /// The value of a formula without an equals sign at an instant; not a number if it cannot be read or a letter has no value.
 pub fn value_at(formula: &str, moment: &Moment) -> f64 {
-    let display = read_again(formula);
-    display.as_ref().as_ref().and_then(|display| moment.number(display.alone()?).ok()).unwrap_or(f64::NAN)
+    read_again(formula).and_then(|display| moment.number(display.alone()?).ok()).unwrap_or(f64::NAN)
 }
 
 thread_local! {
     /// The formula without an equals sign that this thread has read last.
-    static LAST_READ: RefCell<(String, Rc<Option<Display>>)> = RefCell::new((String::new(), Rc::new(None)));
+    static LAST_READ: RefCell<(String, Option<Rc<Display>>)> = const { RefCell::new((String::new(), None)) };
 }
 
-/// A formula as it is read; one that is evaluated at many places is read once.
-fn read_again(formula: &str) -> Rc<Option<Display>> {
+/// A formula as it is read, none if it cannot be; one that is evaluated at many places is read once.
+fn read_again(formula: &str) -> Option<Rc<Display>> {
     LAST_READ.with_borrow_mut(|(last, display)| {
         if last != formula {
-            *display = Rc::new(Display::read(formula).and_then(Display::without_number).ok());
+            *display = Display::read(formula).and_then(Display::without_number).ok().map(Rc::new);
             formula.clone_into(last);
         }
-        Rc::clone(display)
+        display.clone()
     })
 }
 
