@@ -31,7 +31,8 @@
         const announced = figure.querySelector('.results output');
         const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
-        const follows = input => input.dataset.follows !== undefined || input.dataset.side === 'second';
+        const side = input => (input.dataset.side ?? '').split(' ');
+        const follows = input => input.dataset.follows !== undefined || side(input)[1] > 0;
         const shown = input => (box(input) ?? input).value;
         const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : shown(input)]));
         // Those that nobody has moved and that stand where the answer has them; values that a slider cannot stand at.
@@ -50,7 +51,9 @@
         };
 
         const write = (input, value) => {
-            input.value = value;
+            if (input.type !== 'number' || input !== document.activeElement) {
+                input.value = value;
+            }
             const number = box(input);
             if (number && number !== document.activeElement) {
                 number.value = value;
@@ -64,9 +67,30 @@
             files.forEach(button => button.disabled = true);
             // No number stays that would seem to be of this setting.
             outputs.forEach(output => output.value = '–');
+            if (worked) {
+                worked.hidden = true;
+            }
             say(why, true);
         };
-        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg }) => {
+        const worked = figure.querySelector('.worked');
+        // The symbols of a step in italics, with their indices: {v:P} is v with the index P.
+        const line = text => {
+            const paragraph = document.createElement('p');
+            text.split(/[{}]/).forEach((part, place) => {
+                const [symbol, ...indices] = place % 2 ? part.split(':') : [part];
+                const put = (element, words) => paragraph.appendChild(document.createElement(element)).append(words);
+                place % 2 ? put('i', symbol) : paragraph.append(symbol);
+                indices.forEach((index, level) => put(['sub', 'sup'][level], index));
+            });
+            return paragraph;
+        };
+        const solve = steps => worked.querySelector('ol').replaceChildren(...steps.map(({ heading, lines }) => {
+            const item = document.createElement('li');
+            item.appendChild(document.createElement('strong')).append(heading);
+            item.append(...lines.map(line));
+            return item;
+        }));
+        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps }) => {
             if (error !== undefined) {
                 return refuse(error);
             }
@@ -80,6 +104,10 @@
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
             figure.querySelector('.drawing').replaceChildren(drawing);
             figure.querySelector('.says').textContent = caption;
+            if (worked) {
+                worked.hidden = !steps.length;
+                solve(steps);
+            }
             // What runs goes on instead of waiting for the rest.
             again ||= Boolean(progress) && !playing;
         };
@@ -136,8 +164,9 @@
             }
             followers.delete(input);
             // What is on the other side follows now; what is on this side stays as it is shown.
-            for (const other of input.dataset.side ? inputs.filter(other => other !== input && other.dataset.side) : []) {
-                if (other.dataset.side !== input.dataset.side) {
+            const [group, number] = side(input);
+            for (const other of inputs.filter(other => group && other !== input && side(other)[0] === group)) {
+                if (side(other)[1] !== number) {
                     followers.add(other);
                 } else if (followers.delete(other) && box(other)) {
                     exact.set(other, shown(other));
@@ -172,7 +201,7 @@
             if (input.options) {
                 return [...input.options].some(option => option.value === value);
             }
-            const { min, max } = box(input);
+            const { min, max } = box(input) ?? input;
             return /^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value) && Number(value) >= min && Number(value) <= max;
         };
         const address = values => {
@@ -190,7 +219,7 @@
             }
             moved();
             const labels = [...wrong].map(input => {
-                const range = box(input) ? ` (${box(input).min} to ${box(input).max})` : '';
+                const { min, max } = box(input) ?? input, range = max ? ` (${min} to ${max})` : '';
                 return `“${input.labels[0].textContent}”${range}`;
             });
             ignored.textContent = [
@@ -245,11 +274,11 @@
         };
         form.addEventListener('input', ({ target }) => {
             ignored.textContent = '';
+            if (target.type === 'number' && target.value === '') {
+                return;
+            }
             if (target.dataset.box !== undefined) {
                 const input = inputs.find(input => input.name === target.dataset.box);
-                if (target.value === '') {
-                    return;
-                }
                 put(input, target.value);
             } else {
                 put(target, target.value);

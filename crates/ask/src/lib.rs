@@ -23,9 +23,11 @@ macro_rules! refused {
 pub mod escapement;
 mod field;
 pub mod number_format;
+pub mod pin;
 pub mod quick_return;
 mod timekeepers;
 pub mod wheel;
+pub mod worked;
 
 pub use field::{Item, MechanismReport, Needs, ReportField, Rounding, SheetLine, SheetNumber};
 pub use geneva_fields::{DataRow, FieldValue};
@@ -72,13 +74,16 @@ pub fn answer(question: &str) -> Result<MechanismReport, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
         "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),
+        "pin" => Ok(pin::PinDesign::new(&pin::PinQuestion::parse(arguments)?)?.answer()),
         "quick-return" => {
             quick_return::QuickReturnDesign::new(&quick_return::QuickReturnQuestion::parse(arguments)?)?.answer()
         }
         "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.answer(),
         "runaway" => timekeepers::runaway(arguments),
         "governor" => timekeepers::governor(arguments),
-        other => Err(refused!("no mechanism {other}; there are wheel, quick-return, escapement, runaway and governor")),
+        other => {
+            Err(refused!("no mechanism {other}; there are wheel, pin, quick-return, escapement, runaway and governor"))
+        }
     }
 }
 

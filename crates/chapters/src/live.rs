@@ -2,8 +2,11 @@
 
 use crate::lookup;
 use anyhow::{Context, anyhow};
+use geneva_ask::worked::WorkedStep;
 use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
+use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::table::{listing, rows};
+use geneva_documents::pin::PinProblem;
 use geneva_documents::quick_return::LeverProblem;
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
@@ -24,6 +27,11 @@ struct Beside {
 }
 
 const BESIDE: &[Beside] = &[
+    Beside {
+        name: "pin",
+        given: pin,
+        claims: &[("wheel-speed", "pin.follower-speed"), ("sliding", "pin.sliding-speed")],
+    },
     Beside {
         name: "wheel",
         given: || Ok(LiveArguments::default()),
@@ -97,6 +105,7 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
         .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
     let others = numbers(book, live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
+    let steps = if answer.steps.is_empty() { String::new() } else { format!("\n{}", steps(&answer.steps)) };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
     let plays = live.controls.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
     let play = if plays {
@@ -111,7 +120,7 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
          possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
-         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}\n</div>",
+         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}{steps}\n</div>",
         answer.figure.svg.trim_end(),
         numbers(book, live, live.quantities.iter(), answer)?,
         escape(live.hint),
@@ -120,6 +129,33 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
         live.figure,
         files.collect::<String>(),
     ))
+}
+
+/// The solution step by step, in a fold.
+fn steps(steps: &[WorkedStep]) -> String {
+    let line = |line: &String| format!("<p>{}</p>", marked_up(line));
+    let step = |step: &WorkedStep| {
+        let lines: String = step.lines.iter().map(line).collect();
+        format!("<li><strong>{}</strong>{lines}</li>", escape(step.heading))
+    };
+    let steps: String = steps.iter().map(step).collect();
+    format!(
+        "<details class=\"worked\">\n<summary>The solution step by step, with these numbers</summary>\n<ol class=\"steps\">{steps}</ol>\n</details>"
+    )
+}
+
+/// A line of a step: its symbols in italics, with their indices.
+fn marked_up(line: &str) -> String {
+    let part = |(place, part): (usize, &str)| {
+        if place % 2 == 0 {
+            return escape(part);
+        }
+        let mut parts = part.split(':').map(escape);
+        let symbol = parts.next().unwrap_or_default();
+        let indices = parts.zip(["sub", "sup"]).map(|(index, element)| format!("<{element}>{index}</{element}>"));
+        format!("<i>{symbol}</i>{}", indices.collect::<String>())
+    };
+    line.split(['{', '}']).enumerate().map(part).collect()
 }
 
 /// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
@@ -166,11 +202,9 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| round_for_box(*value));
     let at_first = follower.unwrap_or(control.preset).to_string();
     let value = given.text(name).map_or(at_first, str::to_owned);
-    let side = match control.side {
-        Some(ControlSide::First) => " data-side=\"first\"",
-        Some(ControlSide::Second) => " data-side=\"second\"",
-        None => "",
-    };
+    let side = control
+        .side
+        .map_or_else(String::new, |ControlSide { group, number }| format!(" data-side=\"{group} {number}\""));
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
         ControlKind::Choice(choices) => {
@@ -181,6 +215,12 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
             let options: String = choices.iter().enumerate().map(option).collect();
             format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\"{side}>{options}</select>")
         }
+        ControlKind::Number => format!(
+            "<label class=\"inline\" for=\"{id}\">{label}</label><span><input type=\"number\" id=\"{id}\" name=\"{name}\" aria-label=\"{}\" \
+             min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"{side}> {}</span>",
+            spoken.trim_end(),
+            escape(unit)
+        ),
         ControlKind::Slider | ControlKind::Player(_) | ControlKind::Follower => {
             let play = match control.kind {
                 ControlKind::Player(rate) => format!(" data-play=\"{rate}\""),
@@ -223,12 +263,19 @@ fn at_first(live: &'static Live) -> anyhow::Result<LiveReply> {
     }
 }
 
+/// The data of the source's problem.
+fn pin() -> anyhow::Result<LiveArguments> {
+    let at = PinProblem::printed().context("the printed data make no pin in a slot")?;
+    let angle = LEDGER.printed_value("pin.crank-angle").context("an angle without a number")?;
+    let numbers = [("theta", angle - 180.0), ("radius", at.mechanism.crank_radius()), ("speed", at.driver_speed)];
+    Ok(LiveArguments::from_pairs(numbers.map(|(name, number)| (name, number.to_string()))))
+}
+
 /// The linkage of the source's problem; its angle so fine that the numbers are those of the chapter to all their digits.
 fn lever() -> anyhow::Result<LiveArguments> {
     let at = LeverProblem::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0) - 180.0;
-    let rpm =
-        geneva_documents::LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;
+    let rpm = LEDGER.printed_value("quick-return.driver-speed").context("a speed without a number")?;
     let numbers = [("ground", at.linkage.ground()), ("radius", at.linkage.crank()), ("rpm", rpm)];
     let numbers = numbers.map(|(name, number)| (name, number.to_string()));
     Ok(LiveArguments::from_pairs(numbers.into_iter().chain([("crank", format!("{crank:.3}"))])))

@@ -22,6 +22,7 @@ mod fuzz;
 mod input;
 mod mimic;
 mod output;
+mod pin;
 mod preprocess;
 mod print;
 mod printable;
@@ -96,6 +97,8 @@ Examples:
   geneva errata                                the mistakes in the sources
   geneva coverage --source pin                 the claims on each line of a source
   geneva wheel --stations 6 --rpm 360          sizes, times and peaks of your own wheel
+  geneva pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8 --steps
+                                               your own pin in a slot, with the steps of the solution
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
                                                your own quick-return mechanism, at one instant
   geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
@@ -162,12 +165,23 @@ Examples:
 
 An option that would have no effect is refused, and the message says what to add.")]
     Wheel(Box<wheel::WheelArguments>),
+    /// Solve a pin in a slot at one instant: how fast the wheel turns and the pin slides, with every step
+    #[command(after_help = "\
+Examples:
+  geneva pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8
+  geneva pin --crank-radius 1.25 --centre-distance 2.5 --unit in --angle-from-extension 160 --rpm 90 --steps
+  geneva pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8 --format json
+
+The pin on the driver slides in a slot of the wheel, which turns against the driver. Angles are counted in the driver's \
+sense.")]
+    Pin(pin::PinArguments),
     /// Compute or draw a quick-return mechanism: velocities and accelerations at one instant
     #[command(after_help = "\
 Examples:
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
   geneva quick-return --ground 0.3 --crank 0.1 --lever-angle -10 --branch near --rpm 60
   geneva quick-return --ground 0.1 --crank 0.3 --crank-angle 75 --rpm -60 --format json
+  geneva quick-return --ground 300 --crank 100 --unit mm --lever-angle 15 --rad-s 6 --steps
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60 \\
                       --format svg --output drawing.svg
 
@@ -290,6 +304,7 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
             Ok(outcome)
         }
         Some(Command::Wheel(wanted)) => say(|layout| wheel::page(&wanted, layout), &wanted.to, streams),
+        Some(Command::Pin(wanted)) => say(|layout| pin::page(&wanted, layout), &wanted.to, streams),
         Some(Command::QuickReturn(wanted)) => say(|layout| quick_return::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Escapement(wanted)) => say(|layout| escapement::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Sweep(wanted)) => {

@@ -2,21 +2,25 @@
 
 use crate::fields;
 use crate::output::TextLayout;
-use crate::typed::{self, CommandFormat, Output, formats, name_of};
+use crate::typed::{self, CommandFormat, Output, SpeedArguments, formats, name_of, rounded, steps};
 use clap::{Args, ValueEnum};
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnDrawing, QuickReturnQuestion};
+use geneva_ask::worked::{AngleOrigin, LengthUnit};
 use geneva_kinematics::quick_return::Branch;
 
 /// Options of `geneva quick-return`.
 #[derive(Args, Debug)]
 pub(crate) struct QuickReturnArguments {
-    /// Distance from the lever's pivot to the crank's axis, in metres, above zero
-    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    /// Distance from the lever's pivot to the crank's axis, above zero
+    #[arg(long, value_name = "LENGTH", value_parser = typed::positive, allow_hyphen_values = true)]
     pub ground: f64,
-    /// Distance from the crank's axis to the pin, in metres, above zero. If it is less than the ground distance, the lever
-    /// swings to and fro; if it is more, the lever turns round and round
-    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    /// Distance from the crank's axis to the pin, above zero. If it is less than the ground distance, the lever swings to and
+    /// fro; if it is more, the lever turns round and round
+    #[arg(long, value_name = "LENGTH", value_parser = typed::positive, allow_hyphen_values = true)]
     pub crank: f64,
+    /// Unit of the two lengths, and of the steps; the sheet and the data are in metres
+    #[arg(long, default_value = "m", value_parser = typed::value_named(&LengthUnit::ALL, LengthUnit::name, LengthUnit::in_words))]
+    pub unit: LengthUnit,
     /// Where the mechanism is: one of the two.
     #[command(flatten)]
     pub angle: AngleArguments,
@@ -24,9 +28,12 @@ pub(crate) struct QuickReturnArguments {
     /// [default: far]
     #[arg(long, value_enum, requires = "lever_angle", conflicts_with = "crank_angle")]
     pub branch: Option<BranchName>,
-    /// Constant speed of the crank in turns per minute: above zero counter-clockwise, below zero clockwise
-    #[arg(long, value_name = "R", value_parser = typed::turns_a_minute, allow_hyphen_values = true)]
-    pub rpm: f64,
+    /// Constant speed of the crank, above zero counter-clockwise, below zero clockwise: one of the two.
+    #[command(flatten)]
+    pub speed: SpeedArguments,
+    /// Show the solution step by step with your numbers, as one writes it for homework; only with --format text
+    #[arg(long)]
+    pub steps: bool,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
         (CommandFormat::Text, "A readable sheet, which says where everything is measured from and in which sense"),
@@ -80,7 +87,7 @@ pub(crate) enum QuickReturnFigureName {
 }
 
 impl QuickReturnArguments {
-    /// One of the two angles was given; the parser sees to that.
+    /// The question with lengths as they were typed. One of the two angles was given; the parser sees to that.
     fn question(&self) -> QuickReturnQuestion {
         let branch = match self.branch.unwrap_or_default() {
             BranchName::Near => Branch::Near,
@@ -90,14 +97,17 @@ impl QuickReturnArguments {
             (_, Some(lever)) => LinkageAngle::Lever(lever, branch),
             (crank, None) => LinkageAngle::Crank(crank.unwrap_or_default()),
         };
-        QuickReturnQuestion { ground: self.ground, crank: self.crank, place, rpm: self.rpm }
+        QuickReturnQuestion { ground: self.ground, crank: self.crank, place, speed: self.speed.given() }
     }
 }
 
 /// The mechanism that is wanted, in the format that is wanted.
 pub(crate) fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow::Result<String> {
     CommandFormat::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
-    let design = QuickReturnDesign::new(&wanted.question())?;
+    CommandFormat::Text.only_with(wanted.format, "--steps", wanted.steps.then(String::new), "a readable sheet")?;
+    let typed = QuickReturnDesign::new(&wanted.question())?;
+    let [ground, crank] = [wanted.ground, wanted.crank].map(|length| rounded(length / wanted.unit.per_metre()));
+    let design = QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, ..wanted.question() })?;
     let answer = design.answer()?;
     match wanted.format {
         CommandFormat::Json => fields::json(&answer),
@@ -109,6 +119,10 @@ pub(crate) fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow:
                 QuickReturnFigureName::Acceleration => QuickReturnDrawing::Acceleration,
             };
             Ok(design.drawing(drawing).standalone())
+        }
+        _ if wanted.steps => {
+            let solution = typed.steps(wanted.unit, AngleOrigin::Extension)?;
+            Ok(fields::sheet(&answer, layout) + &steps(&solution, layout))
         }
         _ => Ok(fields::sheet(&answer, layout)),
     }

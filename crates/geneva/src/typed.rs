@@ -4,10 +4,12 @@
 //! The parser of an option returns a number that the option may have. If one number is possible only with another, the
 //! command says so.
 
+use crate::output::{TextLayout, heading};
 use crate::printable::escape_and_shorten;
 use anyhow::bail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use geneva_ask::worked::{DriverSpeed, WorkedStep, as_text};
 use geneva_kinematics::wheel::STATIONS;
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
@@ -32,11 +34,6 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     above_zero(text, "number")
 }
 
-/// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
-pub(crate) fn metres(text: &str) -> Result<f64, String> {
-    above_zero(text, "length in metres")
-}
-
 /// A length in millimetres, above zero: the unit of all lengths of a wheel.
 pub(crate) fn millimetres(text: &str) -> Result<f64, String> {
     above_zero(text, "length in millimetres")
@@ -59,16 +56,24 @@ pub(crate) fn zero_or_more(text: &str) -> Result<f64, String> {
 
 /// Turns a minute in either sense, counter-clockwise above zero.
 pub(crate) fn turns_a_minute(text: &str) -> Result<f64, String> {
+    turning(text, "turns per minute")
+}
+
+/// Radians a second in either sense, counter-clockwise above zero.
+pub(crate) fn radians_a_second(text: &str) -> Result<f64, String> {
+    turning(text, "radians per second")
+}
+
+/// A speed of a crank in this unit, in either sense.
+fn turning(text: &str, unit: &str) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     let value = number(text).ok_or_else(|| {
-        format!(
-            "not a speed; give {least:e} to {most:e} turns per minute, or below zero, with a decimal point, not a comma"
-        )
+        format!("not a speed; give {least:e} to {most:e} {unit}, or below zero, with a decimal point, not a comma")
     })?;
     if value == 0.0 || value.is_nan() {
         return Err(format!(
-            "the crank must turn, or nothing moves; give {least:e} to {most:e} turns per minute for counter-clockwise, or below \
-             zero for clockwise"
+            "the crank must turn, or nothing moves; give {least:e} to {most:e} {unit} for counter-clockwise, or below zero for \
+             clockwise"
         ));
     }
     computable(text, value)
@@ -159,6 +164,35 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
         "{} is too large or too small to compute with; give a number between {least:e} and {most:e}",
         escape_and_shorten(text.trim())
     ))
+}
+
+/// The constant speed of a driver or a crank, in one of two units.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub(crate) struct SpeedArguments {
+    /// Constant speed in turns per minute; give this or --rad-s
+    #[arg(long, value_name = "R", value_parser = turns_a_minute, allow_hyphen_values = true)]
+    pub rpm: Option<f64>,
+    /// Constant speed in radians per second; give this or --rpm
+    #[arg(long, value_name = "W", value_parser = radians_a_second, allow_hyphen_values = true)]
+    pub rad_s: Option<f64>,
+}
+
+impl SpeedArguments {
+    /// The speed that was given; the parser sees to it that there is one.
+    pub(crate) fn given(&self) -> DriverSpeed {
+        match (self.rpm, self.rad_s) {
+            (_, Some(speed)) => DriverSpeed::RadiansPerSecond(speed),
+            (rpm, None) => DriverSpeed::Rpm(rpm.unwrap_or_default()),
+        }
+    }
+}
+
+/// The steps of a solution below a sheet.
+pub(crate) fn steps(steps: &[WorkedStep], layout: TextLayout) -> String {
+    let bold = heading();
+    let lines = as_text(steps).lines().map(|line| layout.wrapped("", line)).collect::<String>();
+    format!("\n{bold}Steps{bold:#}\n{lines}")
 }
 
 /// Where the output goes.
@@ -259,7 +293,7 @@ mod tests {
     #[test]
     fn every_number_that_is_none_is_refused_with_a_range() {
         let parsers: [Parser<f64>; 7] =
-            [positive, metres, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
+            [positive, radians_a_second, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
         let counts: [Parser<u32>; 3] = [slots, stations, pins];
         let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
         for text in ["", "x", "１２", "0,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
@@ -283,7 +317,8 @@ mod tests {
             (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
             (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
-            (metres("0,1"), "metres above zero, from 1e-30 to 1e30, with a decimal point"),
+            (millimetres("0,1"), "millimetres above zero, from 1e-30 to 1e30, with a decimal point"),
+            (radians_a_second("0"), "radians per second for counter-clockwise"),
             (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),
             (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),

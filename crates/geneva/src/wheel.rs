@@ -105,7 +105,10 @@ fn option(argument: &Argument) -> Arg {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
         }
         ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
-        ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
+        ArgumentSlot::AboveZero(_) => {
+            let option = option.value_parser(typed::positive).allow_hyphen_values(true);
+            if name == "rad-s" { option.conflicts_with("rpm") } else { option }
+        }
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
         ArgumentSlot::Material(_) => option
             .value_parser(materials())
@@ -247,15 +250,15 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         );
         reject_any(wanted, is_named(&["thickness"]), &why)?;
     }
-    if wanted.rpm.is_none() {
-        reject_any(wanted, is_named(&["inertia", "friction-torque"]), "without a speed; add --rpm R")?;
+    if wanted.speed().is_none() {
+        reject_any(wanted, is_named(&["inertia", "friction-torque"]), "without a speed; add --rpm R or --rad-s W")?;
     }
     if wanted.inertia.is_none() && wanted.density.is_none() {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
         reject_any(wanted, is_named(&["friction-torque"]), why)?;
     }
     let Some(material) = wanted.pin_material else { return Ok(()) };
-    let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
+    let has_load = wanted.speed().is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
     let why = if !is_external {
         "because only external wheels have parts in mm; leave it out, or choose --type external"
     } else if !gives_numbers(format) {
@@ -298,9 +301,9 @@ mod tests {
                      --pin-material steel --wheel-material acetal --at -20 --at 5 --at-wheel 3";
         let given = |argument: &Argument| words.contains(&format!("--{} ", argument.name));
         assert_eq!(
-            ARGUMENTS.iter().filter(|argument| given(argument)).count() + 2,
+            ARGUMENTS.iter().filter(|argument| given(argument)).count() + 3,
             ARGUMENTS.len(),
-            "one size of three"
+            "one size of three, one speed of two"
         );
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());

@@ -1,6 +1,7 @@
 //! What a figure answers.
 
 use geneva_ask::number_format::no_greater;
+use geneva_ask::worked::WorkedStep;
 use geneva_ask::{ReportField, Rounding};
 use geneva_figures::{Figure, with_minus_sign};
 
@@ -19,6 +20,8 @@ pub struct LiveReply {
     pub message: Option<String>,
     /// How far a long calculation has come; asked again, it goes on.
     pub progress: Option<Progress>,
+    /// The solution step by step with the numbers of the setting, if the figure solves a problem.
+    pub steps: Vec<WorkedStep>,
 }
 
 /// A number that a live figure shows, with its text.
@@ -68,11 +71,12 @@ impl LiveReply {
     /// A drawing and its numbers.
     pub fn new(figure: Figure, numbers: impl IntoIterator<Item = LiveNumber>) -> Self {
         let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
-        Self { figure, numbers, further, followers, message: None, progress: None }
+        Self { figure, numbers, further, followers, message: None, progress: None, steps: Vec::new() }
     }
 
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
-    /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`.
+    /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`; `steps`, a
+    /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`].
     pub fn to_json(&self) -> String {
         let number = |LiveNumber { name, value, text }: &LiveNumber| {
             let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
@@ -80,16 +84,21 @@ impl LiveReply {
         };
         let follower =
             |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), round_for_box(*value));
+        let step = |WorkedStep { heading, lines }: &WorkedStep| {
+            let lines = lines.iter().map(|line| string(line)).collect::<Vec<_>>().join(",");
+            format!("{{\"heading\":{},\"lines\":[{lines}]}}", string(heading))
+        };
         let progress = self
             .progress
             .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
         format!(
-            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{}}}",
+            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":[{}]}}",
             self.numbers.iter().map(number).collect::<Vec<_>>().join(","),
             self.followers.iter().map(follower).collect::<Vec<_>>().join(","),
             self.message.as_deref().map_or("null".to_owned(), string),
             string(&self.figure.caption),
             string(self.figure.svg.trim_end()),
+            self.steps.iter().map(step).collect::<Vec<_>>().join(","),
         )
     }
 }
@@ -137,6 +146,12 @@ impl LiveNumber {
     pub fn significant(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
         let magnitude = if value == 0.0 || !value.is_finite() { 0.0 } else { libm::floor(libm::log10(value.abs())) };
         Self::new(name, value, (digits as f64 - 1.0 - magnitude).clamp(0.0, 12.0) as usize, unit)
+    }
+
+    /// The number with words behind it, such as which way it points.
+    pub fn and_words(mut self, words: &str) -> Self {
+        self.text = format!("{}, {words}", self.text);
+        self
     }
 
     /// The number of an answer's field, rounded as the field says, with its unit.

@@ -54,7 +54,7 @@ pub struct Control {
     pub preset: f64,
     /// How it is moved.
     pub kind: ControlKind,
-    /// On which of two sides it is, if those of one side follow from those of the other.
+    /// On which side it is, if those of the other sides of its group follow from it.
     pub side: Option<ControlSide>,
 }
 
@@ -103,9 +103,20 @@ impl Control {
         Self { kind: ControlKind::Player(rate), ..self }
     }
 
-    /// The control on one of the two sides, of which the reader moves one and the answer tells the other.
-    pub const fn on_side(self, side: ControlSide) -> Self {
-        Self { side: Some(side), ..self }
+    /// A box for a number, without a slider.
+    pub const fn number(
+        name: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        range: [f64; 2],
+        preset: f64,
+    ) -> Self {
+        Self { kind: ControlKind::Number, ..Self::slider(name, label, unit, range, range[1] - range[0], preset) }
+    }
+
+    /// The control on one of the sides of a group, of which the reader moves one and the answer tells the others.
+    pub const fn on_side(self, group: &'static str, number: usize) -> Self {
+        Self { side: Some(ControlSide { group, number }), ..self }
     }
 
     /// One of several, by its number from 0.
@@ -165,6 +176,8 @@ impl Control {
 pub enum ControlKind {
     /// By a slider and a box for the number.
     Slider,
+    /// By a box for the number alone.
+    Number,
     /// By a slider and a box, and by itself: by so much in a second, over and over.
     Player(f64),
     /// By a slider and a box, and by the figure until the reader moves it.
@@ -173,13 +186,14 @@ pub enum ControlKind {
     Choice(&'static [&'static str]),
 }
 
-/// Two ways to say the same, such as by the crank's angle or by the lever's: what is moved last counts, and the rest follows.
+/// One of several ways to say the same, such as by the crank's angle or by the lever's: what is moved last counts, and the rest
+/// of its group follows. At first the side with the number 0 counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ControlSide {
-    /// What counts at first.
-    First,
-    /// What follows at first.
-    Second,
+pub struct ControlSide {
+    /// What the sides say.
+    pub group: &'static str,
+    /// Its number; several controls may be on one side.
+    pub number: usize,
 }
 
 /// A setting worth a look.

@@ -16,6 +16,7 @@ mod escapement;
 #[cfg(target_family = "wasm")]
 mod exports;
 mod mistake;
+mod pin;
 mod polygon;
 mod wheel;
 
@@ -24,7 +25,8 @@ pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
 
 /// All figures that a reader moves, in the order of the book.
-pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
+pub const LIVE: [&Live; 6] =
+    [&pin::LIVE, &wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
 
 /// The figure of this name.
 pub fn by_name(name: &str) -> Option<&'static Live> {

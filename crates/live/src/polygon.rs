@@ -1,14 +1,13 @@
 //! The vector diagrams of the quick-return mechanism.
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply, round_for_box};
-use crate::control::{Control, ControlSide, Live, PointerDrag, Preset, Settings, TURNS};
+use crate::control::{Control, Live, PointerDrag, Preset, Settings, TURNS};
+use crate::pin::{LENGTHS, UNITS, unit};
 use geneva_ask::Error;
 use geneva_ask::quick_return::{LinkageAngle, QuickReturnDesign, QuickReturnQuestion, lever_motion};
+use geneva_ask::worked::{AngleOrigin, DriverSpeed};
 use geneva_figures::{quick_return, with_minus_sign};
 use geneva_kinematics::quick_return::{Branch, LeverMotion};
-
-/// Lengths in metres that can be typed.
-const LENGTHS: [f64; 2] = [1e-4, 1e4];
 
 /// Options of the command, and the controls that are the same.
 const WORDS: [(&str, &str); 6] = [
@@ -23,23 +22,23 @@ const WORDS: [(&str, &str); 6] = [
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
-    hint: "Set the factor of φ̇ vᵣₑₗ to 1 or 3: the polygon stays open, except where the Coriolis acceleration is \
-           zero. With the factor 2 it closes at every angle. For your own problem, type the two lengths, the speed, and \
-           one of the two angles.",
+    hint: "Type the numbers of your own problem: two lengths, a speed, and one of the angles. Or set the factor of φ̇ vᵣₑₗ to \
+           1 or 3: the polygon stays open, except where the Coriolis acceleration is zero.",
     controls: &[
-        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.1, -120.0)
+        Control::slider("crank", "crank angle θ from the line of centres", "°", [-180.0, 180.0], 0.1, -120.0)
             .with_typed_range(TURNS)
             .playing(30.0)
-            .on_side(ControlSide::First),
-        Control::slider("lever", "lever angle φ", "°", [-180.0, 180.0], 0.1, 0.0)
-            .with_typed_range(TURNS)
-            .on_side(ControlSide::Second),
-        Control::choice("branch", "pin on the lever's ray", &["at the far point", "at the near point"], 0)
-            .on_side(ControlSide::Second),
-        Control::slider("ground", "distance l of the axes", "m", [0.05, 1.0], 0.005, 0.3).with_typed_range(LENGTHS),
-        Control::slider("radius", "crank radius R", "m", [0.05, 1.0], 0.005, 0.1).with_typed_range(LENGTHS),
-        Control::slider("rpm", "speed of the crank", "rpm", [-300.0, 300.0], 1.0, 60.0).with_typed_range([-1e6, 1e6]),
-        Control::slider("factor", "times φ̇ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).with_typed_range([-10.0, 10.0]),
+            .on_side("angle", 0),
+        Control::number("direction", "or from the direction O₄O₂, 180° + θ", "°", TURNS, 0.0).on_side("angle", 1),
+        Control::number("lever", "or lever angle φ", "°", TURNS, 0.0).on_side("angle", 2),
+        Control::choice("branch", "with the pin", &["at the far point of the lever’s ray", "at the near point"], 0)
+            .on_side("angle", 2),
+        Control::number("ground", "distance l of the axes", "", LENGTHS, 0.3),
+        Control::number("radius", "crank radius R", "", LENGTHS, 0.1),
+        Control::choice("unit", "unit of length", &UNITS, 2),
+        Control::number("rpm", "speed of the crank", "rpm", [-1e6, 1e6], 60.0).on_side("speed", 0),
+        Control::number("speed", "or in radians a second", "rad/s", [-1e5, 1e5], 0.0).on_side("speed", 1),
+        Control::number("factor", "factor of φ̇ vᵣₑₗ in the Coriolis term", "", [-10.0, 10.0], 2.0),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -64,18 +63,20 @@ pub const LIVE: Live = Live {
 
 /// The mechanism of these settings: by the lever's angle where the reader has moved that, and by the crank's elsewhere.
 fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
-    let [ground, radius, rpm] = ["ground", "radius", "rpm"].map(|name| settings.value(name));
-    let (ground, crank, rpm) = (ground?, radius?, rpm?);
-    if rpm == 0.0 {
-        return Err("the crank must turn, or nothing moves: give −1e6 to 1e6 rpm, but not 0".to_owned());
+    let (ground, crank, speed) = (settings.value("ground")?, settings.value("radius")?, speed(settings)?);
+    if speed.given() == 0.0 {
+        return Err("the crank must turn, or nothing moves: give a speed that is not 0".to_owned());
     }
-    let angle = settings.value_if_moved("crank")?;
     let branch = if settings.value_if_moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
     let lever = settings.value_if_moved("lever")?;
-    let theta = angle.unwrap_or(LIVE.controls[0].preset);
-    let place = lever.map_or(LinkageAngle::Crank(theta + 180.0), |lever| LinkageAngle::Lever(lever, branch));
-    QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, place, rpm }).map_err(|error| match (error, place) {
-        (_, LinkageAngle::Crank(_)) => {
+    let degrees = match settings.value_if_moved("direction")? {
+        Some(direction) => direction,
+        None => settings.value_if_moved("crank")?.unwrap_or(LIVE.controls[0].preset) + 180.0,
+    };
+    let place = lever.map_or(LinkageAngle::Crank(degrees), |lever| LinkageAngle::Lever(lever, branch));
+    QuickReturnDesign::new(&QuickReturnQuestion { ground, crank, place, speed }).map_err(|error| match (error, place) {
+        (_, LinkageAngle::Crank(degrees)) => {
+            let theta = with_minus_sign(&round_for_box(degrees - 180.0).to_string());
             format!("crank angle {theta}°: the pin is on the lever's pivot, or too near it; give another angle")
         }
         (Error::Argument(message), _) => {
@@ -85,12 +86,27 @@ fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     })
 }
 
+/// The speed of these settings, in the unit in which the reader gave it.
+fn speed(settings: &Settings) -> Result<DriverSpeed, String> {
+    Ok(match settings.value_if_moved("speed")? {
+        Some(speed) => DriverSpeed::RadiansPerSecond(speed),
+        None => DriverSpeed::Rpm(settings.value("rpm")?),
+    })
+}
+
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
-    let QuickReturnDesign { linkage, position, drive, .. } = &design(settings)?;
+    let (design, unit, speed) = (design(settings)?, unit(settings)?, speed(settings)?);
+    let QuickReturnDesign { linkage, position, drive, .. } = &design;
+    let origin = if settings.value_if_moved("direction")?.is_some() {
+        AngleOrigin::Extension
+    } else {
+        AngleOrigin::LineOfCentres
+    };
+    let steps = design.steps(unit, origin).map_err(|error| error.to_string())?;
     let factor = settings.value("factor")?;
     let motion = LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive)
         .ok_or("these numbers are too large or too small to compute with: give others")?;
-    let mut figure = quick_return::polygons(linkage, position, drive, factor, "m");
+    let mut figure = quick_return::polygons(linkage, position, drive, factor, unit.name());
     // The last row of the series is the gap, its last column the size of it.
     let gap = figure.series.rows.last().and_then(|row| row.last()).copied().unwrap_or(f64::NAN);
     let coriolis = motion.accelerations.coriolis.norm();
@@ -102,29 +118,39 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     // A lever that turns round and round has only one point on its ray.
     let is_near = linkage.ratio() > 1.0 && position.branch() == Branch::Near;
     let (far, branch) = if is_near { ("near", 1.0) } else { ("far", 0.0) };
+    let length = unit.name();
     let (lever, theta) = (position.lever.degrees(), position.crank.degrees());
     if factor != 2.0 {
         figure.caption += &format!(" If you close it with this factor, you get φ̈ = {}.", closed.text);
     }
     figure.caption += &format!(
-        " Shown: axes {}\u{a0}m apart, a crank of {}\u{a0}m at {}\u{a0}rpm, and the lever at φ = {}, with the pin at the {far} point.",
+        " Shown: axes {}\u{a0}{length} apart, a crank of {}\u{a0}{length} at {}\u{a0}{}, and the lever at φ = {}, with the pin at the \
+         {far} point.",
         round_for_box(linkage.ground()),
         round_for_box(linkage.crank()),
-        with_minus_sign(&round_for_box(settings.value("rpm")?).to_string()),
+        with_minus_sign(&round_for_box(speed.given()).to_string()),
+        speed.unit(),
         LiveNumber::new("lever", lever, 1, "°").text,
     );
     let of_lever = ["lever-speed", "lever-acceleration"].into_iter().zip(lever_motion(&motion));
-    let numbers = [LiveNumber::significant("gap", gap, 4, "m/s²")]
+    let numbers = [LiveNumber::significant("gap", gap, 4, unit.acceleration())]
         .into_iter()
         .chain(of_lever.filter_map(|(name, field)| LiveNumber::from_field(name, &field)))
         .chain([
             closed,
-            LiveNumber::significant("sliding", sliding, 4, "m/s"),
-            LiveNumber::significant("coriolis", coriolis, 4, "m/s²"),
+            LiveNumber::significant("sliding", sliding, 4, unit.speed()),
+            LiveNumber::significant("coriolis", coriolis, 4, unit.acceleration()),
         ]);
     let theta = if theta > 0.0 { theta - 180.0 } else { theta + 180.0 };
-    let followers = vec![("crank", theta), ("lever", lever), ("branch", branch)];
-    Ok(LiveReply { followers, ..LiveReply::new(figure, numbers) })
+    let followers = vec![
+        ("crank", theta),
+        ("direction", theta + 180.0),
+        ("lever", lever),
+        ("branch", branch),
+        ("rpm", speed.rpm()),
+        ("speed", speed.radians_per_second()),
+    ];
+    Ok(LiveReply { followers, steps, ..LiveReply::new(figure, numbers) })
 }
 
 #[cfg(test)]
@@ -182,7 +208,7 @@ mod tests {
             ("lever=4&branch=1&radius=0.4", "near point: with a crank of 0.4, which is at least as long"),
             ("rpm=0", "the crank must turn"),
             ("ground=0.3&radius=0.3&crank=0", "crank angle 0°: the pin is on the lever's pivot, or too near it"),
-            ("ground=0", "distance l of the axes 0 m: give 0.0001 to 10000"),
+            ("ground=0", "distance l of the axes 0: give 0.0001 to 100000"),
         ] {
             let why = answer(query).expect_err("impossible");
             assert!(why.contains(words) && !why.contains("--"), "{query}: {why}");
@@ -212,6 +238,13 @@ mod tests {
     fn indices_are_set_as_indices() {
         let labels = LIVE.controls.iter().map(|control| control.label).chain(LIVE.quantities.iter().map(|of| of.label));
         let with_index: Vec<&str> = labels.filter(|label| label.contains("rel") || label.contains("ᵣₑₗ")).collect();
-        assert_eq!(with_index, ["times φ̇ vᵣₑₗ", "sliding velocity vᵣₑₗ, outwards", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"]);
+        assert_eq!(
+            with_index,
+            [
+                "factor of φ̇ vᵣₑₗ in the Coriolis term",
+                "sliding velocity vᵣₑₗ, outwards",
+                "Coriolis acceleration |2 φ̇ vᵣₑₗ|"
+            ]
+        );
     }
 }

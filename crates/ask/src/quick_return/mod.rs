@@ -2,17 +2,18 @@
 
 mod instant;
 mod report;
+mod steps;
 mod vector;
 
 pub use report::lever_motion;
 
 use crate::number_format::{as_typed, rounded_down};
+use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_figures::Figure;
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
-use std::f64::consts::PI;
 
 /// What is asked of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,8 +24,8 @@ pub struct QuickReturnQuestion {
     pub crank: f64,
     /// Where the mechanism is.
     pub place: LinkageAngle,
-    /// Constant speed of the crank in turns per minute, counter-clockwise above zero.
-    pub rpm: f64,
+    /// Constant speed of the crank, counter-clockwise above zero.
+    pub speed: DriverSpeed,
 }
 
 /// Where the mechanism is, by one of its two angles in degrees, counter-clockwise from the direction that points from the
@@ -45,19 +46,21 @@ impl QuickReturnQuestion {
     /// An argument that there is not, one that is missing, and a value that it can't have.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let (mut place, mut branch) = (None, Branch::Far);
-        let [mut ground, mut crank, mut rpm] = [None; 3];
+        let [mut ground, mut crank] = [None; 2];
+        let mut speed = None;
         for pair in pairs(text) {
             match pair? {
                 ("ground", value) => ground = Some(number("ground", value)?),
                 ("crank", value) => crank = Some(number("crank", value)?),
-                ("rpm", value) => rpm = Some(number("rpm", value)?),
+                ("rpm", value) => speed = Some(DriverSpeed::Rpm(number("rpm", value)?)),
+                ("rad-s", value) => speed = Some(DriverSpeed::RadiansPerSecond(number("rad-s", value)?)),
                 ("crank-angle", value) => place = Some(LinkageAngle::Crank(number("crank-angle", value)?)),
                 ("lever-angle", value) => place = Some(LinkageAngle::Lever(number("lever-angle", value)?, Branch::Far)),
                 ("branch", "near") => branch = Branch::Near,
                 ("branch", "far") => branch = Branch::Far,
                 (name, value) => {
                     return Err(refused!(
-                        "--{name} {value}: give --ground, --crank, --rpm, and --crank-angle or --lever-angle, with --branch near \
+                        "--{name} {value}: give --ground, --crank, --rpm or --rad-s, and --crank-angle or --lever-angle, with --branch near \
                          or far"
                     ));
                 }
@@ -68,9 +71,9 @@ impl QuickReturnQuestion {
             LinkageAngle::Lever(degrees, _) => LinkageAngle::Lever(degrees, branch),
             crank => crank,
         };
-        let [ground, crank, rpm] =
-            [(ground, "ground"), (crank, "crank"), (rpm, "rpm")].map(|(value, name)| value.ok_or_else(missing(name)));
-        Ok(Self { ground: ground?, crank: crank?, place, rpm: rpm? })
+        let [ground, crank] =
+            [(ground, "ground"), (crank, "crank")].map(|(value, name)| value.ok_or_else(missing(name)));
+        Ok(Self { ground: ground?, crank: crank?, place, speed: speed.ok_or_else(missing("rpm"))? })
     }
 }
 
@@ -102,7 +105,9 @@ pub struct QuickReturnDesign {
     pub position: Position,
     /// The crank's motion, in radians and seconds.
     pub drive: Drive<f64>,
-    rpm: f64,
+    /// The crank's speed as it was given.
+    speed: DriverSpeed,
+    place: LinkageAngle,
 }
 
 /// Crank radii from the lever's pivot below which rounding would show in the lever's acceleration.
@@ -122,7 +127,8 @@ impl QuickReturnDesign {
         };
         let position = position.map_err(|error| impossible(question, error))?;
         if position.pin_distance >= NEAREST * linkage.crank() {
-            Ok(Self { linkage, position, drive: Drive::steady(question.rpm * PI / 30.0), rpm: question.rpm })
+            let QuickReturnQuestion { speed, place, .. } = *question;
+            Ok(Self { linkage, position, drive: Drive::steady(speed.radians_per_second()), speed, place })
         } else {
             Err(too_near(question, &linkage, &position))
         }

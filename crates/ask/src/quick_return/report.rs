@@ -15,7 +15,7 @@ velocity in the slot. The two terms of its acceleration add up to the terms of t
 Coriolis.";
 
 /// The error that no accepted length, angle or speed should lead to.
-const BEYOND: &str =
+pub(super) const BEYOND: &str =
     "the motion there is too large or too small to compute; give other lengths, another angle or another speed";
 
 /// Which way a vector points.
@@ -32,7 +32,8 @@ use Way::{Across, Along, Is};
 /// The instant, with the motion of the lever.
 struct Seen {
     instant: LeverInstant,
-    rpm: f64,
+    /// Speed of the crank in rad/s, counter-clockwise positive.
+    crank_speed: f64,
     /// Direction of the lever, in degrees.
     lever_deg: f64,
     /// Angular velocity of the lever in rad/s, counter-clockwise positive.
@@ -51,31 +52,31 @@ impl QuickReturnDesign {
     ///
     /// Lengths, angles or speeds that are too large or too small to compute with.
     pub fn answer(&self) -> Result<MechanismReport, Error> {
-        let Self { linkage, position, drive, rpm } = self;
+        let Self { linkage, position, drive, speed, .. } = self;
         let beyond = || refused!("{BEYOND}");
         let motion =
             LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
         let seen = Seen {
             instant: LeverInstant::new(linkage, position),
-            rpm: *rpm,
+            crank_speed: drive.speed,
             lever_deg: unsigned_zero(position.lever.degrees()),
             lever_speed: unsigned_zero(motion.velocities.follower_speed),
             lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
         };
-        let given = vec![
+        let mut given = vec![
             ReportField::in_unit("ground_m", linkage.ground(), "m"),
             ReportField::in_unit("crank_m", linkage.crank(), "m"),
-            ReportField::new("rpm", *rpm),
-            ReportField::in_unit("crank_speed_rad_s", drive.speed, "rad/s"),
         ];
+        given.extend(speed.fields("crank_speed_rad_s"));
         let (velocities, accelerations) = seen.motion(&motion);
         let answer = MechanismReport {
             title: format!(
-                "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
+                "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} {} {}",
                 as_typed(linkage.ground()),
                 as_typed(linkage.crank()),
-                as_typed(rpm.abs()),
-                sense(*rpm)
+                as_typed(speed.given().abs()),
+                speed.unit(),
+                sense(speed.given())
             ),
             introduction: INTRODUCTION,
             sections: vec![
@@ -152,7 +153,7 @@ impl Seen {
         let coriolis = coriolis.zero_if(instant.lever_at_rest || sliding.direction_deg.is_none());
 
         let field = |key, name, vector: &Vector, way, why_zero| self.vector(key, name, vector, way, why_zero);
-        let on_circle = format!("along the crank's circle, {}", sense(self.rpm));
+        let on_circle = format!("along the crank's circle, {}", sense(self.crank_speed));
         let speed = if instant.lever_at_rest { 0.0 } else { self.lever_speed.abs() };
         let speeds = vec![
             field("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
@@ -212,7 +213,7 @@ impl Seen {
         if self.instant.lever_at_rest {
             return "zero: the lever is at the end of its swing".to_owned();
         }
-        let with = if self.lever_speed * self.rpm.signum() > 0.0 { "with" } else { "against" };
+        let with = if self.lever_speed * self.crank_speed.signum() > 0.0 { "with" } else { "against" };
         format!("{}, {with} the crank", sense(self.lever_speed))
     }
 

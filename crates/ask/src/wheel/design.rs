@@ -4,6 +4,7 @@ use super::WheelQuestion;
 use super::kind::{AnyWheel, WheelKind};
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
+use crate::worked::DriverSpeed;
 use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
@@ -14,7 +15,6 @@ use geneva_kinematics::wheel::{
     CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
     Warning, Wheel,
 };
-use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
@@ -89,7 +89,7 @@ impl WheelDesign {
 
     /// Speed of the driver in rad/s.
     pub fn speed(&self) -> Option<f64> {
-        self.question.rpm.map(|rpm| rpm * PI / 30.0)
+        self.question.speed().map(DriverSpeed::radians_per_second)
     }
 
     /// Times of an index and of a dwell of its wheel in s, if the speed is given.

@@ -16,6 +16,7 @@ pub use kind::{AnyWheel, WheelKind};
 pub use speeds::speeds;
 pub use times::{Times, proposals};
 
+use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use ActsOn::{Motion, Parts, Size};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
@@ -49,8 +50,10 @@ pub struct WheelQuestion {
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
-    /// Speed of the driver in turns per minute.
+    /// Speed of the driver in turns per minute: this or the next.
     pub rpm: Option<f64>,
+    /// Speed of the driver in radians per second.
+    pub rad_s: Option<f64>,
     /// Moment of inertia, in kg m², of everything that turns with the wheel, without the wheel itself if the density is given.
     pub inertia: Option<f64>,
     /// Thickness of the wheel.
@@ -137,7 +140,7 @@ pub enum ActsOn {
 }
 
 /// The arguments that the command line has, in its order.
-pub const ARGUMENTS: [Argument; 21] = [
+pub const ARGUMENTS: [Argument; 22] = [
     Argument::new(
         "stations",
         "N",
@@ -236,6 +239,13 @@ pub const ARGUMENTS: [Argument; 21] = [
         "Speed of the driver in turns per minute, above zero; adds times in s, and motion in rad/s, rad/s² and rad/s³",
     ),
     Argument::new(
+        "rad-s",
+        "W",
+        ArgumentSlot::AboveZero(|question| &mut question.rad_s),
+        &[Motion],
+        "Speed of the driver in radians per second, above zero, instead of --rpm",
+    ),
+    Argument::new(
         "inertia",
         "KGM2",
         ArgumentSlot::ZeroOrMore(|question| &mut question.inertia),
@@ -316,6 +326,11 @@ impl Default for SearchEffort {
 }
 
 impl WheelQuestion {
+    /// The speed of the driver, if it is given.
+    pub fn speed(&self) -> Option<DriverSpeed> {
+        self.rpm.map(DriverSpeed::Rpm).or(self.rad_s.map(DriverSpeed::RadiansPerSecond))
+    }
+
     /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
     ///
     /// # Errors

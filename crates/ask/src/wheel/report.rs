@@ -8,6 +8,7 @@ use super::instant::item;
 use super::kind::WheelKind;
 use super::{loads, parts};
 use crate::number_format::{as_typed, count, degrees, number};
+use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
 use geneva_kinematics::indexing::Indexing;
 
@@ -59,7 +60,7 @@ fn given(design: &WheelDesign) -> Vec<ReportField> {
         ReportField::new("type", design.wheel.kind().name()),
         ReportField::new("stations", wheel.stations()),
         ReportField::new("pins", wheel.pins()),
-        ReportField::new("rpm", design.question.rpm).needing(Needs::SPEED),
+        ReportField::new("rpm", design.question.speed().map(DriverSpeed::rpm)).needing(Needs::SPEED),
         ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm").needing(Needs::SIZE),
     ]
 }
@@ -162,7 +163,8 @@ fn title(design: &WheelDesign) -> String {
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
     let radius =
         design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", short_length(radius)));
-    let rpm = design.question.rpm.map_or_else(String::new, |rpm| format!(", {} rpm", as_typed(rpm)));
+    let speed = |speed: DriverSpeed| format!(", {} {}", as_typed(speed.given()), speed.unit());
+    let rpm = design.question.speed().map_or_else(String::new, speed);
     format!("{name} Geneva wheel: {stations}, driver with {pins}{radius}{rpm}")
 }
 
@@ -180,12 +182,13 @@ fn missing(design: &WheelDesign) -> String {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"
     };
     let lengths = design.crank_radius.is_none().then(|| format!("For sizes in mm, add {sizes}."));
-    let rates = design.question.rpm.is_none().then(|| "For s, rad/s and rad/s², add --rpm R.".to_owned());
+    let rates =
+        design.question.speed().is_none().then(|| "For s, rad/s and rad/s², add --rpm R or --rad-s W.".to_owned());
     let loads = design.inertia.is_none().then(|| {
-        let also = if design.question.rpm.is_none() { "also " } else { "" };
+        let also = if design.question.speed().is_none() { "also " } else { "" };
         format!("For torques, {also}add --inertia KGM2.")
     });
-    let without = design.question.rpm.and(design.inertia).map(|_| {
+    let without = design.question.speed().and(design.inertia).map(|_| {
         let parts = "the pin, the locking disc, the driver's bearings and the gear";
         format!("The loads leave out the friction of {parts}, so the motor needs more.")
     });

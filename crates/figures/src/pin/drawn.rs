@@ -1,6 +1,6 @@
 //! What must hold of the drawings as they are written, read back from the SVG.
 
-use super::{over_the_engagement, position_triangle, velocity_triangle};
+use super::{over_the_engagement, position_triangle, velocities_at_the_pin, velocity_triangle};
 use crate::checks::{PIXELS, ParsedDrawing, assert_drawn};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
@@ -24,6 +24,9 @@ fn mechanisms_are_drawn_at_entry_between_and_at_exit_turning_either_way() {
             for driver in [DRIVER, -DRIVER, 0.0] {
                 assert_drawn(&velocity_triangle(mechanism, &crank, driver, "m/s"));
                 assert_drawn(&over_the_engagement(mechanism, &crank, driver, "m"));
+            }
+            for driver in [DRIVER, -DRIVER] {
+                assert_drawn(&velocities_at_the_pin(mechanism, &crank, driver, "m/s"));
             }
         }
     }
@@ -82,4 +85,23 @@ fn the_series_of_the_engagement_has_both_ends_and_every_degree_between() {
     assert!((speed[0].x - sliding[0].x).abs() < PIXELS && sliding[0].y < sliding[sliding.len() - 1].y);
     assert!((speed[0].y - speed[speed.len() - 1].y).abs() < 0.11, "at rest at both ends");
     assert!(acceleration[0].y < acceleration[acceleration.len() - 1].y, "it speeds up first");
+}
+
+#[test]
+fn the_velocities_at_the_pin_close_and_the_pins_has_one_length_at_every_angle() {
+    let mechanism = mechanism(4);
+    let mut lengths = Vec::new();
+    for degrees in [-40.0, -20.0, 10.0, 35.0] {
+        let crank = Turn::from_degrees(180.0 + degrees);
+        let figure = velocities_at_the_pin(&mechanism, &crank, DRIVER, "m/s");
+        let drawing = ParsedDrawing::parse(&figure);
+        let [pin, across, along] =
+            ["v-pin", "v-slot-point", "v-sliding"].map(|name| drawing.arrow(name).expect("an arrow"));
+        assert_eq!((pin[0], across[1], along[1]), (across[0], along[0], pin[1]));
+        let row = &figure.series.rows[0];
+        let share = (across[1] - across[0]).norm() / (pin[1] - pin[0]).norm();
+        assert!((share - row[2] / row[1]).abs() < 0.01, "{degrees}");
+        lengths.push((pin[1] - pin[0]).norm());
+    }
+    assert!(lengths.iter().all(|length| (length - lengths[0]).abs() < PIXELS), "{lengths:?}");
 }

@@ -8,8 +8,10 @@ mod drawn;
 mod engagement;
 mod instant;
 mod position;
+mod running;
 mod velocity;
 
 pub use engagement::over_the_engagement;
 pub use position::position_triangle;
+pub use running::velocities_at_the_pin;
 pub use velocity::velocity_triangle;
