@@ -1,6 +1,7 @@
 //! Tables as lists of columns: each has its head and says what its cell is in every row.
 
 use crate::html::{escape, plain};
+use crate::phone_tables::PhoneLayout;
 use std::panic::Location;
 
 /// What a table holds, which decides how its cells are set.
@@ -14,6 +15,8 @@ pub enum Cells {
     Words,
     /// Words among formulas and addresses that do not break: they need the most room.
     Wide,
+    /// A letter, what it stands for, and where it comes from: one line each.
+    Letters,
 }
 
 /// A table before it is set: cells of HTML, the first of each row its head.
@@ -145,15 +148,22 @@ impl Table {
     /// Each cell bears its column's head, which stands beside it where the page is too narrow for columns.
     pub fn html(&self, name: &str) -> String {
         let class = match self.cells {
-            Cells::Numbers if self.fits_in_pairs() => "compare pairs",
             Cells::Numbers => "compare",
             Cells::NamedNumbers => "compare named",
             Cells::Words => "listing",
             Cells::Wide => "listing wide",
+            Cells::Letters => "listing symbols",
+        };
+        let layout = match self.cells {
+            Cells::Letters => "",
+            _ => match PhoneLayout::of(&self.head, &self.rows) {
+                PhoneLayout::Cards if self.fits_in_pairs() => " pairs",
+                layout => layout.class(),
+            },
         };
         let name = escape(name);
         let mut out =
-            format!("<div class=\"{class}\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">\n<table>\n");
+            format!("<div class=\"{class}{layout}\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">\n<table>\n");
         out.push_str("<thead><tr>");
         for cell in &self.head {
             out.push_str(&format!("<th scope=\"col\">{cell}</th>"));
@@ -167,7 +177,7 @@ impl Table {
                 } else {
                     let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
                     // Beside its label a cell is one piece.
-                    let cell = if matches!(self.cells, Cells::Words | Cells::Wide) {
+                    let cell = if matches!(self.cells, Cells::Words | Cells::Wide | Cells::Letters) {
                         cell
                     } else {
                         &format!("<span>{cell}</span>")
@@ -189,7 +199,9 @@ impl Table {
     fn fits_in_pairs(&self) -> bool {
         let length = |cell: &String| plain(cell).chars().count();
         let widest = |at: usize| self.rows.iter().filter_map(|row| row.get(at)).map(length).max().unwrap_or(0);
-        self.head.len() > 6 && self.head.iter().enumerate().skip(1).all(|(at, head)| length(head) + widest(at) <= 22)
+        matches!(self.cells, Cells::Numbers)
+            && self.head.len() > 6
+            && self.head.iter().enumerate().skip(1).all(|(at, head)| length(head) + widest(at) <= 22)
     }
 
     /// On a narrow page a number at the head of a row says what it is.

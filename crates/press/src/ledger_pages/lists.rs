@@ -65,7 +65,7 @@ pub fn symbols(book: &Book, slug: &str) -> anyhow::Result<Table> {
             false => tex_or_text(symbol.printed),
         }
     };
-    Table::with_rows(Cells::Words, of_all.chain(others))
+    Table::with_rows(Cells::Letters, of_all.chain(others))
         .column("In this book", |symbol| maths::formula(symbol.ours, false))
         .column("What it stands for", |symbol| escape(&meaning(&notation, symbol)))
         .column("In the source", |symbol| printed(symbol))
