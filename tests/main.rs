@@ -12,7 +12,7 @@ mod coverage;
 mod crate_picture;
 mod displays;
 mod first_page;
-mod formula_font;
+mod fonts;
 mod live;
 mod meanings;
 mod mimic_decks;
