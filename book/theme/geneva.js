@@ -88,3 +88,51 @@ if (drawn.length > 0) {
         }
     });
 }
+
+// Where the window has room for it, the sections of the page stand beside the text. The list gives way to a table or a caption
+// that needs its place.
+const heads = [...document.querySelectorAll('main > h2[id] > a.header')];
+if (heads.length > 2) {
+    const main = document.querySelector('main');
+    const list = document.createElement('nav');
+    list.className = 'sections';
+    list.setAttribute('aria-label', 'On this page');
+    const entries = heads.map(head => {
+        const link = head.cloneNode(true);
+        link.removeAttribute('class');
+        const item = document.createElement('li');
+        item.append(link);
+        return item;
+    });
+    const order = document.createElement('ol');
+    order.append(...entries);
+    list.append(order);
+    main.after(list);
+
+    const tables = '.tab, .compare, .listing, .table-wrapper';
+    const parts = part => part.matches('.fig:not(.live)') ? [...part.children] : part.matches(tables) ? [...part.querySelectorAll('table')] : [part];
+    let waits = false;
+    const follow = () => {
+        waits = false;
+        const own = list.getBoundingClientRect();
+        if (own.width === 0) {
+            return;
+        }
+        const isUnder = part => {
+            const { right, top, bottom } = part.getBoundingClientRect();
+            return right > own.left && bottom > own.top && top < own.bottom;
+        };
+        list.classList.toggle('covered', [...main.children].flatMap(parts).some(isUnder));
+        const at = heads.findLastIndex(head => head.getBoundingClientRect().top < 130);
+        entries.forEach((item, k) => k === at ? item.firstChild.setAttribute('aria-current', 'true') : item.firstChild.removeAttribute('aria-current'));
+    };
+    const soon = () => {
+        if (!waits) {
+            waits = true;
+            requestAnimationFrame(follow);
+        }
+    };
+    addEventListener('scroll', soon, { passive: true });
+    new ResizeObserver(soon).observe(main);
+    document.fonts.ready.then(soon);
+}

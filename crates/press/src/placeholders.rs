@@ -134,6 +134,9 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new("works", "all works of others that the chapters cite", Bare(works::works_list)),
 ];
 
+/// Characters of a caption that is hardly higher than its drawing if it stands beside it in a narrow margin.
+const LONGEST_BESIDE: usize = 420;
+
 /// The key of a table by its name.
 const TABLE: &str = "table";
 /// The key of a table of claims, which is named by its page.
@@ -388,7 +391,11 @@ pub fn expansion(
         (Dated(make), None) => make(book, page.edition),
         (Bare(_) | Dated(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
         (DatedOf(make), Some(argument)) => make(book, argument, page.edition),
-        (Expansion::Figure, Some(name)) => show_figure("class=\"fig\"", (book.figures)(name)?, files),
+        (Expansion::Figure, Some(name)) => {
+            let figure = (book.figures)(name)?;
+            let is_long = figure.caption.chars().count() > LONGEST_BESIDE;
+            show_figure(if is_long { "class=\"fig long\"" } else { "class=\"fig\"" }, figure, files)
+        }
         (Interactive(_, make), Some(name)) => {
             let InteractiveFigure { figure, attributes } = make(book, name)?;
             show_figure(&format!("class=\"fig live\"{attributes}"), figure, files)
