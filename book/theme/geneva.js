@@ -19,7 +19,7 @@ addEventListener('resize', scrollable);
 addEventListener('toggle', scrollable, true);
 
 // A letter of a formula lights up its part in the nearest drawing that has it: under the pointer, at a tap, or by the row of
-// letters below the drawing, which the Tab key reaches once.
+// letters that a button below the drawing opens, and which the Tab key reaches once.
 const drawn = [...document.querySelectorAll('main .fig:has(svg [data-letter])')];
 if (drawn.length > 0) {
     const parts = figure => [...figure.querySelectorAll('svg [data-letter]')];
@@ -30,10 +30,10 @@ if (drawn.length > 0) {
     drawn.forEach((figure, number) => {
         const letters = new Set(parts(figure).map(part => part.dataset.letter));
         const shown = ([stem, index]) => stem.replaceAll("'", '\u0307') + (index ? `<sub>${index}</sub>` : '');
-        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> <span>${letter ? shown(letter.split('_')) : 'no letter'}</span></label>`;
-        const row = document.createElement('fieldset');
+        const button = letter => `<label><input type="radio" name="letters-${number}" value="${letter}"> <span>${letter ? shown(letter.split('_')) : 'none'}</span></label>`;
+        const row = document.createElement('details');
         row.className = 'letters';
-        row.innerHTML = `<legend>Show in the drawing</legend>${['', ...letters].map(button).join('')}`;
+        row.innerHTML = `<summary>letters</summary><fieldset><legend>Show in the drawing:</legend>${['', ...letters].map(button).join('')}</fieldset>`;
         row.querySelector('input').checked = true;
         row.onchange = () => light(figure, chosen(figure));
         figure.insertBefore(row, figure.querySelector(':scope > figcaption'));

@@ -549,7 +549,7 @@ const geneva = (() => {
     /** What a reader can read: how many formulas, drawings, tables are shown, and the words. What moves a figure or lights up a
      * part of it, what filters, and what is asked for, which has its test, are no reading. */
     const content = () => {
-        const aside = 'button, .buttons, form, fieldset.letters, .asked';
+        const aside = 'button, .buttons, .take, form, details.letters, .asked';
         const isContent = of => !of.closest(aside) && isShown(of);
         const count = name => [...main().querySelectorAll(name)].filter(isContent).length;
         const counts = ['math', 'svg', 'table', 'img', 'pre', 'p', 'li', 'td'].map(name => `${count(name)} ${name}`).join(', ');

@@ -79,7 +79,7 @@ fn touching_a_letter_lights_its_part_in_the_nearest_drawing_and_no_other() {
 }
 
 #[test]
-fn the_row_of_letters_is_one_stop_of_the_tab_key_and_arrows_go_along_it() {
+fn a_button_opens_the_row_of_letters_which_is_one_stop_of_the_tab_key_and_arrows_go_along_it() {
     let Some(mut browser) = Browser::start() else { return };
     browser.show(WIDE, Medium::Light);
     browser.open(&format!("{}/pin.html", address(crate::book_pages::book())));
@@ -88,9 +88,18 @@ fn the_row_of_letters_is_one_stop_of_the_tab_key_and_arrows_go_along_it() {
     let known = strings(&known);
     let parts: Vec<&str> = NOTATION.iter().map(|letter| letter.part).filter(|part| !part.is_empty()).collect();
     assert!(known[0].is_empty() && known[1..].iter().all(|letter| parts.contains(&letter.as_str())), "{known:?}");
-    // The stop before the row, and then as many as there are stops in it.
+    // The stop before the button, which opens the row, and then as many as there are stops in it.
     browser.evaluate("{ const at = document.querySelector('#fig-pin-position svg'); at.tabIndex = 0; at.focus() }");
     let focused = "[document.activeElement.type ?? '', document.activeElement.value ?? '']";
+    browser.press("Tab", 9);
+    assert_eq!(browser.evaluate("document.activeElement.matches('.letters > summary')"), json!(true));
+    let is_shown = "document.querySelector('#fig-pin-position .letters input').checkVisibility()";
+    assert_eq!(browser.evaluate(is_shown), json!(false));
+    browser.command(
+        "Input.dispatchKeyEvent",
+        json!({ "type": "keyDown", "key": "Enter", "text": "\r", "windowsVirtualKeyCode": 13 }),
+    );
+    assert_eq!(browser.evaluate(is_shown), json!(true));
     browser.press("Tab", 9);
     assert_eq!(browser.evaluate(focused), json!(["radio", ""]));
     browser.press("ArrowRight", 39);

@@ -74,6 +74,7 @@ fn render(book: &Book, source: &mut MDBook, new: &Path) -> anyhow::Result<()> {
 fn finish(book: &Book, folder: &Path) -> anyhow::Result<()> {
     rewrite(folder, "css", &|text| Ok(minify::style(text)))?;
     rewrite(folder, "js", &|text| Ok(minify::script(text)))?;
+    rewrite(folder, "html", &|text| Ok(with_running_head(text)))?;
     rewrite(folder, "html", &|text| Ok(minify::page(&with_way_past_the_list(&phone_tables::labelled(text)))))?;
     fingerprints::renew(folder)?;
     rewrite(folder, "html", &|page| policy::guarded(page, book.modules))
@@ -86,6 +87,20 @@ fn with_way_past_the_list(page: &str) -> String {
         return page.to_owned();
     }
     page.replacen("<body>", "<body>\n<a class=\"skip\" href=\"#mdbook-content\">Skip to the text</a>", 1)
+}
+
+/// A page whose bar names the chapter, as the running head of a book does: mdBook writes the book's title there.
+fn with_running_head(page: &str) -> String {
+    const HEAD: &str = "<h1 class=\"menu-title\">";
+    let title = page.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
+    let head = page.split_once(HEAD).and_then(|(before, rest)| Some((before, rest.split_once("</h1>")?)));
+    match (title, head) {
+        (Some((title, _)), Some((before, (book, rest)))) => {
+            let chapter = title.trim().strip_suffix(book.trim()).and_then(|title| title.strip_suffix(" - "));
+            format!("{before}{HEAD}{}</h1>{rest}", chapter.unwrap_or(title.trim()))
+        }
+        _ => page.to_owned(),
+    }
 }
 
 /// Writes all files of a kind in a folder and below it anew.
@@ -216,6 +231,7 @@ mod tests {
             "about.html#work-johnson",
             "<svg></svg>",
             "<strong>Figure\u{a0}1.1.</strong>",
+            "<h1 class=\"menu-title\">A chapter</h1>",
             "<a href=\"#table-rows\">Table\u{a0}1.1</a>",
             "A sample, version 1.2.3",
             "2.02\u{a0}s</span>",
