@@ -29,7 +29,7 @@
         const player = form.querySelector('[data-play]');
         const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
         const announced = figure.querySelector('.results output');
-        const outputs = figure.querySelectorAll('output'), files = form.querySelectorAll('[data-file]');
+        const outputs = figure.querySelectorAll('output'), files = figure.querySelectorAll('[data-file]');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const side = input => (input.dataset.side ?? '').split(' ');
         const follows = input => input.dataset.follows !== undefined || side(input)[1] > 0;
@@ -288,7 +288,7 @@
             }
             moved();
         });
-        form.addEventListener('click', event => {
+        figure.addEventListener('click', event => {
             const { do: what, set: values, file } = event.target.dataset;
             ignored.textContent = '';
             if (what && what !== 'link') {
@@ -333,13 +333,32 @@
         }
 
         // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
-        const shows = figure.querySelector('.shown');
-        const fit = () => {
-            const room = getComputedStyle(form).display === 'contents' ? 52 : 140;
-            figure.classList.toggle('stays', shows.offsetHeight + room <= document.documentElement.clientHeight);
+        // In a lower window it shrinks while the page goes by, and stays as soon as there is room.
+        const shows = figure.querySelector('.shown'), picture = figure.querySelector('.drawing'), least = 180;
+        let whole = 0, spare = 0, above = 0;
+        const shrink = () => {
+            const top = Number.parseFloat(getComputedStyle(shows).top) || 0;
+            const gone = Math.min(Math.max(top - figure.getBoundingClientRect().top - above, 0), spare);
+            figure.style.setProperty('--drawn', gone > 0 ? `${whole - gone}px` : 'none');
+            figure.style.setProperty('--gone', `${gone}px`);
         };
+        const fit = () => {
+            figure.classList.remove('stays', 'shrinks');
+            const room = getComputedStyle(form).display === 'contents' ? 52 : 140;
+            const { clientHeight } = document.documentElement;
+            above = shows.getBoundingClientRect().top - figure.getBoundingClientRect().top;
+            whole = picture.offsetHeight;
+            const stays = shows.offsetHeight + room <= clientHeight;
+            const shrinks = !stays && whole > least && shows.offsetHeight - whole + least + 200 <= clientHeight;
+            spare = shrinks ? whole - least : 0;
+            figure.classList.toggle('stays', stays || shrinks);
+            figure.classList.toggle('shrinks', shrinks);
+            shrink();
+        };
+        addEventListener('scroll', () => spare > 0 && requestAnimationFrame(shrink), { passive: true });
         new IntersectionObserver(([entry]) => seen = entry.isIntersecting).observe(figure);
         form.hidden = false;
+        figure.querySelectorAll('.take').forEach(files => { files.hidden = false; });
         addEventListener('resize', fit);
         document.fonts.ready.then(fit);
         const linked = () => {

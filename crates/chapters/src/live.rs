@@ -95,14 +95,31 @@ pub fn interactive(book: &Book, name: &str) -> anyhow::Result<InteractiveFigure>
 
 fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> {
     let given = given(live.name)?;
-    let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given, answer)).collect();
+    let rows = live.controls.chunk_by(|one, next| one.fold == next.fold).enumerate().map(|(number, together)| {
+        let rows: String = together.iter().map(|control| row(live, control, &given, answer)).collect();
+        let rows = format!("<div class=\"rows\">{rows}</div>");
+        match together.first().and_then(|control| control.fold) {
+            // The first is open.
+            Some(title) => {
+                let open = if number == 0 { " open" } else { "" };
+                format!("<details{open}><summary>{}</summary>{rows}</details>", escape(title))
+            }
+            None => rows,
+        }
+    });
+    let rows: Vec<String> = rows.collect();
     let presets = live.presets.iter().map(|preset| {
         format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
     });
-    let files = live
+    let files: Vec<String> = live
         .files
         .iter()
-        .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
+        .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)))
+        .collect();
+    // What a reader moves the figure for is at hand beside it; the other files are below the controls.
+    let (first_file, files) = files.split_at(files.len().min(1));
+    let first_file: String =
+        first_file.iter().map(|file| format!("<p class=\"take\" hidden>{}</p>\n", file.trim_start())).collect();
     let others = numbers(book, live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let steps = if answer.steps.is_empty() { String::new() } else { format!("\n{}", steps(&answer.steps)) };
@@ -116,7 +133,7 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
     };
     Ok(format!(
         "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\">\
-         {}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
+         {}</dl>\n{first_file}<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
          possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
          class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
@@ -127,7 +144,7 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
         rows.concat(),
         presets.collect::<String>(),
         live.figure,
-        files.collect::<String>(),
+        files.concat(),
     ))
 }
 

@@ -27,7 +27,7 @@ pub struct Live {
     pub others: &'static [LiveQuantity],
     /// What the pointer moves in the drawing.
     pub drag: Option<PointerDrag>,
-    /// What can be taken away.
+    /// What can be taken away: the first beside the drawing, the others below the controls.
     pub files: &'static [LiveFile],
     /// Draws it.
     pub draw: fn(&Settings) -> Result<LiveReply, String>,
@@ -56,6 +56,8 @@ pub struct Control {
     pub kind: ControlKind,
     /// On which side it is, if those of the other sides of its group follow from it.
     pub side: Option<ControlSide>,
+    /// The fold in which it is, by its title, if the figure has many controls. Those of a fold follow one another.
+    pub fold: Option<&'static str>,
 }
 
 impl Control {
@@ -79,6 +81,7 @@ impl Control {
             preset,
             kind: ControlKind::Slider,
             side: None,
+            fold: None,
         }
     }
 
@@ -119,6 +122,11 @@ impl Control {
         Self { side: Some(ControlSide { group, number }), ..self }
     }
 
+    /// The control in the fold with this title.
+    pub const fn in_fold(self, title: &'static str) -> Self {
+        Self { fold: Some(title), ..self }
+    }
+
     /// One of several, by its number from 0.
     pub const fn choice(
         name: &'static str,
@@ -139,6 +147,7 @@ impl Control {
             preset: preset as f64,
             kind,
             side: None,
+            fold: None,
         }
     }
 

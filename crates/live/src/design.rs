@@ -2,8 +2,8 @@
 
 use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
 use crate::control::{Control, ControlKind, Live, LiveFile, Preset, Settings};
-use geneva_ask::Error;
 use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
+use geneva_ask::{Error, Rounding};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, Warning};
@@ -16,27 +16,42 @@ pub const LIVE: Live = Live {
            grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
            pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
     controls: &[
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).with_typed_range([3.0, 100.0]),
-        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).with_typed_range([1.0, 50.0]),
-        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0).with_typed_range([0.1, 10_000.0]),
-        Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0),
-        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).with_typed_range([0.001, 10_000.0]),
-        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01)
-            .with_typed_range([0.0, 1000.0]),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0)
+            .with_typed_range([3.0, 100.0])
+            .in_fold(NEED),
+        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).with_typed_range([1.0, 50.0]).in_fold(NEED),
         Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
-            .with_typed_range([0.001, 100_000.0]),
-        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002)
-            .with_typed_range([0.0, 1e6]),
-        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1)
-            .with_typed_range([0.0, 1e6]),
-        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
-            .with_typed_range([-10_000.0, 10_000.0]),
-        Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
-            .with_typed_range([0.001, 10_000.0]),
-        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001).with_typed_range([0.0, 1000.0]),
+            .with_typed_range([0.001, 100_000.0])
+            .in_fold(NEED),
+        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0)
+            .with_typed_range([0.1, 10_000.0])
+            .in_fold(SIZE),
+        Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0).in_fold(SIZE),
         Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0)
-            .with_typed_range([0.001, 10_000.0]),
-        Control::choice("material", "the wheel is made of", &OF, 3),
+            .with_typed_range([0.001, 10_000.0])
+            .in_fold(SIZE),
+        Control::choice("material", "the wheel is made of", &OF, 3).in_fold(SIZE),
+        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1)
+            .with_typed_range([0.001, 10_000.0])
+            .in_fold(FIT),
+        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01)
+            .with_typed_range([0.0, 1000.0])
+            .in_fold(FIT),
+        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
+            .with_typed_range([-10_000.0, 10_000.0])
+            .in_fold(FIT),
+        Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
+            .with_typed_range([0.001, 10_000.0])
+            .in_fold(FIT),
+        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001)
+            .with_typed_range([0.0, 1000.0])
+            .in_fold(FIT),
+        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002)
+            .with_typed_range([0.0, 1e6])
+            .in_fold(LOAD),
+        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1)
+            .with_typed_range([0.0, 1e6])
+            .in_fold(LOAD),
     ],
     presets: &[
         Preset {
@@ -56,24 +71,25 @@ pub const LIVE: Live = Live {
         },
     ],
     given: &[],
+    // The three for which most readers move something; they stay in sight.
     quantities: &[
-        LiveQuantity::field("centres", "centre distance", "centre_distance_mm"),
         LiveQuantity::new("clearance", "least clearance"),
+        LiveQuantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
+        LiveQuantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
+    ],
+    others: &[
+        LiveQuantity::field("centres", "centre distance", "centre_distance_mm"),
         LiveQuantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
         LiveQuantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
         LiveQuantity::field("index", "indexing time", "indexing_time_s"),
         LiveQuantity::field("dwell", "dwell time", "dwell_time_s"),
         LiveQuantity::field("torque", "greatest torque on the wheel", "peak_wheel_torque_nm"),
-        LiveQuantity::field("force", "greatest force of the pin", "peak_pin_force_n"),
-        LiveQuantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
         LiveQuantity::field("rms", "RMS torque at the crank", "rms_crank_torque_nm"),
         LiveQuantity::field("power", "greatest power", "peak_power_w"),
         LiveQuantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
         LiveQuantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
         LiveQuantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
         LiveQuantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
-    ],
-    others: &[
         LiveQuantity::new("crank-radius", "crank radius"),
         LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
         LiveQuantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
@@ -123,6 +139,12 @@ pub const LIVE: Live = Live {
     ],
     draw,
 };
+
+/// Folds of the controls.
+const NEED: &str = "What the wheel is to do";
+const SIZE: &str = "How large it is";
+const FIT: &str = "How it fits";
+const LOAD: &str = "What it carries";
 
 /// Materials of the wheel, as they are called and in the order of [`MATERIALS`].
 const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
@@ -212,8 +234,11 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     fields.push(blow);
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
-        Some(key) => LiveNumber::from_field(of.name, fields.iter().find(|field| field.key == key)?)
-            .map(|number| worded(number, key, sizes)),
+        Some(key) => {
+            let field = fields.iter().find(|field| field.key == key)?;
+            let rounded = field.clone().rounded(at_most_three(field.rounding));
+            LiveNumber::from_field(of.name, &rounded).map(|number| worded(number, key, sizes))
+        }
         None => match of.name {
             "crank-radius" => Some(LiveNumber::new("crank-radius", sizes.crank_radius, 3, "mm")),
             "clearance" => clearance
@@ -240,6 +265,15 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
     let message = message(&design.warnings(), error, is_met, overlaps, is_late);
     Ok(LiveReply { further, followers, message, ..LiveReply::new(stations::dimensions_on_a_page(sizes), numbers) })
+}
+
+/// A rounding to three digits that count where it is to more: a fourth says nothing of a wheel that is still to be made.
+fn at_most_three(rounding: Rounding) -> Rounding {
+    match rounding {
+        Rounding::Significant(digits) => Rounding::Significant(digits.min(3)),
+        Rounding::Limit(digits) => Rounding::Limit(digits.min(3)),
+        other => other,
+    }
 }
 
 const BACKLASH: &str = "dwell_backlash_deg";
