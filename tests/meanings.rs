@@ -1,8 +1,9 @@
-//! Does a word have one meaning in the whole book? Each rise is called by its measure (the thesis leaves its own undefined), and the
-//! book's terminal speed is not the thesis's terminal velocity.
+//! Does a word have one meaning in the whole book? Each rise is called by its measure (the thesis leaves its own undefined), the
+//! book's terminal speed is not the thesis's terminal velocity, and a verdict is said in one of five words.
 
 use geneva_chapters::figures;
 use geneva_dynamics::steady::RiseMeasure;
+use geneva_evidence::{PlainVerdict, Verdict};
 
 /// What tells that a rise is the thesis's own, whose end it leaves open, or leads to where the measures are listed.
 const OF_THE_THESIS: [&str; 9] = [
@@ -97,4 +98,36 @@ fn an_escapement_may_jam_and_is_never_said_to() {
         }
     }
     assert!(said >= 3, "only {said}");
+}
+
+/// Words of a page that are classes of verdict in the data, or verdicts in other than the plain words. Data are set as code.
+fn verdicts_in_other_words(page: &str) -> Vec<String> {
+    let mut text = String::new();
+    for (at, piece) in page.split("<code").enumerate() {
+        text.push_str(if at == 0 { piece } else { piece.split_once("</code>").map_or(piece, |(_, behind)| behind) });
+    }
+    let classes = Verdict::ALL.iter().map(|class| class.slug()).filter(|slug| slug.contains('-'));
+    let mut found: Vec<String> = classes.filter(|class| text.contains(class)).map(str::to_owned).collect();
+    let plain = |slug: &str| PlainVerdict::ALL.iter().any(|verdict| verdict.slug() == slug);
+    for piece in text.split(" verdict-").skip(1) {
+        let slug: String = piece.chars().take_while(|c| c.is_ascii_lowercase() || *c == '-').collect();
+        if !plain(&slug) {
+            found.push(format!("verdict-{slug}"));
+        }
+    }
+    found
+}
+
+#[test]
+fn pages_say_a_verdict_in_one_of_five_words() {
+    let mut marked = 0;
+    for (name, page) in crate::book_pages::pages() {
+        assert_eq!(verdicts_in_other_words(page), Vec::<String>::new(), "{name}");
+        marked += page.matches(" verdict-").count();
+    }
+    assert!(marked > 100, "{marked} verdicts on all pages");
+    for other in ["the verdict is from-rounded", "<b class=\"mark verdict-corrected\">", "<code>x</code> read-off"] {
+        assert_eq!(verdicts_in_other_words(other).len(), 1, "{other}");
+    }
+    assert!(verdicts_in_other_words("<code>from-rounded</code> <b class=\"verdict verdict-wrong\">").is_empty());
 }

@@ -103,7 +103,7 @@ fn fold(book: &Book, judged: &Judged) -> anyhow::Result<String> {
          {day}</p>\n{inner}\n</details>\n\n",
         escape(whose(address)),
         prose(claim.meaning),
-        badge(judged.verdict),
+        badge(judged.plain()),
         escape(address)
     ))
 }

@@ -94,7 +94,11 @@ const FIELD_MEANINGS: &[(&str, &str, &str)] = &[
         "kind",
         "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
     ),
-    ("claims", "verdict", "The verdict that the program derived. *How it is checked* explains each verdict."),
+    (
+        "claims",
+        "verdict",
+        "The class of the verdict that the program derived. A table in *How it is checked* says which verdict on the pages each class is.",
+    ),
 ];
 
 /// The letters of the triangle, of its motion and of the force in the slot.

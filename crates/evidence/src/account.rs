@@ -5,7 +5,7 @@
 
 use crate::tex::misprints;
 use crate::told::finding_on;
-use crate::{Check, Claim, Decimal, Judged, Ledger, Verdict, judge, judge_characters, sentences};
+use crate::{Check, Claim, Decimal, Judged, Ledger, PlainVerdict, Verdict, judge, judge_characters, sentences};
 
 /// What was found when a claim was checked, in words.
 #[derive(Clone, Debug)]
@@ -106,9 +106,8 @@ impl Account {
         tell("Near miss", near_miss.unwrap_or_default());
         // What the class means is said of documents.
         let meaning = if judged.is_as_printed() { format!(": {}", judged.verdict.meaning()) } else { String::new() };
-        tell("Verdict", format!("{}{meaning}", judged.verdict));
-        let complaints = judged.complaints();
-        tell("Record", if complaints.is_empty() { "as recorded".to_owned() } else { complaints.join("; ") });
+        tell("Verdict", format!("{}{meaning}", judged.plain().words()));
+        tell("Record", record(&judged));
         tell("Stated in", format!("{}:{}", claim.stated_at.file(), claim.stated_at.line()));
         Self { judged, taken, lines }
     }
@@ -123,6 +122,23 @@ impl Account {
     pub fn text(&self) -> String {
         self.lines.iter().map(|(label, text)| format!("{label}: {text}\n")).collect()
     }
+}
+
+/// How a verdict stands to the one on record, in plain words.
+fn record(judged: &Judged) -> String {
+    let recorded = judged.recorded_plain();
+    let verdict = match (judged.is_as_printed(), judged.verdict == judged.claim.expected) {
+        (true, true) if judged.faults.is_empty() => "as recorded".to_owned(),
+        (true, true) => String::new(),
+        (true, false) if recorded != judged.plain() => {
+            format!("recorded as {}, but found {}", recorded.words(), judged.plain().words())
+        }
+        // Two classes that are one word for readers.
+        (true, false) => format!("recorded as {}, but found {}", judged.claim.expected, judged.verdict),
+        (false, _) => format!("what is printed is {}", recorded.words()),
+    };
+    let said = [verdict].into_iter().filter(|verdict| !verdict.is_empty()).chain(judged.faults.iter().cloned());
+    said.collect::<Vec<_>>().join("; ")
 }
 
 /// What is said of characters that a check does not read.
@@ -261,8 +277,8 @@ impl Ledger {
     ///
     /// `list` gives the ids of all claims with their recorded verdicts, a line each, and `printed ID` the printed characters.
     /// `judge ID` derives the verdict. `account ID` gives its account, and with more lines that of the characters in them. Between
-    /// the parts of a line stands a tab. The first line of a check is the derived verdict, the recorded one, `holds` or `differs`,
-    /// and what contradicts the record; of other characters it may be `unread` or `unreadable` instead. A question that cannot be
+    /// the parts of a line stands a tab. The first line of a check is the derived verdict and the recorded one in plain words,
+    /// `holds` or `differs`, and what contradicts the record; of other characters it may be `unread` or `unreadable` instead. A question that cannot be
     /// answered gets `error` and what to give.
     pub fn reply(&'static self, question: &str) -> String {
         self.replied(question).unwrap_or_else(|message| format!("error\t{}", in_one_line(&message)))
@@ -279,8 +295,9 @@ impl Ledger {
                 _ if judged.matches_record() => "holds",
                 _ => "differs",
             };
-            let complaints = in_one_line(&judged.complaints().join("; "));
-            format!("{}\t{}\t{holds}\t{complaints}", judged.verdict, judged.claim.expected)
+            let [found, recorded] = [judged.plain(), judged.recorded_plain()].map(PlainVerdict::words);
+            let complaints = if judged.matches_record() { String::new() } else { in_one_line(&record(judged)) };
+            format!("{found}\t{recorded}\t{holds}\t{complaints}")
         };
         match (word, characters) {
             ("list", None) => {

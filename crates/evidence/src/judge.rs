@@ -4,7 +4,7 @@ use crate::number_format::fixed;
 use crate::tex::places_changed;
 use crate::units::unit_fault;
 use crate::{
-    Agreement, Check, ChoiceFn, Claim, Consequence, Decimal, DecisionFn, Erratum, Evidence, Finding, NumberFn, Route,
+    Agreement, Check, ChoiceFn, Claim, Decimal, DecisionFn, Erratum, Evidence, Finding, NumberFn, PlainVerdict, Route,
     Stated, Truth, Verdict,
 };
 use std::any::Any;
@@ -57,13 +57,12 @@ impl Judged {
 
     /// Whether what is printed is right.
     pub fn truth(&self) -> Truth {
-        self.verdict.truth()
+        self.plain().truth()
     }
 
     /// Whether the source itself is right for all we know: what is wrong is only in the copy of it that was read.
     pub fn is_miscopied(&self) -> bool {
-        let miscopied = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
-        self.truth() == Truth::Wrong && self.claim.erratum.as_ref().is_some_and(miscopied)
+        self.plain() == PlainVerdict::WrongInCopy
     }
 
     /// Whether the characters that were judged are the printed ones.
@@ -164,8 +163,10 @@ fn derived(claim: &'static Claim, printed: Cow<'static, str>) -> Judged {
     }
     judged.faults.extend(unit_fault(claim));
     match (&claim.erratum, judged.verdict.needs_erratum()) {
-        (None, true) => judged.faults.push(format!("{} without an erratum", judged.verdict)),
-        (Some(_), false) => judged.faults.push(format!("an erratum is on record, but the claim is {}", judged.verdict)),
+        (None, true) => judged.faults.push(format!("{} without an erratum", judged.plain().words())),
+        (Some(_), false) => {
+            judged.faults.push(format!("an erratum is on record, but the claim is {}", judged.plain().words()));
+        }
         _ => {}
     }
     judged

@@ -67,7 +67,7 @@ fn a_number_that_rounds_is_reproduced() {
 #[test]
 fn a_number_cut_off_is_truncated_and_needs_an_erratum() {
     let claim = || third("0.666");
-    assert_eq!(judged(claim().expecting(Verdict::Truncated)).faults, ["truncated without an erratum"]);
+    assert_eq!(judged(claim().expecting(Verdict::Truncated)).faults, ["wrong without an erratum"]);
     let found = judged(claim().corrected("0.667", SLIP).expecting(Verdict::Truncated));
     assert!(found.matches_record() && found.truth() == Truth::Wrong, "{:?}", found.complaints());
 }
@@ -97,7 +97,7 @@ fn a_wrong_number_is_corrected_only_by_what_is_computed() {
 #[test]
 fn an_erratum_that_starts_to_agree_fails() {
     let claim = third("0.667").corrected("0.667", SLIP).expecting(Verdict::Reproduced);
-    assert_eq!(judged(claim).faults, ["an erratum is on record, but the claim is reproduced"]);
+    assert_eq!(judged(claim).faults, ["an erratum is on record, but the claim is right"]);
 }
 
 #[test]
@@ -146,12 +146,12 @@ fn a_number_that_a_slip_gives_is_told_from_a_right_one() {
     };
     let two_thirds = [2.0 / 3.0; 2];
     let found = judged(claim("0.33", two_thirds).expecting(Verdict::ReproducedInError));
-    assert_eq!(found.faults, ["reproduced-in-error without an erratum"]);
+    assert_eq!(found.faults, ["wrong without an erratum"]);
     let found = judged(claim("0.33", two_thirds).in_error(SLIP));
     assert!(found.matches_record(), "{:?}", found.complaints());
     assert_eq!((found.truth(), found.corrected().as_deref()), (Truth::Wrong, Some("0.67")));
     // What the slip does not give is wrong by itself, since the right number is known.
-    assert_eq!(judged(claim("0.34", two_thirds)).faults, ["corrected without an erratum"]);
+    assert_eq!(judged(claim("0.34", two_thirds)).faults, ["wrong without an erratum"]);
     let found = judged(claim("0.34", two_thirds).expecting(Verdict::Corrected).affected_by(SLIP));
     assert!(found.matches_record(), "{:?}", found.complaints());
     assert_eq!(found.corrected().as_deref(), Some("0.67"));

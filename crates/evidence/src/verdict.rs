@@ -1,4 +1,4 @@
-//! The classes of verdict.
+//! The classes of verdict, for data.
 
 use crate::slugs::slugs;
 
@@ -92,14 +92,5 @@ impl Verdict {
     /// Whether a claim with this verdict must carry an erratum.
     pub fn needs_erratum(self) -> bool {
         self.truth() == Truth::Wrong
-    }
-
-    /// The answer to the other question: is what is printed right?
-    pub fn truth(self) -> Truth {
-        match self {
-            Self::Reproduced | Self::ReadOff => Truth::Right,
-            Self::Truncated | Self::FromRounded | Self::ReproducedInError | Self::Corrected => Truth::Wrong,
-            Self::NotReproduced | Self::NotReproducible => Truth::Open,
-        }
     }
 }

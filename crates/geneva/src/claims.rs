@@ -7,7 +7,7 @@ use anyhow::{anyhow, bail};
 use clap::Args;
 use geneva_chapters::BOOK;
 use geneva_documents::LEDGER;
-use geneva_evidence::{Account, Claim, Decimal, Document, Judged, Verdict, without_ellipses};
+use geneva_evidence::{Account, Claim, Decimal, Document, Judged, PlainVerdict, Verdict, without_ellipses};
 use geneva_host::printable::escape_and_shorten;
 use geneva_press::lookup::unknown;
 use geneva_press::records;
@@ -24,9 +24,9 @@ pub(crate) struct ClaimsArguments {
     /// List only the claims of this source
     #[arg(long, value_parser = typed::value_named(LEDGER.documents(), |document| document.slug, |document| document.citation))]
     pub source: Option<&'static Document>,
-    /// List only the claims with this verdict
-    #[arg(long, value_parser = typed::value_named(Verdict::ALL, Verdict::slug, Verdict::meaning))]
-    pub verdict: Option<Verdict>,
+    /// List only the claims with this verdict, or with this class of verdict in the data
+    #[arg(long, value_parser = typed::value_named(WantedVerdict::ALL, WantedVerdict::slug, WantedVerdict::meaning))]
+    pub verdict: Option<WantedVerdict>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
         (CommandFormat::Text, "A readable table"),
@@ -37,6 +37,55 @@ pub(crate) struct ClaimsArguments {
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
+}
+
+/// The claims that `--verdict` asks for: with a verdict in plain words, or with a class of verdict in the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WantedVerdict {
+    /// A verdict in plain words.
+    Plain(PlainVerdict),
+    /// A class in the data.
+    Class(Verdict),
+}
+
+impl WantedVerdict {
+    /// All that can be asked for.
+    const ALL: &'static [Self] = &[
+        Self::Plain(PlainVerdict::Right),
+        Self::Plain(PlainVerdict::RightAsRead),
+        Self::Plain(PlainVerdict::Wrong),
+        Self::Plain(PlainVerdict::WrongInCopy),
+        Self::Plain(PlainVerdict::Open),
+        Self::Class(Verdict::Reproduced),
+        Self::Class(Verdict::Truncated),
+        Self::Class(Verdict::FromRounded),
+        Self::Class(Verdict::ReadOff),
+        Self::Class(Verdict::ReproducedInError),
+        Self::Class(Verdict::Corrected),
+        Self::Class(Verdict::NotReproduced),
+        Self::Class(Verdict::NotReproducible),
+    ];
+
+    fn slug(self) -> &'static str {
+        match self {
+            Self::Plain(verdict) => verdict.slug(),
+            Self::Class(class) => class.slug(),
+        }
+    }
+
+    fn meaning(self) -> &'static str {
+        match self {
+            Self::Plain(verdict) => verdict.meaning(),
+            Self::Class(class) => class.meaning(),
+        }
+    }
+
+    fn includes(self, judged: &Judged) -> bool {
+        match self {
+            Self::Plain(verdict) => judged.plain() == verdict,
+            Self::Class(class) => judged.verdict == class,
+        }
+    }
 }
 
 /// The claim with this id.
@@ -72,7 +121,7 @@ pub(crate) fn accounts(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::
 
 /// The claims that are wanted, in the format that is wanted.
 pub(crate) fn page(wanted: &ClaimsArguments, layout: TextLayout) -> anyhow::Result<String> {
-    let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
+    let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| verdict.includes(judged));
     let rows: Vec<_> = wanted_verdicts(wanted).into_iter().filter(of_verdict).collect();
     let row = |judged| records::claim(BOOK.ledger, judged);
     match wanted.format {
@@ -105,7 +154,7 @@ const LEAST_PRINTED: usize = 12;
 fn table(rows: &[&Judged], layout: TextLayout) -> String {
     let longest = |length: fn(&Judged) -> usize| rows.iter().map(|judged| length(judged)).max().unwrap_or(0);
     let id = longest(|judged| judged.claim.id.len());
-    let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
+    let verdict = PlainVerdict::ALL.iter().map(|verdict| verdict.words().len()).max().unwrap_or(0);
     let beside = layout.width().saturating_sub(2 + id + 2 + 2 + verdict);
     let computed = longest(|judged| computed(judged).map_or(0, |number| number.len())).max("computed".len());
     let is_beside = beside >= LEAST_PRINTED + 2 + computed;
@@ -126,7 +175,7 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
     let mut page = format!("{bold}{}{bold:#}\n", line(' ', [&head[0], &head[1]], "verdict"));
     let mut place = None;
     for judged in rows {
-        let (claim, colour) = (judged.claim, style(judged.verdict));
+        let (claim, colour) = (judged.claim, style(judged.plain()));
         if place.replace((claim.document, claim.locator)) != Some((claim.document, claim.locator)) {
             page += &layout.folded(&format!("{}, {}\n", claim.document, claim.locator));
         }
@@ -142,7 +191,7 @@ fn table(rows: &[&Judged], layout: TextLayout) -> String {
         };
         let mark = if judged.matches_record() { ' ' } else { DIFFERS };
         let id = format!("{:<before_verdict$}", claim.id);
-        let verdict = format!("{colour}{}{colour:#}", judged.verdict);
+        let verdict = format!("{colour}{}{colour:#}", judged.plain().words());
         page += &format!("{}\n", line(mark, [&id, &what], &verdict).trim_end());
     }
     page += &format!("{}\n", count(rows.len(), "claim"));
@@ -211,7 +260,7 @@ mod tests {
             .first_route(Evidence::CLOSED_FORM, || 7.0 / 3.0)
             .second_route(Evidence::LIMIT_CASE, || 7.0 / 3.0);
         let judged = judge(Box::leak(Box::new(claim)));
-        let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().expect("verdicts");
+        let verdict = PlainVerdict::ALL.iter().map(|verdict| verdict.words().len()).max().expect("verdicts");
         // Mark, id, printed characters, "computed" and verdict, with two blanks between.
         let needed = 2 + judged.claim.id.len() + 2 + LEAST_PRINTED + 2 + "computed".len() + 2 + verdict;
         assert!((61..=100).contains(&needed), "{needed}");
@@ -266,13 +315,15 @@ mod tests {
     #[test]
     fn every_source_and_every_verdict_select_their_claims() {
         for work in LEDGER.documents() {
-            for verdict in Verdict::ALL {
-                let is_wanted = |judged: &&Judged| judged.claim.document == *work && judged.verdict == *verdict;
+            for verdict in WantedVerdict::ALL {
+                let is_wanted = |judged: &&Judged| judged.claim.document == *work && verdict.includes(judged);
                 let expected: Vec<_> =
                     LEDGER.verdicts().iter().copied().filter(is_wanted).map(|judged| judged.claim.id).collect();
                 let found = listed(&["--source", work.slug, "--verdict", verdict.slug()]);
-                assert_eq!(found, expected, "{work} {verdict}");
+                assert_eq!(found, expected, "{work} {verdict:?}");
             }
         }
+        let asked = WantedVerdict::ALL.len();
+        assert_eq!(asked, PlainVerdict::ALL.len() + Verdict::ALL.len());
     }
 }

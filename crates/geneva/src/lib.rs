@@ -125,7 +125,7 @@ enum Command {
     #[command(after_help = "\
 Examples:
   geneva claims --source pin
-  geneva claims --verdict corrected
+  geneva claims --verdict wrong
   geneva claims pin.radius
   geneva claims pin.radius --printed 37.2
   geneva claims --format json --output claims.json")]

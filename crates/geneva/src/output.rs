@@ -8,7 +8,7 @@ use anstream::adapter::strip_str;
 use anyhow::Context;
 use clap::builder::styling::{AnsiColor, Style};
 use clap::error::ErrorKind;
-use geneva_evidence::Verdict;
+use geneva_evidence::PlainVerdict;
 use geneva_host::layout::{columns, first_columns};
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -148,13 +148,13 @@ pub(crate) fn explain(error: &clap::Error, streams: &mut dyn OutputStreams) -> a
 }
 
 /// How a verdict is coloured; the colour repeats what the word says.
-pub(crate) fn style(verdict: Verdict) -> Style {
+pub(crate) fn style(verdict: PlainVerdict) -> Style {
     let colour = match verdict {
-        Verdict::Reproduced => AnsiColor::Green,
-        Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => AnsiColor::Yellow,
-        Verdict::ReproducedInError => AnsiColor::Magenta,
-        Verdict::Corrected => AnsiColor::Cyan,
-        Verdict::NotReproduced | Verdict::NotReproducible => AnsiColor::Red,
+        PlainVerdict::Right => AnsiColor::Green,
+        PlainVerdict::RightAsRead => AnsiColor::Cyan,
+        PlainVerdict::Wrong => AnsiColor::Red,
+        PlainVerdict::WrongInCopy => AnsiColor::Magenta,
+        PlainVerdict::Open => AnsiColor::Yellow,
     };
     colour.on_default()
 }

@@ -3,7 +3,7 @@
 use crate::output::{TextLayout, count, field, heading, style};
 use geneva_documents::LEDGER;
 use geneva_evidence::Document;
-use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
+use geneva_evidence::{Consequence, Judged, Kind, PlainVerdict, without_ellipses};
 
 /// The verdicts of the documents by source, and each claim, also on pages elsewhere, that no longer matches the record.
 pub(crate) fn page(verdicts: &[&Judged], layout: TextLayout) -> String {
@@ -17,10 +17,7 @@ fn elsewhere(verdicts: &[&Judged], layout: TextLayout) -> String {
             |judged: &&Judged| !judged.claim.document.is_mirrored() && (judged.claim.kind == Kind::Example) == examples;
         let number =
             |of: &dyn Fn(&Judged) -> bool| verdicts.iter().copied().filter(of_kind).filter(|judged| of(judged)).count();
-        let truths = Truth::ALL
-            .iter()
-            .map(|truth| (number(&|judged| judged.truth() == *truth && !judged.is_miscopied()), truth.to_string()));
-        let parts = truths.chain([(number(&Judged::is_miscopied), "wrong only in our copy".to_owned())]);
+        let parts = PlainVerdict::ALL.iter().map(|plain| (number(&|judged| judged.plain() == *plain), plain.words()));
         let parts: Vec<_> =
             parts.filter(|(number, _)| *number > 0).map(|(number, what)| format!("{number} {what}")).collect();
         let all = number(&|_| true);
@@ -40,7 +37,7 @@ fn elsewhere(verdicts: &[&Judged], layout: TextLayout) -> String {
 const CHANGED: &str = "changed since recorded";
 
 fn table(verdicts: &[&Judged], layout: TextLayout) -> String {
-    let names = Verdict::ALL.iter().map(|verdict| verdict.slug()).chain([CHANGED]);
+    let names = PlainVerdict::ALL.iter().map(|verdict| verdict.words()).chain([CHANGED]);
     let label = names.map(str::len).max().unwrap_or(0);
     let columns: Vec<(&str, Option<&'static Document>)> =
         LEDGER.mirrored().iter().map(|work| (work.slug, Some(*work))).chain([("all", None)]).collect();
@@ -67,14 +64,10 @@ fn table(verdicts: &[&Judged], layout: TextLayout) -> String {
 
     let bold = heading();
     let mut table = format!("{bold}{}{bold:#}\n", line("verdict", &|title, _| title.to_owned()));
-    for verdict in Verdict::ALL {
-        let colour = style(*verdict);
-        let row = line(verdict.slug(), &|_, work| tally(&|judged| judged.verdict == *verdict, work));
-        table += &format!("{colour}{}{colour:#}{}\n", &row[..verdict.slug().len()], &row[verdict.slug().len()..]);
-    }
-    table += &format!("\n{bold}{}{bold:#}\n", line("is it right?", &|title, _| title.to_owned()));
-    for truth in Truth::ALL {
-        table += &format!("{}\n", line(truth.slug(), &|_, work| tally(&|judged| judged.truth() == *truth, work)));
+    for verdict in PlainVerdict::ALL {
+        let (colour, words) = (style(*verdict), verdict.words());
+        let row = line(words, &|_, work| tally(&|judged| judged.plain() == *verdict, work));
+        table += &format!("{colour}{}{colour:#}{}\n", &row[..words.len()], &row[words.len()..]);
     }
     table += &format!("\n{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
     table + &format!("{}\n", line(CHANGED, &|_, work| tally(&|judged| !judged.matches_record(), work)))

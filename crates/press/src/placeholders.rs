@@ -121,9 +121,14 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     ),
     PlaceholderKey::new("verdict", "a claim's mark", Marked(inline::mark)),
     PlaceholderKey::new(
+        "verdict-classes",
+        "the classes of verdict in the data, and which verdict on the pages each is",
+        Bare(|book| Ok(lists::classes_of_verdict(book)?.html("Classes of verdict in the data"))),
+    ),
+    PlaceholderKey::new(
         "verdicts",
-        "the classes of verdict and how many claims have each",
-        Bare(|book| Ok(lists::verdicts(book)?.html("Classes of verdict"))),
+        "the verdicts in plain words and how many claims have each",
+        Bare(|book| Ok(lists::verdicts(book)?.html("Verdicts"))),
     ),
     PlaceholderKey::new(
         "verify",

@@ -54,10 +54,10 @@ pub(crate) fn load_into_pages(
     ])
 }
 
-/// The verdicts with which the book is built, how many characters may be put in, and the command that checks a claim.
+/// The verdicts with which the book is built, in plain words, how many characters may be put in, and the command that checks a claim.
 fn record(book: &Book, of: &LedgerCrate) -> anyhow::Result<String> {
-    let verdicts: BTreeMap<&str, String> =
-        book.ledger.verdicts().iter().map(|judged| (judged.claim.id, judged.verdict.to_string())).collect();
+    let verdicts: BTreeMap<&str, &str> =
+        book.ledger.verdicts().iter().map(|judged| (judged.claim.id, judged.plain().words())).collect();
     let record = serde_json::json!({ "command": of.command, "most": MOST_CHARACTERS, "verdicts": verdicts });
     Ok(format!("genevaRecord = {};\n", serde_json::to_string(&record)?))
 }

@@ -71,7 +71,7 @@
             list,
         );
         let printed, last = 0, busy = 0;
-        const isAccepted = verdict => ['reproduced', 'read-off'].includes(verdict);
+        const isAccepted = verdict => ['right', 'right as read'].includes(verdict);
         const taken = (verdict, outcome) => {
             if (outcome === 'unread') {
                 return 'These characters change nothing: the check of this claim doesn’t read them.';

@@ -116,6 +116,7 @@ fn claims(truth: Truth, by: impl Fn(Option<Consequence>) -> bool) -> usize {
 mod tests {
     use super::*;
     use crate::computed::own_text;
+    use geneva_evidence::PlainVerdict;
 
     #[test]
     fn one_line_makes_more_wrong_claims_than_any_other_mistake_and_than_all_others_together() {
@@ -129,6 +130,20 @@ mod tests {
         assert_eq!(most, Some(own));
         let wrong = claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy));
         assert!(2 * own > wrong, "{own} of {wrong}");
+    }
+
+    #[test]
+    fn the_first_page_counts_what_the_five_plain_verdicts_count() {
+        let count = |name: &str| own_text(name).expect("a number").parse::<usize>().expect("a count");
+        let of = |verdict| of_documents().filter(|judged| judged.plain() == verdict).count();
+        let plain = [PlainVerdict::Right, PlainVerdict::RightAsRead].map(of);
+        assert!(plain.iter().all(|of| *of > 0), "{plain:?}");
+        assert_eq!(count("claims.right"), plain.iter().sum::<usize>());
+        assert_eq!(count("claims.wrong"), of(PlainVerdict::Wrong));
+        assert_eq!(count("claims.wrong-gravely") + count("claims.wrong-lightly"), of(PlainVerdict::Wrong));
+        assert_eq!(count("claims.copy"), of(PlainVerdict::WrongInCopy));
+        assert_eq!(count("claims.open"), of(PlainVerdict::Open));
+        assert_eq!(PlainVerdict::ALL.iter().map(|verdict| of(*verdict)).sum::<usize>(), of_documents().count());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The table of printed against computed numbers, with the differing digits marked.
 
-use super::inline::{computed, linked_badge, with_unit};
+use super::inline::{computed, linked_sign, with_unit};
 use crate::book::Book;
 use crate::html::escape;
 use crate::lookup;
@@ -35,7 +35,7 @@ pub fn table(book: &Book, of: &str) -> anyhow::Result<Table> {
             |head| (*head).to_owned(),
             |judged, _| judged.from_rounded.map_or_else(dash, |number| judged.rounded(number)),
         )
-        .column("Verdict", |judged| linked_badge(book, judged))
+        .column("Verdict", |judged| linked_sign(book, judged))
         .finish()?;
     // The legend explains marks; a table without marks needs none.
     Ok(if table.contains("class=\"digit") { table.with_legend(LEGEND) } else { table })

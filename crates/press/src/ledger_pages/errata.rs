@@ -98,7 +98,7 @@ fn boxed(book: &Book, places: &TracedSlip) -> anyhow::Result<String> {
         judged.claim.id,
         escape(judged.claim.locator),
         escape(judged.claim.meaning),
-        badge(judged.verdict),
+        badge(judged.plain()),
         entries(book, judged, places, true)?
     ))
 }

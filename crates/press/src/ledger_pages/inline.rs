@@ -5,7 +5,7 @@ use crate::formula::{breakable, tex_or_text};
 use crate::html::{GLUED, escape, prose};
 use crate::{lookup, maths};
 use anyhow::{anyhow, bail, ensure};
-use geneva_evidence::{Check, Claim, Consequence, Erratum, Judged, Truth, Verdict, without_ellipses};
+use geneva_evidence::{Check, Claim, Judged, PlainVerdict, without_ellipses};
 
 /// The printed characters with their unit.
 pub fn printed(book: &Book, id: &str) -> anyhow::Result<String> {
@@ -38,10 +38,11 @@ pub fn claim(book: &Book, id: &str) -> anyhow::Result<String> {
 
 /// A mark that says whether what is printed is right, and opens the [`note`] on how we know.
 pub fn mark(book: &Book, id: &str) -> anyhow::Result<String> {
-    let verdict = lookup::verdict(book.ledger, id)?.verdict;
+    let verdict = lookup::verdict(book.ledger, id)?.plain();
     Ok(format!(
-        "{MARK}verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how this was checked\">{}{MARKED}",
-        sign(verdict)
+        "{MARK}verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{}: how this was checked\">{}{MARKED}",
+        verdict.words(),
+        verdict.sign()
     ))
 }
 
@@ -98,18 +99,6 @@ fn start_of_word(text: &str) -> Option<usize> {
     (!word.is_empty() && !word.contains(['<', '>', '*', '`', '[', ']', '$', '|', '#', '{'])).then_some(start)
 }
 
-/// The sign of a verdict: right, right as finely as it could be read off, wrong, open.
-fn sign(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::ReadOff => "≈",
-        other => match other.truth() {
-            Truth::Right => "✓",
-            Truth::Wrong => "✗",
-            Truth::Open => "?",
-        },
-    }
-}
-
 /// What a mark opens: where the claim stands, what is printed, what is right, by what evidence.
 pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
     let judged = lookup::verdict(book.ledger, id)?;
@@ -119,7 +108,7 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
         escape(&claim.document.to_string()),
         place(book, claim),
         prose(claim.meaning),
-        badge(judged.verdict)
+        badge(judged.plain())
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
     entry("Printed", with_unit(book, &breakable(&tex_or_text(&without_ellipses(claim))?), claim.unit)?);
@@ -129,8 +118,7 @@ pub fn note(book: &Book, id: &str) -> anyhow::Result<String> {
     if let Some(corrected) = judged.corrected() {
         entry("Right", with_unit(book, &breakable(&tex_or_text(&corrected)?), claim.unit)?);
     }
-    let is_of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
-    if claim.erratum.as_ref().is_some_and(is_of_copy) {
+    if judged.is_miscopied() {
         entry("Where", "The mistake is only in the copy we had, which has lost or changed a character.".to_owned());
     }
     if let Check::Missing { reason } = claim.check {
@@ -206,10 +194,19 @@ pub fn citation(book: &Book, slug: &str) -> anyhow::Result<String> {
     Ok(escape(lookup::document(book.ledger, slug)?.citation))
 }
 
-/// The verdict of a claim as a badge that leads to the claim's row in the ledger.
-pub fn linked_badge(book: &Book, judged: &Judged) -> String {
-    let address = book.address_of_claim(judged.claim.id);
-    format!("<a class=\"to-ledger\" href=\"{address}\">{}</a>", badge(judged.verdict))
+/// The verdict of a claim in a table, which leads to the claim's row in the ledger: the sign, with the words where it does not say
+/// all. Those who listen, and the data of the table, always have the words.
+pub fn linked_sign(book: &Book, judged: &Judged) -> String {
+    let (address, verdict) = (book.address_of_claim(judged.claim.id), judged.plain());
+    let (words, sign) = (verdict.words(), verdict.sign());
+    let seen = match verdict {
+        PlainVerdict::Right | PlainVerdict::Wrong | PlainVerdict::Open => sign.to_owned(),
+        PlainVerdict::RightAsRead | PlainVerdict::WrongInCopy => format!("{sign} {words}"),
+    };
+    format!(
+        "<a class=\"to-ledger verdict verdict-{verdict}\" href=\"{address}\" aria-label=\"{words}\"><span \
+         data-text=\"{words}\">{seen}</span></a>"
+    )
 }
 
 /// The id of a claim, leading to its row in the ledger.
@@ -218,8 +215,8 @@ pub fn linked_id(book: &Book, id: &str) -> String {
 }
 
 /// A verdict as a badge: the word, to which style only adds.
-pub fn badge(verdict: Verdict) -> String {
-    format!("<span class=\"verdict verdict-{verdict}\">{verdict}</span>")
+pub fn badge(verdict: PlainVerdict) -> String {
+    format!("<span class=\"verdict verdict-{verdict}\">{}</span>", verdict.words())
 }
 
 /// The computed number, with some places more than the printed one.

@@ -8,16 +8,35 @@ use crate::html::escape;
 use crate::table::{Cells, Table};
 use crate::{lookup, maths};
 use anyhow::Context;
-use geneva_evidence::{Judged, Symbol, Verdict};
+use geneva_evidence::{Judged, PlainVerdict, Symbol, Verdict};
 
-/// The classes of verdict with their meaning and how many claims of the documents have each.
+/// The five plain verdicts with their meaning and how many claims of the documents have each.
 pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
-    let count = |verdict| lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.verdict == verdict).count();
-    Table::with_rows(Cells::Words, Verdict::ALL)
-        .column("Verdict", |verdict| badge(**verdict))
-        .column("What it means", |verdict| escape(verdict.meaning()))
-        .column("Is it right?", |verdict| verdict.truth().to_string())
-        .column("Claims", |verdict| count(**verdict))
+    let count = |of| lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.plain() == of).count();
+    Table::with_rows(Cells::Words, PlainVerdict::ALL)
+        .column("Verdict", |plain| badge(**plain))
+        .column("What it means", |plain| escape(plain.meaning()))
+        .column("Claims", |plain| count(**plain))
+        .finish()
+}
+
+/// Which classes of verdict in the data are which plain verdict on the pages, with their meaning and how many claims of the
+/// documents have each. A class that claims have in a document and in its copy has a row for each.
+pub fn classes_of_verdict(book: &Book) -> anyhow::Result<Table> {
+    let count = |plain, class| {
+        let has = |judged: &&Judged| (judged.plain(), judged.verdict) == (plain, class);
+        lookup::verdicts_of_documents(book.ledger).filter(has).count()
+    };
+    let of_plain = |plain: &PlainVerdict| {
+        let plain = *plain;
+        let is_row = move |class: &&Verdict| class.plain(false) == plain || count(plain, **class) > 0;
+        Verdict::ALL.iter().filter(is_row).map(move |class| (*class, plain)).collect::<Vec<_>>()
+    };
+    Table::with_rows(Cells::Words, PlainVerdict::ALL.iter().flat_map(of_plain))
+        .column("In the data", |(class, _)| format!("<code>{class}</code>"))
+        .column("On the pages", |(_, plain)| plain.words())
+        .column("What the class means", |(class, _)| escape(class.meaning()))
+        .column("Claims", |(class, plain)| count(*plain, *class))
         .finish()
 }
 
