@@ -26,6 +26,7 @@ pub mod readme;
 // What these need.
 mod lookup;
 mod measurements;
+mod printed_cells;
 mod proofreading_record;
 mod rows;
 

@@ -17,6 +17,9 @@ pub enum Cells {
     Wide,
     /// A letter, what it stands for, and where it comes from: one line each.
     Letters,
+    /// Numbers of several things, each with some rows of its own: rows with the same first cell stand together behind it. The
+    /// second cell is the head of its row. So narrow that a phone shows its columns.
+    Grouped,
 }
 
 /// A table before it is set: cells of HTML, the first of each row its head.
@@ -24,6 +27,8 @@ pub struct Table {
     cells: Cells,
     head: Vec<String>,
     rows: Vec<Vec<String>>,
+    /// The heads and the rows of its data, if these are not its cells.
+    data: Option<(Vec<String>, Vec<Vec<String>>)>,
     /// What is said below it.
     legend: &'static str,
     /// The file that makes it.
@@ -103,6 +108,14 @@ impl<R> Columns<R> {
         of.into_iter().fold(self, |columns, it| columns.column(head(&it), |row| cell(row, &it)))
     }
 
+    /// Gives the table data of its own, in place of its cells: the heads of their columns, and a line for each row.
+    #[must_use]
+    pub fn with_data<const N: usize>(mut self, heads: [&str; N], line: impl Fn(&R) -> [String; N]) -> Self {
+        let lines = self.rows.iter().map(|row| line(row).to_vec()).collect();
+        self.table.data = Some((heads.map(str::to_owned).to_vec(), lines));
+        self
+    }
+
     /// The table.
     ///
     /// # Errors
@@ -122,6 +135,7 @@ impl Table {
             cells,
             head: Vec::new(),
             rows: rows.iter().map(|_| Vec::new()).collect(),
+            data: None,
             legend: "",
             source: Location::caller().file(),
         };
@@ -153,9 +167,10 @@ impl Table {
             Cells::Words => "listing",
             Cells::Wide => "listing wide",
             Cells::Letters => "listing symbols",
+            Cells::Grouped => "grouped",
         };
         let layout = match self.cells {
-            Cells::Letters => "",
+            Cells::Letters | Cells::Grouped => "",
             _ => match PhoneLayout::of(&self.head, &self.rows) {
                 PhoneLayout::Cards if self.fits_in_pairs() => " pairs",
                 layout => layout.class(),
@@ -168,7 +183,18 @@ impl Table {
         for cell in &self.head {
             out.push_str(&format!("<th scope=\"col\">{cell}</th>"));
         }
-        out.push_str("</tr></thead>\n<tbody>\n");
+        out.push_str("</tr></thead>\n");
+        out.push_str(&if matches!(self.cells, Cells::Grouped) { self.groups() } else { self.body() });
+        out.push_str("</table>\n</div>");
+        if !self.legend.is_empty() {
+            out.push_str(&format!("\n{}", self.legend));
+        }
+        out
+    }
+
+    /// The rows, one after the other.
+    fn body(&self) -> String {
+        let mut out = "<tbody>\n".to_owned();
         for row in &self.rows {
             out.push_str("<tr>");
             for (at, cell) in row.iter().enumerate() {
@@ -188,9 +214,26 @@ impl Table {
             }
             out.push_str("</tr>\n");
         }
-        out.push_str("</tbody>\n</table>\n</div>");
-        if !self.legend.is_empty() {
-            out.push_str(&format!("\n{}", self.legend));
+        out.push_str("</tbody>\n");
+        out
+    }
+
+    /// The rows, those with the same first cell together behind it.
+    fn groups(&self) -> String {
+        let mut out = String::new();
+        for group in self.rows.chunk_by(|one, other| one.first() == other.first()) {
+            out.push_str("<tbody>\n");
+            for (at, row) in group.iter().enumerate() {
+                let (names, numbers) = row.split_at(row.len().min(2));
+                out.push_str("<tr>");
+                if let Some(name) = names.first().filter(|_| at == 0) {
+                    out.push_str(&format!("<th scope=\"rowgroup\" rowspan=\"{}\">{name}</th>", group.len()));
+                }
+                out.extend(names.get(1).map(|name| format!("<th scope=\"row\">{name}</th>")));
+                out.extend(numbers.iter().map(|number| format!("<td>{number}</td>")));
+                out.push_str("</tr>\n");
+            }
+            out.push_str("</tbody>\n");
         }
         out
     }
@@ -214,7 +257,8 @@ impl Table {
     /// a program can read it.
     pub fn csv(&self) -> anyhow::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        for row in std::iter::once(&self.head).chain(&self.rows) {
+        let (head, rows) = self.data.as_ref().map_or((&self.head, &self.rows), |(head, rows)| (head, rows));
+        for row in std::iter::once(head).chain(rows) {
             writer.write_record(row.iter().map(|cell| {
                 let text = plain(&with_texts(cell).replace("<sup>", "^"));
                 let number = text.replace('−', "-");
@@ -262,6 +306,24 @@ mod tests {
             .finish()
             .expect("a table");
         assert_eq!(table.csv().expect("data"), "Less,Small\n-31.5,3 × 10^−25 m\n");
+    }
+
+    #[test]
+    fn rows_with_the_same_first_cell_stand_together_and_the_data_may_have_columns_of_their_own() {
+        let table = Table::with_rows(Cells::Grouped, [("a", 1_u32), ("a", 2), ("b", 1)])
+            .column("What", |(what, _)| *what)
+            .column("Number", |(_, number)| *number)
+            .column("Square", |(_, number)| number * number)
+            .with_data(["what", "sum"], |(what, number)| [(*what).to_owned(), (number + number).to_string()])
+            .finish()
+            .expect("a table");
+        let html = table.html("Squares");
+        assert_eq!(html.matches("<tbody>").count(), 2, "{html}");
+        let first = "<tr><th scope=\"rowgroup\" rowspan=\"2\">a</th><th scope=\"row\">1</th><td>1</td></tr>\n<tr><th \
+                     scope=\"row\">2</th><td>4</td></tr>\n</tbody>";
+        assert!(html.contains(first), "{html}");
+        assert!(html.contains("<th scope=\"rowgroup\" rowspan=\"1\">b</th>"), "{html}");
+        assert_eq!(table.csv().expect("data"), "what,sum\na,2\na,4\nb,2\n");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::designs;
 use crate::measurements::integrators;
+use crate::printed_cells::{self, PrintedCell};
 use crate::rows::{self, NONE, number, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
@@ -11,9 +12,9 @@ use geneva_case1973::{
 use geneva_documents::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_8};
 use geneva_documents::meyer::runs::study::{delays, scores};
 use geneva_documents::meyer::runs::table::{listing, rows};
-use geneva_figures::Figure;
 use geneva_figures::runs::{self, ComparedCells, Count, LagLikelihood, MechanismRuns, Scan};
 use geneva_figures::steady::{self, SolverMeasurement};
+use geneva_figures::{Figure, Series};
 use geneva_kinematics::Mechanism;
 use geneva_press::numbers::fixed;
 
@@ -32,7 +33,11 @@ pub(super) fn agreement() -> anyhow::Result<Figure> {
         "Inertias of driver and follower: {} (10⁻⁶ in lb s²); frictions and torques as in the tables.",
         inertias.collect::<Vec<_>>().join(", ")
     );
-    Ok(runs::agreement(&compared, "1 rad/s or 1 ms", &says))
+    let cells = printed_cells::of_rows(rows())?;
+    let series = Series::new([("as_run", ""), ("right", "")], cells.iter().map(|cell| [cell.as_run, cell.right]));
+    let [words @ .., _, _] = printed_cells::HEADS;
+    let series = series.to_decimals(6).with_words(words, cells.iter().map(PrintedCell::words));
+    Ok(runs::agreement(&compared, series, "1 rad/s or 1 ms", &says))
 }
 
 /// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.

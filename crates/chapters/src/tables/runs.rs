@@ -1,6 +1,7 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and the correct values.
 
 use crate::lookup::judged;
+use crate::printed_cells::{self, HEADS, PrintedCell};
 use crate::rows::NONE;
 use anyhow::Context;
 use geneva_case1973::fitted::{InertiaFit, most_within_one};
@@ -8,8 +9,8 @@ use geneva_case1973::integrator as integrators;
 use geneva_case1973::likelihood::Law;
 use geneva_case1973::weighing::Others;
 use geneva_case1973::{
-    Column, ColumnFit, Constants, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing, rows_of, series,
-    slug,
+    Column, ColumnFit, Constants, EXPLAINED, Hypothesis, Lag, PeakReading, Reset, Row, Score, SixPin, Weighing,
+    rows_of, series, slug,
 };
 use geneva_documents::meyer::runs::data;
 use geneva_documents::meyer::runs::statistics::STATISTICS;
@@ -219,38 +220,50 @@ pub(super) fn inertias() -> anyhow::Result<Table> {
     ["driver", "follower"].into_iter().enumerate().fold(pins, members).finish()
 }
 
-/// The runs with six pins, printed and corrected.
+/// The runs with six pins: printed, as run, and right.
 pub(super) fn six_pin() -> anyhow::Result<Table> {
-    corrected(Mechanism::SIX_PIN, &Hypothesis::IDEAL)
+    as_printed_run_and_right(Mechanism::SIX_PIN, |cell| Ok(cell.right))
 }
 
-/// The runs with four pins, printed and corrected.
+/// The runs with four pins: printed, as run, and right.
 pub(super) fn four_pin() -> anyhow::Result<Table> {
-    corrected(Mechanism::FOUR_PIN, &Hypothesis::IDEAL)
+    as_printed_run_and_right(Mechanism::FOUR_PIN, |cell| Ok(cell.right))
 }
 
-/// The runs with three pins, printed and corrected.
+/// The runs with three pins: printed, as run, and right.
 pub(super) fn three_pin() -> anyhow::Result<Table> {
-    corrected(Mechanism::THREE_PIN, &Hypothesis::IDEAL)
+    as_printed_run_and_right(Mechanism::THREE_PIN, |cell| Ok(cell.right))
 }
 
-/// The runs with six pins and the inertias of the table's heading, printed and corrected.
+/// The runs with six pins, right for the inertias of the table's heading, which the runs did not have.
 pub(super) fn six_pin_as_headed() -> anyhow::Result<Table> {
-    corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL })
+    const AS_HEADED: Hypothesis = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };
+    as_printed_run_and_right(Mechanism::SIX_PIN, |cell| {
+        let results = AS_HEADED.results(cell.row).context(NONE)?;
+        let explained = EXPLAINED.iter().position(|column| *column == cell.column);
+        explained.and_then(|at| results.get(at).copied()).context(NONE)
+    })
 }
 
-fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Table> {
-    let of = |row: &'static Row| Ok::<_, anyhow::Error>((row, hypothesis.results(row).context(NONE)?));
-    let results = rows_of(rows(), mechanism).iter().map(of).collect::<Result<Vec<_>, _>>()?;
-    Table::with_rows(Cells::Numbers, results)
-        .column("μ", |(row, _)| row.printed(Column::Friction))
-        .column("K", |(row, _)| row.printed(Column::Torque))
-        .column("Peak, <br>printed", |(row, _)| row.printed(Column::Peak))
-        .column("Peak, <br>right", |(_, [peak, ..])| format!("{peak:.1}"))
-        .column("off by, <br>%", |(row, [peak, ..])| signed(100.0 * (row.number(Column::Peak) / peak - 1.0), 0))
-        .column("Minimum, <br>printed", |(row, _)| row.printed(Column::Minimum))
-        .column("Minimum, <br>right", |(_, [_, minimum, _])| format!("{minimum:.2}"))
-        .column("Period, <br>printed", |(row, _)| row.printed(Column::Period))
-        .column("Period, <br>right", |(_, [.., period])| format!("{period:.5}"))
+/// The printed numbers of a mechanism's runs, each with what the program gives and what is right on its line.
+fn as_printed_run_and_right(
+    mechanism: Mechanism,
+    right: impl Fn(&PrintedCell) -> anyhow::Result<f64>,
+) -> anyhow::Result<Table> {
+    let of = |cell: PrintedCell| Ok::<_, anyhow::Error>((right(&cell)?, cell));
+    let cells = printed_cells::of_rows(rows_of(rows(), mechanism))?.into_iter().map(of);
+    Table::with_rows(Cells::Grouped, cells.collect::<Result<Vec<_>, _>>()?)
+        .column("Run", |(_, cell)| {
+            format!("μ = {} <br>K = {}", cell.given(Column::Friction), cell.given(Column::Torque))
+        })
+        .column("Quantity", |(_, cell)| cell.quantity)
+        .column("printed", |(_, cell)| cell.printed())
+        .column("as run", |(_, cell)| cell.to_places(cell.as_run))
+        .column("right", |(right, cell)| cell.to_places(*right))
+        .with_data(HEADS, |(right, cell)| {
+            let [mechanism, friction, torque, quantity, printed] = cell.words();
+            let [as_run, right] = [cell.as_run, *right].map(|number| format!("{number:.6}"));
+            [mechanism, friction, torque, quantity, printed, as_run, right]
+        })
         .finish()
 }

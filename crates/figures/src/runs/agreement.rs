@@ -51,9 +51,9 @@ impl ComparedCells {
 /// the same cells, one under the other.
 ///
 /// In each a strip for every mechanism, over one symmetric logarithmic axis; numbers that differ by one unit at most are on
-/// shaded ground. `units` says what a unit is, `others` what else is to be said of the runs in the caption. Series, a row
-/// for each cell: slots, printed, computed by either.
-pub fn agreement(hypotheses: &[ComparedCells; 2], units: &str, others: &str) -> Figure {
+/// shaded ground. `units` says what a unit is, `others` what else is to be said of the runs in the caption. Series: whatever
+/// says of each cell which one it is, and its numbers.
+pub fn agreement(hypotheses: &[ComparedCells; 2], series: Series, units: &str, others: &str) -> Figure {
     let [before, after] = hypotheses;
     let beyond = if hypotheses.iter().any(ComparedCells::goes_beyond) { BEYOND } else { "" };
     let words = Words::new(
@@ -85,12 +85,9 @@ pub fn agreement(hypotheses: &[ComparedCells; 2], units: &str, others: &str) -> 
         .collect::<Vec<_>>()
         .join(" "),
     );
-    let columns = [("slots", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
-    let rows = before.cells.iter().zip(&after.cells);
-    let rows = rows.map(|(a, b)| [f64::from(a.mechanism.slots()), a.printed, a.computed, b.computed]);
     let x = ChartAxis::symmetric_log(LIMIT);
     let panels = [panel(before, &x.clone().unnumbered()), panel(after, &titled(x))];
-    Chart::new(panels).key(key()).figure(words, Series::new(columns, rows))
+    Chart::new(panels).key(key()).figure(words, series)
 }
 
 /// Printed numbers less the computed ones under one hypothesis, on the axis of [`agreement`].
@@ -171,6 +168,11 @@ mod tests {
         ComparedCells { name: name.to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
     }
 
+    /// The numbers of a cell.
+    fn numbers() -> Series {
+        Series::new([("printed", "1")], [[30.0]])
+    }
+
     /// Where the first mark of each path of a class is.
     fn places(drawing: &ParsedDrawing<'_>, class: &str) -> Vec<[f64; 2]> {
         let place = |data: &str| {
@@ -182,7 +184,7 @@ mod tests {
 
     #[test]
     fn marks_are_as_far_from_zero_as_printed_and_computed_differ() {
-        let figure = agreement(&[compared("own angle", 10.0), compared("90°", -0.5)], "1 rad/s", "Made up.");
+        let figure = agreement(&[compared("own angle", 10.0), compared("90°", -0.5)], numbers(), "1 rad/s", "Made up.");
         assert_sound(&figure);
         assert!(figure.caption.ends_with("Made up.") && !figure.caption.contains(BEYOND));
         let drawing = ParsedDrawing::parse(&figure);
@@ -228,6 +230,6 @@ mod tests {
     #[test]
     fn nothing_is_drawn_too() {
         let nothing = ComparedCells { name: "nothing".to_owned(), cells: vec![] };
-        assert_drawn(&agreement(&[nothing.clone(), nothing], "1 rad/s", ""));
+        assert_drawn(&agreement(&[nothing.clone(), nothing], numbers(), "1 rad/s", ""));
     }
 }
