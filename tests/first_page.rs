@@ -46,23 +46,35 @@ fn the_filter_of_all_claims_counts_as_the_first_page_does() {
     let words = format!("{wrong} are wrong");
     assert!(first_page[0].as_str().is_some_and(|text| text.contains(&words)), "the first page doesn't say “{words}”");
     open(&mut browser, "ledger.html");
-    for (truth, expected) in [
-        ("", in_table(table, "all")),
-        ("right", in_table(table, "right")),
+    // The choices say the counts before anything is chosen.
+    let choices =
+        browser.evaluate("[...document.querySelectorAll('form.filter [name=verdict] option')].map(of => of.text)");
+    for (words, expected) in [
+        ("right or right as read", in_table(table, "right, or right as read")),
         ("wrong", wrong),
-        ("miscopied", in_table(table, "wrong only in the copy")),
+        ("wrong in our copy", in_table(table, "wrong in our copy")),
+        ("open", in_table(table, "open")),
+    ] {
+        let choice = format!("{words} ({expected} in the four documents)");
+        assert!(choices.as_array().is_some_and(|all| all.contains(&json!(choice))), "no “{choice}” in {choices}");
+    }
+    for (verdict, expected) in [
+        ("", in_table(table, "all")),
+        ("right", in_table(table, "right, or right as read")),
+        ("wrong", wrong),
+        ("wrong-in-copy", in_table(table, "wrong in our copy")),
         ("open", in_table(table, "open")),
     ] {
         let says = browser.evaluate(&format!(
-            "(() => {{ const form = document.querySelector('form.filter'); form.elements.truth.value = {}; \
+            "(() => {{ const form = document.querySelector('form.filter'); form.elements.verdict.value = {}; \
              form.dispatchEvent(new Event('input', {{ bubbles: true }})); return form.querySelector('output').value }})()",
-            json!(truth)
+            json!(verdict)
         ));
         let says = says.as_str().expect("words");
         // Where there are some elsewhere, too, those of the four documents stand apart.
         let (all, apart) = says.split_once(": ").map_or((says, None), |(all, apart)| (all, Some(apart)));
         let words = format!("{expected} {}", if apart.is_some() { "in the four documents, " } else { "of " });
         let is_said = apart.unwrap_or(all).starts_with(&words);
-        assert!(is_said, "“{truth}”: the filter says “{says}”, the first page {expected}");
+        assert!(is_said, "“{verdict}”: the filter says “{says}”, the first page {expected}");
     }
 }

@@ -45,12 +45,12 @@ fn the_filter_shows_the_claims_that_have_all_that_is_asked_for() {
         (&[], all),
         (&[("source", "jazar")], count(|judged| judged.claim.document == &JAZAR)),
         (&[("source", "documents")], count(|judged| judged.claim.document.is_mirrored())),
-        (&[("truth", "open")], count(|judged| judged.truth() == Truth::Open)),
-        (&[("truth", "miscopied")], count(geneva_evidence::Judged::is_miscopied)),
-        (&[("verdict", "corrected")], count(|judged| judged.verdict == Verdict::Corrected)),
+        (&[("verdict", "open")], count(|judged| judged.truth() == Truth::Open)),
+        (&[("verdict", "wrong-in-copy")], count(geneva_evidence::Judged::is_miscopied)),
+        (&[("verdict", "right-as-read")], count(|judged| judged.verdict == Verdict::ReadOff)),
         (&[("kind", "equation")], count(|judged| judged.claim.kind == Kind::Equation)),
         (
-            &[("kind", "value"), ("truth", "wrong"), ("source", "meyer")],
+            &[("kind", "value"), ("verdict", "wrong"), ("source", "meyer")],
             count(|judged| {
                 let claim = judged.claim;
                 let is_wrong = judged.truth() == Truth::Wrong && !judged.is_miscopied();

@@ -62,6 +62,7 @@ pub static BOOK: Book = Book {
         package: "geneva-documents",
         folder: "crates/documents",
         command: "cargo run -- claims ID --printed 'CHARACTERS'",
+        account_command: "cargo run -- claims ID",
     }),
     examples: EXAMPLES,
     citation_file: include_str!("../../../CITATION.cff"),

@@ -207,6 +207,8 @@ pub struct LedgerCrate {
     pub folder: &'static str,
     /// What to type for the check of a claim without a browser, with words for what is to be put in; empty for nothing.
     pub command: &'static str,
+    /// What to type for all that is known of a claim, with `ID` for its id.
+    pub account_command: &'static str,
 }
 
 /// The examples in Rust in a book's chapters.

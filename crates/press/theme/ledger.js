@@ -1,16 +1,49 @@
-// The page of all claims: filters its rows, and shows what is known of a claim when a reader asks for it.
-// Without this script every row is there.
+// The page of all claims: filters its rows, orders them, and shows what is known of a claim when a reader asks for it.
+// Without this script every row is there, in the order of the sources.
 (() => {
     'use strict';
     const form = document.querySelector('form.filter');
     const lists = [...document.querySelectorAll('.claims')];
     const rows = lists.flatMap(list => [...list.children].map(row => {
-        const [kind, verdict, copy] = row.classList;
-        const truth = copy ?? form.elements.verdict.querySelector(`[value="${verdict}"]`).dataset.truth;
-        return { row, kind, verdict, truth, source: list.dataset.source, isMirrored: 'mirrored' in list.dataset, words: null };
+        const [kind, verdict, changes] = row.classList;
+        row.querySelector('small').dataset.title = list.dataset.title;
+        return { row, list, kind, verdict, changes, source: list.dataset.source, isMirrored: 'mirrored' in list.dataset, words: null };
     }));
     const isOfDocuments = ({ isMirrored }) => isMirrored;
-    const chosen = ['source', 'truth', 'verdict', 'kind'];
+    const chosen = ['source', 'verdict', 'kind'];
+
+    // What changes most comes first. Each group has its own list, in front of the sources'.
+    const groups = [
+        ['Wrong, and a conclusion changes', of => of.verdict === 'wrong' && of.changes === 'conclusion'],
+        ['Wrong, and a result changes', of => of.verdict === 'wrong' && of.changes === 'result'],
+        ['Wrong, but no result or conclusion changes', of => of.verdict === 'wrong'],
+        ['Wrong only in our copy', of => of.verdict === 'wrong-in-copy'],
+        ['Open', of => of.verdict === 'open'],
+        ['Right', () => true],
+    ].map(([title, isIn]) => {
+        const heading = document.createElement('p'), list = document.createElement('ul');
+        heading.className = 'group';
+        heading.setAttribute('role', 'heading');
+        heading.setAttribute('aria-level', '2');
+        heading.textContent = title;
+        list.className = 'claims mixed';
+        return { heading, list, isIn };
+    });
+    const first = lists[0].previousElementSibling;
+    groups.forEach(({ heading, list }) => first.before(heading, list));
+    for (const of of rows) {
+        of.group = groups.find(({ isIn }) => isIn(of)).list;
+    }
+
+    /** Puts the rows in the order that is set. */
+    let order;
+    const arrange = () => {
+        const { value } = form.elements.order;
+        if (value !== order) {
+            order = value;
+            rows.forEach(of => (value === 'source' ? of.list : of.group).append(of.row));
+        }
+    };
 
     // What stands in the address: of a filter the fields that are set, of a claim its id.
     const address = () => decodeURIComponent(location.hash.slice(1));
@@ -20,13 +53,15 @@
     const filter = () => {
         const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(word => word);
         const wanted = chosen.map(name => [name, form.elements[name].value]).filter(([, value]) => value);
-        const has = (of, name, value) => of[name] === value || value === 'documents' && isOfDocuments(of);
+        // What is right as read is right, too.
+        const has = (of, name, value) => of[name] === value || value === 'documents' && isOfDocuments(of) ||
+            value === 'right' && of[name] === 'right-as-read';
         const isWanted = of => wanted.every(([name, value]) => has(of, name, value)) && words.every(word => of.words.includes(word));
         for (const of of rows) {
             of.words ??= of.row.textContent.toLowerCase();
             of.row.hidden = !isWanted(of);
         }
-        for (const list of lists) {
+        for (const list of [...lists, ...groups.map(of => of.list)]) {
             const isEmpty = [...list.children].every(row => row.hidden);
             list.hidden = isEmpty;
             list.previousElementSibling.hidden = isEmpty;
@@ -50,7 +85,7 @@
     /** Fills the form from the address. */
     const read = () => {
         const set = new URLSearchParams(location.hash.slice(1));
-        for (const name of ['words', ...chosen]) {
+        for (const name of ['words', 'order', ...chosen]) {
             form.elements[name].value = set.get(name) ?? '';
         }
     };
@@ -67,12 +102,36 @@
         }
     });
 
+    /** What to type on a machine with Rust, to copy. */
+    const command = text => {
+        const line = document.createElement('p'), code = document.createElement('code'), button = document.createElement('button');
+        code.textContent = text;
+        button.type = 'button';
+        button.textContent = 'Copy';
+        button.setAttribute('aria-label', `Copy the command ${text}`);
+        button.onclick = async () => {
+            try {
+                await navigator.clipboard.writeText(text);
+                button.textContent = 'Copied';
+            } catch {
+                getSelection().selectAllChildren(code);
+                button.textContent = 'Selected';
+            }
+        };
+        line.className = 'command';
+        line.append('With Rust: ', code, ' ', button);
+        return line;
+    };
+
     // What is known of each claim comes with a script of its own, once.
     let known;
     const waiting = new Set();
     const fill = body => {
         body.innerHTML = known[body.dataset.of];
         globalThis.genevaCheck?.(body, body.dataset.of);
+        if (form.dataset.command) {
+            body.append(command(form.dataset.command.replace('ID', body.dataset.of)));
+        }
         body.removeAttribute('aria-busy');
     };
     globalThis.genevaDetails = details => {
@@ -143,13 +202,21 @@
     const follow = () => {
         if (isFilter()) {
             read();
+            arrange();
             filter();
             return;
         }
         const target = document.getElementById(address());
         const row = target?.closest('.claims > li');
         if (target?.hidden) {
-            form.reset();
+            // A section of a source is there only in the order of the sources.
+            for (const name of ['words', ...chosen]) {
+                form.elements[name].value = '';
+            }
+            form.elements.order.value = row ? order : 'source';
+            arrange();
+            filter();
+            target.scrollIntoView();
         }
         if (row) {
             row.querySelector('.asked').open = true;
@@ -158,17 +225,20 @@
     };
 
     form.addEventListener('input', () => {
+        arrange();
         filter();
         keep();
     });
     // When a form is reset, its fields change after this event.
     form.addEventListener('reset', () => setTimeout(() => {
+        arrange();
         filter();
         keep();
     }));
     form.addEventListener('submit', event => event.preventDefault());
     addEventListener('hashchange', follow);
     form.hidden = false;
+    arrange();
     filter();
     follow();
 })();

@@ -15,7 +15,7 @@ use crate::lookup;
 use crate::nowrap_units::tied_without_tags;
 use crate::numbers::in_words;
 use crate::pages::LedgerSection;
-use geneva_evidence::{Consequence, Judged, Kind, Truth, Verdict, without_ellipses};
+use geneva_evidence::{Consequence, Judged, Kind, PlainVerdict, without_ellipses};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
@@ -27,9 +27,6 @@ const DETAILS_NAME: &str = "ledger-details.js";
 
 /// The choice of the sources that the totals of the book's first page are about.
 const DOCUMENTS: &str = "documents";
-/// The choice of what is wrong only in the copy, and the class of such a row: the first page counts these apart.
-const MISCOPIED: &str = "miscopied";
-
 /// All claims, by section and in the order of the sources, with the filter and what it must load.
 pub fn page(book: &Book) -> anyhow::Result<String> {
     let sections = book.ledger_sections();
@@ -57,34 +54,37 @@ pub fn files(book: &Book) -> anyhow::Result<[PageFile; 3]> {
 
 /// The form that filters, which the script shows.
 pub fn filter(book: &Book) -> String {
-    let option = |value: &str, more: &str, text: &str| format!("<option value=\"{value}\"{more}>{text}</option>");
+    let option = |value: &str, text: &str| format!("<option value=\"{value}\">{text}</option>");
     let select = |name: &str, label: &str, options: String| {
         format!("<label>{label} <select name=\"{name}\"><option value=\"\">all</option>{options}</select></label>")
     };
     let documents = book.ledger.documents();
-    let sources = documents.iter().map(|document| option(document.slug, "", document.title));
+    let sources = documents.iter().map(|document| option(document.slug, document.title));
+    // By these words the totals of the documents that are mirrored are told from what is said elsewhere.
     let mirrored = match book.ledger.mirrored().len() {
         1 => "the document".to_owned(),
         count => format!("the {} documents", in_words(count)),
     };
-    let sources = [option(DOCUMENTS, "", &mirrored)].into_iter().chain(sources).collect();
-    let verdicts = Verdict::ALL.iter().map(|verdict| {
-        option(verdict.slug(), &format!(" data-truth=\"{}\"", verdict.truth().slug()), &verdict.to_string())
+    let documents = format!("in {mirrored}");
+    let sources = [option(DOCUMENTS, &mirrored)].into_iter().chain(sources).collect();
+    let verdicts = PlainVerdict::ALL.iter().map(|verdict| {
+        // A reading that is right is right, too, as in the totals of the first page.
+        let (words, is_counted): (_, fn(PlainVerdict, PlainVerdict) -> bool) = match verdict {
+            PlainVerdict::Right => ("right or right as read", |of, it| of.truth() == it.truth()),
+            other => (other.words(), |of, it| of == it),
+        };
+        let all = lookup::verdicts_of_documents(book.ledger);
+        let count = all.filter(|judged| is_counted(judged.plain(), *verdict)).count();
+        option(verdict.slug(), &format!("{words} ({count} {documents})"))
     });
-    let [right, wrong, open] =
-        [Truth::Right, Truth::Wrong, Truth::Open].map(|truth| option(truth.slug(), "", truth.slug()));
-    let truths = [right, wrong, option(MISCOPIED, "", "wrong only in the copy"), open].concat();
-    let kinds = Kind::ALL.iter().map(|kind| option(kind.slug(), "", kind_name(*kind))).collect();
-    // By these words the script tells the documents that are mirrored from what is said elsewhere.
-    let documents = match book.ledger.mirrored().len() {
-        1 => "in the document".to_owned(),
-        count => format!("in the {} documents", in_words(count)),
-    };
+    let kinds = Kind::ALL.iter().map(|kind| option(kind.slug(), kind_name(*kind))).collect();
+    let command = book.ledger_crate.map_or("", |of| of.account_command);
     format!(
-        "<form class=\"filter\" role=\"search\" aria-label=\"Filter the claims\" data-documents=\"{documents}\" hidden><label>Words <input type=\"search\" \
-         name=\"words\"></label>{}{}{}{}<p><output></output> <button type=\"reset\">Show all</button></p></form>",
+        "<form class=\"filter\" role=\"search\" aria-label=\"Filter the claims\" data-documents=\"{documents}\" \
+         data-command=\"{command}\" hidden><label>Words <input type=\"search\" \
+         name=\"words\"></label>{}{}{}<label>Order <select name=\"order\"><option value=\"\">what changes most first</option><option \
+         value=\"source\">as in the sources</option></select></label><p><output></output> <button type=\"reset\">Show all</button></p></form>",
         select("source", "Source", sources),
-        select("truth", "Is it right?", truths),
         select("verdict", "Verdict", verdicts.collect()),
         select("kind", "Kind", kinds)
     )
@@ -107,12 +107,17 @@ fn section(book: &Book, section: &LedgerSection) -> anyhow::Result<String> {
     let (title, name, source) = (section.title, section.name, section.document);
     let is_mirrored = book.ledger.document(source).is_some_and(|document| document.is_mirrored());
     let mirrored = if is_mirrored { " data-mirrored" } else { "" };
-    Ok(format!("## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\"{mirrored}>\n{rows}</ul>\n\n"))
+    let words = book.ledger.document(source).map_or("", |document| document.title);
+    Ok(format!(
+        "## {title} {{#{name}}}\n\n<ul class=\"claims\" data-source=\"{source}\" data-title=\"{words}\"{mirrored}>\n{rows}</ul>\n\n"
+    ))
 }
 
 /// A claim: its id, our verdict, where it stands, what it says, what is printed, and what was found, in a line.
+///
+/// For the filter and the order its classes are its kind, its plain verdict and, if it is wrong, what the mistake changes.
 fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
-    let (claim, verdict) = (judged.claim, judged.verdict);
+    let (claim, verdict) = (judged.claim, judged.plain());
     let printed = with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit)?;
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
@@ -124,12 +129,13 @@ fn row(book: &Book, judged: &Judged) -> anyhow::Result<String> {
     };
     let found = finding_in_a_line(book, judged);
     let found = if found.is_empty() { found } else { format!("<small>{found}</small>") };
-    let miscopied = if judged.is_miscopied() { format!(" {MISCOPIED}") } else { String::new() };
+    let changes = claim.erratum.as_ref().filter(|_| verdict == PlainVerdict::Wrong);
+    let changes = changes.map_or_else(String::new, |erratum| format!(" {}", erratum.slip.consequence));
     Ok(format!(
-        "<li id=\"{0}\" class=\"{1} {2}{miscopied}\"><code>{0}</code> <b>{verdict}</b> <small>{3}</small><p>{4}</p>{printed}{found}</li>\n",
+        "<li id=\"{0}\" class=\"{1} {verdict}{changes}\"><code>{0}</code> <b>{2}</b> <small>{3}</small><p>{4}</p>{printed}{found}</li>\n",
         claim.id,
         claim.kind.slug(),
-        verdict.slug(),
+        verdict.words(),
         place(book, claim),
         prose(claim.meaning),
     ))
