@@ -71,11 +71,17 @@ fn faults(text: &str) -> Vec<String> {
         let lengths: Vec<_> = parts.iter().map(|part| part.len()).collect();
         lengths == [4, 2, 2] && parts.iter().all(|part| part.bytes().all(|digit| digit.is_ascii_digit()))
     };
+    let is_commit = |id: &str| id.len() == 40 && id.bytes().all(|of| matches!(of, b'0'..=b'9' | b'a'..=b'f'));
     for (key, value) in &read {
         let is_well = match (key.as_str(), value) {
             ("cff-version", Yaml::Text(version)) => version == "1.2.0",
             ("type", Yaml::Text(kind)) => ["software", "dataset"].contains(&kind.as_str()),
             ("date-released", Yaml::Text(date)) => is_date(date),
+            ("commit", Yaml::Text(commit)) => is_commit(commit),
+            ("identifiers", Yaml::List(ids)) => ids.iter().all(|id| {
+                let value = id.strip_prefix("{type: swh, value: \"swh:1:rev:").and_then(|id| id.strip_suffix("\"}"));
+                value.is_some_and(is_commit)
+            }),
             ("url" | "repository-code", Yaml::Text(url)) => is_url(url),
             ("title" | "message" | "abstract" | "version", Yaml::Text(text)) => !text.is_empty(),
             // A body needs a name and no more.
@@ -126,10 +132,16 @@ fn the_citation_file_says_what_the_book_says_and_what_its_format_asks_for() {
 #[test]
 fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_refused() {
     let address = address::Address::of_github("owner/geneva").expect("an address");
+    let edition = Edition { commit: Some("abcdef0123".repeat(4)), ..Edition::without_commit(IMPRINT.version) };
     for (date, address) in [(None, None), (Some("2026-11-23"), Some(&address))] {
-        assert_eq!(faults(&citing::cff(IMPRINT, date, address)), Vec::<String>::new());
+        let committed = citing::cff(IMPRINT, date, address);
+        let of_edition = citing::cff_of_edition(&committed, &edition);
+        assert!(of_edition.starts_with(&committed) && of_edition.contains("swh:1:rev:"), "{of_edition}");
+        for file in [committed, of_edition] {
+            assert_eq!(faults(&file), Vec::<String>::new());
+        }
     }
-    let sound = citing::cff(IMPRINT, Some("2026-11-23"), Some(&address));
+    let sound = citing::cff_of_edition(&citing::cff(IMPRINT, Some("2026-11-23"), Some(&address)), &edition);
     for (right, wrong) in [
         ("cff-version: 1.2.0", "cff-version: 1.1.0"),
         ("title: \"Geneva, verified.", "name: \"Geneva, verified."),
@@ -143,6 +155,8 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
         ("  - kinematics", "  - reproducibility"),
         ("keywords:\n", "title: Another\nkeywords:\n"),
         ("message: >-\n  If", "message: [If"),
+        ("value: \"swh:1:rev:", "value: \"swh:1:"),
+        ("commit: abc", "commit: ABC"),
     ] {
         let faulty = sound.replacen(right, wrong, 1);
         assert_ne!(faulty, sound, "{right}");
@@ -153,7 +167,8 @@ fn the_citation_file_is_sound_with_an_address_and_without_and_a_faulty_one_is_re
 #[test]
 fn every_page_says_at_its_foot_which_version_and_commit_it_is() {
     let edition = Edition::detect(&crate::path("book"), IMPRINT);
-    let expected = format!("{}, {}.", IMPRINT.title, edition.words());
+    let archived = edition.swhid().map_or_else(String::new, |id| format!(" {id}."));
+    let expected = format!("{}, {}.{archived}", IMPRINT.title, edition.words());
     for (name, page) in crate::book_pages::pages() {
         let foot: Vec<_> = crate::book_pages::within(page, "footer").into_iter().map(crate::book_pages::text).collect();
         assert_eq!(foot.len(), 1, "{name} has {} feet", foot.len());

@@ -35,6 +35,13 @@ pub fn cff(imprint: &Imprint, released: Option<&str>, address: Option<&Address>)
     out
 }
 
+/// A citation file with the sources of this edition by their name in the archive of source code. The file that is committed cannot
+/// have it, since the name follows from the commit. Sources that have no such name add nothing.
+pub fn cff_of_edition(committed: &str, edition: &Edition) -> String {
+    let (Some(id), Some(commit)) = (edition.swhid(), &edition.commit) else { return committed.to_owned() };
+    format!("{committed}commit: {commit}\nidentifiers:\n  - {{type: swh, value: \"{id}\"}}\n")
+}
+
 /// The book as an entry of BibTeX.
 pub fn bibtex(imprint: &Imprint, edition: &Edition, address: Option<&Address>) -> String {
     let mut fields = vec![
@@ -90,8 +97,9 @@ pub fn footer(book: &Book, edition: &Edition, address: Option<&Address>) -> Stri
         .iter()
         .find(|page| page.role == PageRole::Sources)
         .map_or_else(String::new, |page| format!(" <a href=\"{}.html\">{}</a>.", page.name, escape(page.title)));
+    let archived = edition.swhid().map_or_else(String::new, |id| format!(" <code>{id}</code>."));
     format!(
-        "\n<footer class=\"edition\">{}, {}.{read}{sources}</footer>\n",
+        "\n<footer class=\"edition\">{}, {}.{archived}{read}{sources}</footer>\n",
         escape(book.imprint.title),
         escape(&edition.words())
     )
@@ -152,11 +160,20 @@ mod tests {
     #[test]
     fn only_sources_as_committed_are_cited_by_their_name_in_an_archive() {
         let id = format!("swh:1:rev:{}", edition().commit.expect("a commit"));
-        let forms = |edition: &Edition| [bibtex(&IMPRINT, edition, None), citation_in_words(&IMPRINT, edition, None)];
-        for form in forms(&edition()) {
+        let forms = |edition: &Edition| {
+            let file = cff_of_edition(&cff(&IMPRINT, None, None), edition);
+            let said = [bibtex(&IMPRINT, edition, None), citation_in_words(&IMPRINT, edition, None)];
+            (said.into_iter().chain([footer(&BOOK, edition, None)]).collect::<Vec<_>>(), file)
+        };
+        let (sources, changed) = (edition(), Edition { is_changed: true, ..edition() });
+        assert!(forms(&sources).1.ends_with(&format!("identifiers:\n  - {{type: swh, value: \"{id}\"}}\n")));
+        for without in [&changed, &NONE] {
+            assert_eq!(forms(without).1, cff(&IMPRINT, None, None));
+        }
+        for form in forms(&sources).0 {
             assert!(form.contains(&id) && !form.contains("changed"), "{form}");
         }
-        for form in forms(&Edition { is_changed: true, ..edition() }) {
+        for form in forms(&changed).0 {
             assert!(form.contains("commit abcdef0") && form.contains(", changed") && !form.contains("swh:"), "{form}");
         }
     }

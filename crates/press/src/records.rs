@@ -4,7 +4,7 @@ use crate::book::Book;
 use crate::edition::Edition;
 use crate::fields::{self, DataRow, FieldValue};
 use crate::lookup::unknown;
-use crate::{address, works};
+use crate::{address, citing, works};
 use geneva_evidence::{
     Check, Consequence, Document, Entry, Finding, Judged, Ledger, Line, Slip, TracedSlip, entry_numbers,
     without_ellipses,
@@ -151,7 +151,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
         ("coverage.json", versioned("entries", &mut entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
-        ("CITATION.cff", book.citation_file.to_owned()),
+        ("CITATION.cff", citing::cff_of_edition(book.citation_file, edition)),
     ];
     // A book that cites no work has no list of works, and so on.
     files.retain(|(_, text)| !text.is_empty());
