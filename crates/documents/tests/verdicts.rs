@@ -61,6 +61,18 @@ fn wild_stands() {
 }
 
 #[test]
+fn every_document_names_the_test_of_its_claims() {
+    let own = include_str!("verdicts.rs");
+    for document in LEDGER.documents() {
+        let name = document.test.strip_prefix("cargo test -p geneva-documents --test verdicts ");
+        let name = name.unwrap_or_else(|| panic!("{}: {}", document.slug, document.test));
+        let constant = document.slug.to_uppercase().replace('-', "_");
+        let test = format!("fn {name}() {{\n    stands(&{constant});\n}}\n");
+        assert!(own.contains(&test), "{}: no test `{name}` of it", document.slug);
+    }
+}
+
+#[test]
 fn what_is_on_record_is_complete_and_does_not_contradict_itself() {
     testing::claim_records(GUARDED).expect(900);
     testing::contradicted_slips(GUARDED).expect(50);

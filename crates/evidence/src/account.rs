@@ -6,6 +6,7 @@
 use crate::tex::misprints;
 use crate::told::finding_on;
 use crate::{Check, Claim, Decimal, Judged, Ledger, PlainVerdict, Verdict, judge, judge_characters, sentences};
+use std::panic::Location;
 
 /// What was found when a claim was checked, in words.
 #[derive(Clone, Debug)]
@@ -84,19 +85,15 @@ impl Account {
         }
         tell("Printed", claim.with_unit(claim.printed));
         let evidence = claim.check.evidence();
-        let kinds = [evidence.first(), evidence.last()].map(|kind| kind.map_or("", |kind| kind.name));
         let number = |number: f64| claim.with_unit(&judged.rounded(number));
-        match (judged.computed, judged.witnessed) {
-            (Some(first), Some(second)) => {
-                tell("First route", format!("{} (by {})", number(first), kinds[0]));
-                tell("Second route", format!("{} (by {})", number(second), kinds[1]));
-            }
-            _ if evidence.is_empty() => {}
-            _ => tell("Two routes", format!("by {}, and by {}", kinds[0], kinds[1])),
+        let routes = evidence.iter().zip(claim.check.places()).zip([judged.computed, judged.witnessed]);
+        for (label, ((kind, place), found)) in ["First route", "Second route"].into_iter().zip(routes) {
+            let found = found.map_or_else(String::new, |found| format!("{}, ", number(found)));
+            tell(label, format!("{found}by {}: {}", kind.name, file_and_line(place)));
         }
         tell("From the source’s rounded steps", judged.from_rounded.map(number).unwrap_or_default());
         let other_right = judged.right_value.filter(|right| judged.computed != Some(*right));
-        tell("Right", other_right.map(number).unwrap_or_default());
+        tell("Right", other_right.map(|right| number(right) + &right_routes(claim)).unwrap_or_default());
         match taken {
             Some(Taken::Unread) => tell("Not read", NOT_READ.to_owned()),
             Some(Taken::Unreadable) => tell("Not read", UNREADABLE.to_owned()),
@@ -108,7 +105,8 @@ impl Account {
         let meaning = if judged.is_as_printed() { format!(": {}", judged.verdict.meaning()) } else { String::new() };
         tell("Verdict", format!("{}{meaning}", judged.plain().words()));
         tell("Record", record(&judged));
-        tell("Stated in", format!("{}:{}", claim.stated_at.file(), claim.stated_at.line()));
+        tell("Stated in", file_and_line(claim.stated_at));
+        tell("Test", claim.document.test.to_owned());
         Self { judged, taken, lines }
     }
 
@@ -122,6 +120,19 @@ impl Account {
     pub fn text(&self) -> String {
         self.lines.iter().map(|(label, text)| format!("{label}: {text}\n")).collect()
     }
+}
+
+/// A line of our code.
+fn file_and_line(place: &Location<'_>) -> String {
+    format!("{}:{}", place.file(), place.line())
+}
+
+/// The routes to a right number that is not the source's own; empty if it has none of its own.
+fn right_routes(claim: &Claim) -> String {
+    let Check::Number { right: Some(routes), .. } = &claim.check else { return String::new() };
+    let [first, second] =
+        routes.each_ref().map(|route| format!("by {}: {}", route.evidence.name, file_and_line(route.stated_at)));
+    format!(", {first}, and {second}")
 }
 
 /// How a verdict stands to the one on record, in plain words.

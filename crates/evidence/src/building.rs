@@ -127,13 +127,15 @@ impl<R: ?Sized> Unchecked<R> {
         Claim { check: Check::Missing { reason }, expected: Verdict::NotReproducible, ..self.claim }
     }
 
+    #[track_caller]
     fn first(self, evidence: &'static Evidence, run: Arc<R>) -> Unwitnessed<R> {
-        Unwitnessed { claim: self.claim, first: Route { evidence, run } }
+        Unwitnessed { claim: self.claim, first: Route::new(evidence, run) }
     }
 }
 
 impl Unchecked<NumberFn> {
     /// What the source says it did gives this number, in the printed unit.
+    #[track_caller]
     pub fn first_route(
         self,
         evidence: &'static Evidence,
@@ -145,8 +147,9 @@ impl Unchecked<NumberFn> {
 
 impl Unwitnessed<NumberFn> {
     /// A route to the same number that shares no code with the first.
+    #[track_caller]
     pub fn second_route(self, evidence: &'static Evidence, run: impl Fn() -> f64 + Send + Sync + 'static) -> Claim {
-        let witness = Route { evidence, run: Arc::new(run) as Arc<NumberFn> };
+        let witness = Route::new(evidence, Arc::new(run) as Arc<NumberFn>);
         let check = Check::Number { computed: self.first, witness, from_rounded: None, resolution: None, right: None };
         Claim { check, ..self.claim }
     }
@@ -156,8 +159,8 @@ impl Unchecked<DecisionFn> {
     /// Both routes read the printed characters: the proof with the exact meaning of the letters, the witness with their
     /// numbers.
     pub fn in_letters(self, vocabulary: Vocabulary) -> Claim {
-        let Vocabulary { exact, evidence, numbers } = vocabulary;
-        self.proven_by(exact).read(evidence, move |tex| holds(tex, numbers()))
+        let Vocabulary { exact, evidence, numbers, stated_at } = vocabulary;
+        self.proven_by(exact).read(evidence, move |tex| holds(tex, numbers())).with_letters_at(stated_at)
     }
 
     /// Reads an equation whose characters leave something out, as [`Unchecked::in_letters`] does. `whole` says the characters
@@ -167,30 +170,37 @@ impl Unchecked<DecisionFn> {
         vocabulary: Vocabulary,
         whole: impl Fn(&str) -> String + Clone + Send + Sync + 'static,
     ) -> Claim {
-        let Vocabulary { exact, evidence, numbers } = vocabulary;
+        let Vocabulary { exact, evidence, numbers, stated_at } = vocabulary;
         let again = whole.clone();
-        self.decided(move |tex| decide(&whole(tex), exact)).read(evidence, move |tex| holds(&again(tex), numbers()))
+        let claim = self
+            .decided(move |tex| decide(&whole(tex), exact))
+            .read(evidence, move |tex| holds(&again(tex), numbers()));
+        claim.with_letters_at(stated_at)
     }
 
     /// The printed characters are proven with these letters. If they are corrected, they are refuted, and the corrected
     /// ones are proven.
+    #[track_caller]
     pub fn proven_by(self, letters: Exact) -> Unwitnessed<DecisionFn> {
         self.decided(move |tex| decide(tex, letters))
     }
 
     /// Proves the characters in a display that is cut into lines, each a claim of its own. The other lines have their
     /// right characters.
+    #[track_caller]
     pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<DecisionFn> {
         let (document, own) = (self.claim.document, self.claim.id);
         self.decided(move |tex| decide_joined(&document.display(lines, own, tex), letters))
     }
 
     /// Decides on the equation by a function that proves or refutes characters in the place of the printed ones.
+    #[track_caller]
     pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<DecisionFn> {
         self.evaluated(Evidence::EXACT_IDENTITY, decide)
     }
 
     /// Decides on the equation by a function that evaluates the characters.
+    #[track_caller]
     pub fn evaluated(
         self,
         evidence: &'static Evidence,
@@ -202,18 +212,20 @@ impl Unchecked<DecisionFn> {
 
 impl Unwitnessed<DecisionFn> {
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
+    #[track_caller]
     pub fn read(
         self,
         evidence: &'static Evidence,
         holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static,
     ) -> Claim {
-        let witness = Route { evidence, run: Arc::new(holds) as Arc<ReadingFn> };
+        let witness = Route::new(evidence, Arc::new(holds) as Arc<ReadingFn>);
         let check = Check::Equation { first: self.first, witness, said: None, also: None };
         Claim { check, ..self.claim }
     }
 
     /// Reads the characters in a display that is cut into lines, each a claim of its own. The other lines have their
     /// right characters.
+    #[track_caller]
     pub fn read_in(
         self,
         evidence: &'static Evidence,
@@ -227,6 +239,7 @@ impl Unwitnessed<DecisionFn> {
 
 impl Unchecked<ChoiceFn> {
     /// Whether the right statement holds, and its neighbour.
+    #[track_caller]
     pub fn first_route(
         self,
         evidence: &'static Evidence,
@@ -239,12 +252,13 @@ impl Unchecked<ChoiceFn> {
 impl Unwitnessed<ChoiceFn> {
     /// Adds the witness, a route that shares no code with the first. Until [`Claim::but_not`] names another neighbour,
     /// the wrong statement is the printed one.
+    #[track_caller]
     pub fn second_route(
         self,
         evidence: &'static Evidence,
         run: impl Fn(Stated<'_>) -> Finding + Send + Sync + 'static,
     ) -> Claim {
-        let witness = Route { evidence, run: Arc::new(run) as Arc<ChoiceFn> };
+        let witness = Route::new(evidence, Arc::new(run) as Arc<ChoiceFn>);
         Claim { check: Check::Statement { first: self.first, witness, neighbour: None }, ..self.claim }
     }
 }
@@ -268,6 +282,7 @@ impl Claim {
 
     /// The right number by two routes, if the routes to the printed one follow a slip of the source.
     #[must_use]
+    #[track_caller]
     pub fn right(
         mut self,
         evidence: &'static Evidence,
@@ -276,20 +291,28 @@ impl Claim {
         again: impl Fn() -> f64 + Send + Sync + 'static,
     ) -> Self {
         let Check::Number { right, .. } = &mut self.check else { self.has_no("a right number") };
-        let first = Route { evidence, run: Arc::new(run) as Arc<NumberFn> };
-        *right = Some([first, Route { evidence: other, run: Arc::new(again) }]);
+        *right = Some([Route::new(evidence, Arc::new(run)), Route::new(other, Arc::new(again))]);
         self
     }
 
     /// Adds something else that shows which equation is right, beside the witness that reads the characters.
     #[must_use]
+    #[track_caller]
     pub fn with_second_witness(
         mut self,
         evidence: &'static Evidence,
         run: impl Fn() -> Finding + Send + Sync + 'static,
     ) -> Self {
         let Check::Equation { also, .. } = &mut self.check else { self.has_no("another witness") };
-        *also = Some(Route { evidence, run: Arc::new(run) });
+        *also = Some(Route::new(evidence, Arc::new(run)));
+        self
+    }
+
+    /// Says where the letters are that both routes to an equation read.
+    fn with_letters_at(mut self, place: &'static Location<'static>) -> Self {
+        if let Check::Equation { first, witness, .. } = &mut self.check {
+            (first.stated_at, witness.stated_at) = (place, place);
+        }
         self
     }
 

@@ -3,6 +3,7 @@
 use crate::{Evidence, Stated};
 use geneva_exact::{Proof, Refutation};
 use std::fmt;
+use std::panic::Location;
 use std::sync::Arc;
 
 /// A way to a number.
@@ -70,6 +71,8 @@ pub struct Route<R: ?Sized> {
     pub evidence: &'static Evidence,
     /// Computes the result.
     pub run: Arc<R>,
+    /// The line of our code that states it; of a route that reads characters, the line that states what the letters are.
+    pub stated_at: &'static Location<'static>,
 }
 
 /// Whether a form holds, and how that was found.
@@ -96,6 +99,26 @@ impl Check {
             Self::Missing { .. } => Vec::new(),
         }
     }
+
+    /// Where in our code the two routes are stated, the first route's first, as of [`evidence`](Self::evidence).
+    pub fn places(&self) -> Vec<&'static Location<'static>> {
+        match self {
+            Self::Number { computed, witness, .. } => vec![computed.stated_at, witness.stated_at],
+            Self::Equation { first, witness, also, .. } => {
+                vec![first.stated_at, also.as_ref().map_or(witness.stated_at, |also| also.stated_at)]
+            }
+            Self::Statement { first, witness, .. } => vec![first.stated_at, witness.stated_at],
+            Self::Missing { .. } => Vec::new(),
+        }
+    }
+}
+
+impl<R: ?Sized> Route<R> {
+    /// A route that is stated where this is called.
+    #[track_caller]
+    pub fn new(evidence: &'static Evidence, run: Arc<R>) -> Self {
+        Self { evidence, run, stated_at: Location::caller() }
+    }
 }
 
 impl fmt::Debug for Check {
@@ -106,7 +129,7 @@ impl fmt::Debug for Check {
 
 impl<R: ?Sized> Clone for Route<R> {
     fn clone(&self) -> Self {
-        Self { evidence: self.evidence, run: Arc::clone(&self.run) }
+        Self { evidence: self.evidence, run: Arc::clone(&self.run), stated_at: self.stated_at }
     }
 }
 

@@ -88,6 +88,7 @@ mod tests {
         conclusions: &[],
         symbols: &[],
         units: &[],
+        test: "",
         cache: Cache::new(),
     };
 

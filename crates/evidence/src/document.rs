@@ -36,6 +36,8 @@ pub struct Document {
     pub symbols: &'static [Symbol],
     /// The units in which it prints its quantities.
     pub units: &'static [QuantityUnit],
+    /// The command that tests its claims, for those who have the code. Empty if there is none.
+    pub test: &'static str,
     /// What is made when it is first asked for.
     pub cache: Cache,
 }
@@ -391,6 +393,7 @@ mod tests {
         conclusions: &[],
         symbols: &[],
         units: &[],
+        test: "",
         cache: Cache::new(),
     };
 

@@ -15,6 +15,7 @@ static MADE_UP: Document = Document {
     conclusions: &[],
     symbols: &[],
     units: &[],
+    test: "",
     cache: Cache::new(),
 };
 

@@ -20,6 +20,7 @@
 //!     conclusions: &[],
 //!     symbols: &[],
 //!     units: &[("time", "s"), ("acceleration", "m/s²")],
+//!     test: "",
 //!     cache: Cache::new(),
 //! };
 //!
@@ -71,8 +72,8 @@ mod nearest;
 pub mod number_format;
 mod number_words;
 mod own_number;
-mod printed;
 mod plain_verdict;
+mod printed;
 mod slip;
 mod slugs;
 mod stated;
@@ -99,8 +100,8 @@ pub use ledger::Ledger;
 pub use nearest::nearest_name;
 pub use number_words::{next_number_word, number_in_word};
 pub use own_number::{Backing, Form, GIVEN, IntoNumbers, Numbers, OwnNumber, RECORD, ids_with_backing};
-pub use printed::{Decimal, Mark, Marked, Unreadable};
 pub use plain_verdict::PlainVerdict;
+pub use printed::{Decimal, Mark, Marked, Unreadable};
 pub use slip::{Consequence, Erratum, FELT, Origin, Slip};
 pub use stated::{Stated, another, numbers_in};
 pub use told::sentences;

@@ -2,6 +2,7 @@
 
 use crate::Evidence;
 use crate::tex::{Exact, Moment};
+use std::panic::Location;
 
 /// What letters stand for: as exact expressions for a proof, and by numbers for a witness. The two must share no formula:
 /// one is wrong only where the other is right.
@@ -13,12 +14,15 @@ pub struct Vocabulary {
     pub evidence: &'static Evidence,
     /// Numbers in a few states of motion.
     pub numbers: fn() -> &'static [Moment],
+    /// The line of our code that puts them together.
+    pub stated_at: &'static Location<'static>,
 }
 
 impl Vocabulary {
     /// Puts together what the letters stand for.
+    #[track_caller]
     pub const fn new(exact: Exact, evidence: &'static Evidence, numbers: fn() -> &'static [Moment]) -> Self {
-        Self { exact, evidence, numbers }
+        Self { exact, evidence, numbers, stated_at: Location::caller() }
     }
 }
 

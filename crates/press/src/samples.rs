@@ -45,6 +45,7 @@ pub(crate) static LEAFLET: Document = Document {
     conclusions: &[],
     symbols: &[Symbol { printed: "h", ours: "h", meaning: "height of the fall" }],
     units: &[],
+    test: "",
     cache: Cache::new(),
 };
 

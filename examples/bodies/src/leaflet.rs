@@ -60,6 +60,7 @@ pub static LEAFLET: Document = Document {
         ("swings", ""),
         ("lengthening", "%"),
     ],
+    test: "cargo test -p geneva-example-bodies",
     cache: Cache::new(),
 };
 

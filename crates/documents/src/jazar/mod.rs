@@ -66,6 +66,7 @@ pub static JAZAR: Document = Document {
         ("γ of the", ""),
         ("magnitude of the acceleration of the six-station wheel, divided by", ""),
     ],
+    test: "cargo test -p geneva-documents --test verdicts jazar_stands",
     cache: Cache::new(),
 };
 

@@ -97,6 +97,7 @@ pub static MEYER: Document = Document {
         ("a quarter of a turn in radians", ""),
         ("degrees in a radian", ""),
     ],
+    test: "cargo test -p geneva-documents --test verdicts meyer_stands",
     cache: Cache::new(),
 };
 

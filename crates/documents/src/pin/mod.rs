@@ -57,6 +57,7 @@ pub static PIN: Document = Document {
         ("distance", "mm"),
         ("crank radius", "mm"),
     ],
+    test: "cargo test -p geneva-documents --test verdicts pin_stands",
     cache: Cache::new(),
 };
 

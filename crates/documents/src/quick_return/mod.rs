@@ -56,6 +56,7 @@ pub static QUICK_RETURN: Document = Document {
         ("distance", ""),
         ("radius", ""),
     ],
+    test: "cargo test -p geneva-documents --test verdicts quick_return_stands",
     cache: Cache::new(),
 };
 

@@ -70,6 +70,7 @@ pub static WILD: Document = Document {
         ("time of a move over the time of a rest", ""),
         ("teeth", ""),
     ],
+    test: "cargo test -p geneva-documents --test verdicts wild_stands",
     cache: Cache::new(),
 };
 

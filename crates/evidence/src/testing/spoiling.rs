@@ -96,12 +96,12 @@ pub fn other_numbers_in_sentences(guarded: Guarded) -> Report {
 /// The claims that agree with their record with a wrong route. Each route in turn is replaced by one that gives something else;
 /// that of a statement also by one that accepts everything.
 pub fn wrong_routes(guarded: Guarded) -> Report {
-    let number = |evidence| Route { evidence, run: Arc::new(|| 0.123_456_789) as Arc<NumberFn> };
-    let fails = |evidence| Route { evidence, run: Arc::new(|| Finding::new(false, "made to fail")) as Arc<TestFn> };
+    let number = |evidence| Route::new(evidence, Arc::new(|| 0.123_456_789) as Arc<NumberFn>);
+    let fails = |evidence| Route::new(evidence, Arc::new(|| Finding::new(false, "made to fail")) as Arc<TestFn>);
     let decides = |evidence: &'static Evidence| {
         [false, true].map(|holds| {
             let run: Arc<ChoiceFn> = Arc::new(move |_| Finding::new(holds, "made up"));
-            Route { evidence, run }
+            Route::new(evidence, run)
         })
     };
     let (mut tried, mut faults) = (0, Vec::new());
@@ -127,8 +127,8 @@ pub fn wrong_routes(guarded: Guarded) -> Report {
                 };
                 let refuses: Arc<DecisionFn> = Arc::new(|_| Finding::new(false, "made to fail"));
                 let reads_wrong: Arc<ReadingFn> = Arc::new(|_| Some(false));
-                broken.push(with(&Route { evidence: first.evidence, run: refuses }, &witness, also.clone()));
-                broken.push(with(&first, &Route { evidence: witness.evidence, run: reads_wrong }, also.clone()));
+                broken.push(with(&Route::new(first.evidence, refuses), &witness, also.clone()));
+                broken.push(with(&first, &Route::new(witness.evidence, reads_wrong), also.clone()));
                 broken.extend(also.map(|also| with(&first, &witness, Some(fails(also.evidence)))));
             }
             Check::Statement { first, witness, neighbour } => {
@@ -262,8 +262,8 @@ fn remembered(check: Check) -> Check {
             finding
         })
     }
-    fn route<R: ?Sized>(Route { evidence, run }: Route<R>, remember: fn(Arc<R>) -> Arc<R>) -> Route<R> {
-        Route { evidence, run: remember(run) }
+    fn route<R: ?Sized>(Route { evidence, run, stated_at }: Route<R>, remember: fn(Arc<R>) -> Arc<R>) -> Route<R> {
+        Route { evidence, run: remember(run), stated_at }
     }
     match check {
         Check::Number { computed, witness, from_rounded, resolution, right } => Check::Number {
