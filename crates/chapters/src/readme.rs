@@ -48,7 +48,7 @@ pub fn section(book: &Book, heading: &str) -> anyhow::Result<String> {
     let (section, _) = rest.split_once("\n## ").with_context(|| format!("the first page ends with `{heading}`"))?;
     let edition = Edition::without_commit(book.imprint.version);
     let context = ChapterContext { book, name: "preface", number: "", edition: &edition, written: section };
-    let (drawn, _) = expand(&with_images(section)?, context, &[])?;
+    let (drawn, _) = expand(&with_images(&without_choice(section))?, context, &[])?;
     let parts: Vec<_> = drawn.split("\n\n").map(in_markdown).filter(|part| !part.is_empty()).collect();
     Ok(in_the_project(&parts.join("\n\n")))
 }
@@ -65,6 +65,13 @@ fn in_markdown(part: &str) -> String {
 }
 
 const IMAGE: &str = "<img ";
+
+/// A text in which the picture of both choices stands in place of the two between which a page lets its reader choose.
+fn without_choice(markdown: &str) -> String {
+    let Some((before, rest)) = markdown.split_once("<div class=\"switch\">") else { return markdown.to_owned() };
+    let after = rest.split_once("</div>").map_or("", |(_, after)| after);
+    format!("{before}{{{{picture:runs-agreement}}}}{after}")
+}
 
 /// Puts an image in place of each picture of a text.
 fn with_images(markdown: &str) -> anyhow::Result<String> {

@@ -62,7 +62,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     };
     let name = if hypothesis.lag == Lag::None { angle } else { format!("{angle}, sign late") };
     let score = Score::from_results(hypothesis, &rows, results);
-    let figure = one_agreement(&ComparedCells::new(name, &score), "1 rad/s or 1 ms");
+    let figure = one_agreement(LIVE.figure, &ComparedCells::new(name, &score), "1 rad/s or 1 ms");
     let counted = |name, mechanisms: &[Mechanism]| {
         let count = score.within_one_of(mechanisms);
         let all = score.cells().filter(|cell| mechanisms.contains(&cell.mechanism)).count();

@@ -1,6 +1,6 @@
 //! The first page: how many claims are right, how many rows describe no mechanism, how many cells are reproduced.
 
-use super::kinds::{COMPARISON, CRANK_STEPS, PROGRAM};
+use super::kinds::{COMPARISON, CRANK_STEPS, PROGRAM, QUADRATURE};
 use super::second_routes::NEWTON;
 use super::second_routes::printed_rows::{count_near, rows_as_mechanisms, rows_as_run, rows_on_the_integrator};
 use crate::lookup::{judged, of_documents};
@@ -17,6 +17,24 @@ const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
 
 /// The runs with the inertias of six pins as in the table's heading.
 const AS_HEADED: Hypothesis = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
+
+/// The printed number that stands for all on the first page: a peak of the six pins.
+const EXAMPLE: &str = "meyer.app-e.6-pin.mu-0.20.k-0.03.max";
+
+/// By how much two routes to that peak may differ, in rad/s: less than its last digit on the page.
+const ALLOWED: f64 = 0.01;
+
+/// A number of the claim that stands for all.
+fn in_the_example(number: fn(&Judged) -> Option<f64>) -> Numbers<f64> {
+    Ok(number(judged(EXAMPLE)?).ok_or("the example has no such number")?)
+}
+
+/// The peak of the same run among these, by another route.
+fn peak_of_the_example<'a>(runs: impl IntoIterator<Item = (&'a Row, Option<[f64; 3]>)>) -> Numbers<f64> {
+    let mut runs = runs.into_iter();
+    let found = runs.find(|(row, _)| format!("meyer.app-e.{}.max", row.slug()) == EXAMPLE);
+    Ok(found.and_then(|(_, results)| results).ok_or("the example has no run")?[0])
+}
 
 /// The numbers of the first page.
 pub(super) fn numbers() -> Vec<OwnNumber> {
@@ -53,6 +71,14 @@ pub(super) fn numbers() -> Vec<OwnNumber> {
                 // The pins of four slots are a quarter of a turn apart, and no others.
                 Ok(rows().iter().filter(|row| row.mechanism.slots() != 4).count())
             }),
+        OwnNumber::new("example.as-run", "{.1}", PROGRAM, || in_the_example(|judged| judged.computed))
+            .with_second_route("the program explains the tables", NEWTON, || peak_of_the_example(rows_as_run()))
+            .with_allowance(ALLOWED),
+        OwnNumber::new("example.right", "{.1}", QUADRATURE, || in_the_example(|judged| judged.right_value))
+            .with_second_route("the mechanisms don't explain the tables", CRANK_STEPS, || {
+                peak_of_the_example(rows_as_mechanisms())
+            })
+            .with_allowance(ALLOWED),
         OwnNumber::count("cells", || Ok(3 * rows().len())),
         OwnNumber::new("cells.by-the-program", "{.0}", COMPARISON, || Ok(score(&Hypothesis::AS_RUN)?.within_one()))
             .with_second_route("the program explains the tables", NEWTON, || Ok(count_near(rows_as_run(), &EXPLAINED))),

@@ -68,6 +68,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
     ("runs-agreement", runs::agreement),
+    ("agreement-own-angles", runs::own_angles),
+    ("agreement-quarter-turn", runs::quarter_turn),
     ("runs-reset-angle", runs::reset_angle),
     ("runs-aliasing", runs::printed_too_seldom),
     ("runs-hypotheses", runs::hypotheses),

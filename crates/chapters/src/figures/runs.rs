@@ -40,6 +40,18 @@ pub(super) fn agreement() -> anyhow::Result<Figure> {
     Ok(runs::agreement(&compared, series, "1 rad/s or 1 ms", &says))
 }
 
+/// Printed against computed numbers of the mechanisms as they are.
+pub(super) fn own_angles() -> anyhow::Result<Figure> {
+    let compared = ComparedCells::new("own reset angles".to_owned(), rows::score(&Hypothesis::IDEAL)?);
+    Ok(runs::one_agreement("agreement-own-angles", &compared, "1 rad/s or 1 ms"))
+}
+
+/// Printed against computed numbers of the program as listed.
+pub(super) fn quarter_turn() -> anyhow::Result<Figure> {
+    let compared = ComparedCells::new("reset after 90° for all".to_owned(), rows::score(&Hypothesis::AS_RUN)?);
+    Ok(runs::one_agreement("agreement-quarter-turn", &compared, "1 rad/s or 1 ms"))
+}
+
 /// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.
 pub(super) fn reset_angle() -> anyhow::Result<Figure> {
     /// From half the angle between the pins of three, in half degrees.

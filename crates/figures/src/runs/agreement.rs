@@ -92,11 +92,11 @@ pub fn agreement(hypotheses: &[ComparedCells; 2], series: Series, units: &str, o
 
 /// Printed numbers less the computed ones under one hypothesis, on the axis of [`agreement`].
 ///
-/// Series, a row for each cell: slots, printed, computed.
-pub fn one_agreement(hypothesis: &ComparedCells, units: &str) -> Figure {
+/// `figure` is its name. Series, a row for each cell: slots, printed, computed.
+pub fn one_agreement(figure: &str, hypothesis: &ComparedCells, units: &str) -> Figure {
     let beyond = if hypothesis.goes_beyond() { format!(" {BEYOND}") } else { String::new() };
     let words = Words::new(
-        "live-mistake",
+        figure,
         format!("Printed numbers minus computed ones: {}", hypothesis.name),
         format!(
             "Strips for six, four and three pins. A mark is a printed number; its place from left to right is the printed \
