@@ -17,7 +17,7 @@ const PAGES: [(&str, &str); 5] = [
     ("design", "making"),
     ("polygon", "quick-return"),
     ("mistake", "mistake"),
-    ("escapement", "terminal-speed"),
+    ("escapement", "escapement"),
 ];
 
 /// Whether the book's figures move. They stand still where their module cannot be compiled; with `$LIVE_REQUIRED` that is a

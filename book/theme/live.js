@@ -39,7 +39,7 @@
         const followers = new Set(inputs.filter(follows));
         const isBeside = input => !follows(input) && box(input) && Number(box(input).value) !== Number(input.value);
         const exact = new Map(inputs.filter(isBeside).map(input => [input, shown(input)]));
-        let busy = false, again = false, playing = false, seen = true, last = 0;
+        let heard = [], busy = false, again = false, playing = false, seen = true, last = 0;
 
         const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;
         const settings = () => new URLSearchParams(inputs.map(input => [input.name, value(input)]));
@@ -99,6 +99,7 @@
             stale.hidden = true;
             files.forEach(button => button.disabled = false);
             followers.forEach(input => write(input, told.find(({ name }) => name === input.name).value));
+            heard = numbers;
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
@@ -266,7 +267,28 @@
             }
         };
 
+        // Two seconds of its beat, each a click that dies away: only when asked for, and only if there is a beat.
+        let audio;
+        const hear = async ({ dataset: { beat } }) => {
+            if (!heard.length) {
+                await draw();
+            }
+            const every = heard.find(({ name }) => name === beat)?.value / 1000;
+            if (!(every > 0)) {
+                return;
+            }
+            audio ??= new AudioContext();
+            const rate = audio.sampleRate, buffer = audio.createBuffer(1, 2 * rate, rate), source = audio.createBufferSource();
+            buffer.getChannelData(0).forEach((_, at, samples) => {
+                const passed = at / rate % every;
+                samples[at] = 0.5 * Math.exp(-400 * passed) * Math.sin(9000 * passed);
+            });
+            source.buffer = buffer;
+            source.connect(audio.destination);
+            source.start();
+        };
         const actions = {
+            hear,
             play: () => playing ? stop() : play(true),
             back: () => advance(-player.dataset.play / 10),
             forth: () => advance(player.dataset.play / 10),
@@ -295,7 +317,7 @@
                 if (what !== 'play') {
                     stop();
                 }
-                actions[what]();
+                actions[what](event.target);
             } else if (values) {
                 set(values);
             } else if (file) {

@@ -135,7 +135,7 @@ fn the_addresses_that_ran_scripts_and_the_one_that_froze_open_the_figure_as_at_f
     for (name, page, setting) in [
         ("polygon", "quick-return", format!("crank={}", HOSTILE[0])),
         ("polygon", "quick-return", format!("factor=2{}", &HOSTILE[1][1..])),
-        ("escapement", "terminal-speed", "friction=0.16%26follower%3D1e-308".to_owned()),
+        ("escapement", "escapement", "friction=0.16%26follower%3D1e-308".to_owned()),
         ("mistake", "mistake", "late=1&reset=90%26duration%3D1000".to_owned()),
     ] {
         let live = geneva_live::by_name(name).expect("a figure");
@@ -158,7 +158,7 @@ fn own_links_open_again() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     for (name, page, control, typed) in [
-        ("escapement", "terminal-speed", "torque", "3e+2"),
+        ("escapement", "escapement", "torque", "3e+2"),
         ("wheel", "jazar", "error", "1e-1"),
         ("design", "making", "pin", ""),
     ] {

@@ -131,12 +131,15 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
     } else {
         ""
     };
+    let hear = live.beat.map_or_else(String::new, |number| {
+        format!("<button type=\"button\" data-do=\"hear\" data-beat=\"{number}\">Hear its beat</button>")
+    });
     Ok(format!(
         "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\">\
          {}</dl>\n{first_file}<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
          possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
-         class=\"moved\">{}</div>\n<p class=\"buttons\">{play}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
+         class=\"moved\">{}</div>\n<p class=\"buttons\">{play}{hear}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
          data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}{steps}\n</div>",
         answer.figure.svg.trim_end(),
         numbers(book, live, live.quantities.iter(), answer)?,

@@ -29,6 +29,8 @@ pub struct Live {
     pub drag: Option<PointerDrag>,
     /// What can be taken away: the first beside the drawing, the others below the controls.
     pub files: &'static [LiveFile],
+    /// The number that is the time from beat to beat in milliseconds, if the figure can be heard.
+    pub beat: Option<&'static str>,
     /// Draws it.
     pub draw: fn(&Settings) -> Result<LiveReply, String>,
 }

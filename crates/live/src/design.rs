@@ -137,6 +137,7 @@ pub const LIVE: Live = Live {
         },
         LiveFile { name: "csv", label: "These numbers (CSV)", make: numbers_file },
     ],
+    beat: None,
     draw,
 };
 

@@ -47,6 +47,7 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: None,
     files: &[],
+    beat: Some("period"),
     draw,
 };
 

@@ -46,6 +46,7 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: None,
     files: &[],
+    beat: None,
     draw,
 };
 
