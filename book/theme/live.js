@@ -361,19 +361,23 @@
         const shrink = () => {
             const top = Number.parseFloat(getComputedStyle(shows).top) || 0;
             const gone = Math.min(Math.max(top - figure.getBoundingClientRect().top - above, 0), spare);
-            figure.style.setProperty('--drawn', gone > 0 ? `${whole - gone}px` : 'none');
+            figure.classList.toggle('smaller', gone > 0);
+            figure.style.setProperty('--drawn', `${whole - gone}px`);
             figure.style.setProperty('--gone', `${gone}px`);
         };
         const fit = () => {
-            figure.classList.remove('stays', 'shrinks');
-            const room = getComputedStyle(form).display === 'contents' ? 52 : 140;
+            figure.classList.remove('stays', 'shrinks', 'smaller');
+            const isBeside = getComputedStyle(form).display === 'contents';
             const { clientHeight } = document.documentElement;
             above = shows.getBoundingClientRect().top - figure.getBoundingClientRect().top;
             whole = picture.offsetHeight;
-            const stays = shows.offsetHeight + room <= clientHeight;
-            const shrinks = !stays && whole > least && shows.offsetHeight - whole + least + 200 <= clientHeight;
+            const height = shows.offsetHeight, smallest = height - whole + least;
+            // Controls below it need some room to be found in.
+            const shrinks = whole > least && height + (isBeside ? 52 : 0.4 * clientHeight) > clientHeight
+                && smallest + (isBeside ? 52 : 250) <= clientHeight;
+            const stays = shrinks || height + (isBeside ? 52 : 140) <= clientHeight;
             spare = shrinks ? whole - least : 0;
-            figure.classList.toggle('stays', stays || shrinks);
+            figure.classList.toggle('stays', stays);
             figure.classList.toggle('shrinks', shrinks);
             shrink();
         };
