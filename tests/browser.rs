@@ -4,6 +4,7 @@
 pub(crate) mod devtools;
 mod formulas;
 mod letters;
+mod margin;
 mod policy;
 
 use devtools::{Browser, Medium};
