@@ -9,6 +9,7 @@ mod documents_command;
 mod escapement_command;
 mod limits_command;
 mod mimic_command;
+mod pin_command;
 mod pipes_command;
 mod quick_return_command;
 mod sweep_command;

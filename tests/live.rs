@@ -12,7 +12,8 @@ use geneva_live::LIVE;
 use serde_json::{Value, json};
 
 /// The pages that show the figures.
-const PAGES: [(&str, &str); 5] = [
+const PAGES: [(&str, &str); 6] = [
+    ("pin", "pin"),
     ("wheel", "jazar"),
     ("design", "making"),
     ("polygon", "quick-return"),
