@@ -10,7 +10,7 @@ use tempfile::TempDir;
 
 /// What a page may weigh with everything that it loads, and a figure on it, in bytes; and what moves figures, which comes on
 /// top where there are some.
-const HEAVIEST_PAGE: usize = 385_000 + TEXT_FACE;
+const HEAVIEST_PAGE: usize = 392_000 + TEXT_FACE;
 /// The face of the text, which a browser loads once for all pages and keeps (`fonts.rs`).
 const TEXT_FACE: usize = 57_500;
 /// The page of all claims is ten pages in one. It is looked up in and not read through, it weighs about 60 kilobytes when a
