@@ -204,8 +204,8 @@ pub fn linked_sign(book: &Book, judged: &Judged) -> String {
         PlainVerdict::RightAsRead | PlainVerdict::WrongInCopy => format!("{sign} {words}"),
     };
     format!(
-        "<a class=\"to-ledger verdict verdict-{verdict}\" href=\"{address}\" aria-label=\"{words}\"><span \
-         data-text=\"{words}\">{seen}</span></a>"
+        "<a class=\"to-ledger\" href=\"{address}\" aria-label=\"{words}\"><span data-text=\"{words}\" class=\"verdict \
+         verdict-{verdict}\">{seen}</span></a>"
     )
 }
 
