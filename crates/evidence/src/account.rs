@@ -93,7 +93,10 @@ impl Account {
         }
         tell("From the source’s rounded steps", judged.from_rounded.map(number).unwrap_or_default());
         let other_right = judged.right_value.filter(|right| judged.computed != Some(*right));
-        tell("Right", other_right.map(|right| number(right) + &right_routes(claim)).unwrap_or_default());
+        // What is wrong in characters has others that are right.
+        let corrected = || judged.corrected().filter(|_| judged.computed.is_none()).map(|text| claim.with_unit(&text));
+        let right = other_right.map(|right| number(right) + &right_routes(claim)).or_else(corrected);
+        tell("Right", right.unwrap_or_default());
         match taken {
             Some(Taken::Unread) => tell("Not read", NOT_READ.to_owned()),
             Some(Taken::Unreadable) => tell("Not read", UNREADABLE.to_owned()),
