@@ -23,6 +23,7 @@ mod prose;
 mod records;
 
 mod scoped;
+mod search;
 mod snapshots;
 mod supply;
 mod tidy;

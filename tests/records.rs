@@ -1,4 +1,4 @@
-//! Can a reader find a claim? In a browser: the page of all claims and its filter, addresses of earlier editions, the search.
+//! Can a reader find a claim? In a browser: the page of all claims and its filter, and addresses of earlier editions.
 
 use crate::book_pages::{book, moved};
 use crate::browser::devtools::{Browser, Medium};
@@ -151,45 +151,4 @@ fn every_address_of_an_earlier_edition_leads_on_without_scripts_too() {
         }
     }
     browser.run_scripts(true);
-}
-
-#[test]
-fn the_search_finds_the_chapter_that_explains_before_the_records_and_a_claim_by_its_id() {
-    let mut ids = ["pin.slot-point-speed", "jazar.eq-5.29", "meyer.always-engaged"]
-        .map(|id| (id, format!("ledger.html?#{id}")))
-        .to_vec();
-    // A number that the handout prints, and its chapter shows.
-    let number = LEDGER.claim("jazar.ex-e.ratio").expect("a claim").printed.trim_start_matches('±');
-    let chapters = [
-        ("motor", "making.html"),
-        ("law of cosines", "pin.html"),
-        ("moment of inertia of a disc", "making.html"),
-        ("RMS torque", "making.html"),
-        ("contact stress", "making.html"),
-        (number, "jazar.html"),
-    ];
-    ids.extend(chapters.map(|(words, page)| (words, page.to_owned())));
-    // The first words stand in the address, the others are typed into the same page.
-    let Some(mut browser) = opened(&format!("pin.html?search={}", ids[0].0)) else { return };
-    for (words, expected) in ids {
-        browser.evaluate(&format!(
-            "{{ const bar = document.querySelector('#mdbook-searchbar'); if (bar.value !== {0}) {{ bar.value = {0}; \
-             bar.dispatchEvent(new KeyboardEvent('keyup', {{ bubbles: true }})) }} }}",
-            json!(words)
-        ));
-        let first = format!(
-            "document.querySelector('#mdbook-searchresults-header').innerText.includes({}) && \
-             document.querySelector('#mdbook-searchresults a')?.getAttribute('href')",
-            json!(words)
-        );
-        let found = when_there(&mut browser, &first);
-        let found = found.as_str().unwrap_or_else(|| panic!("{words}: nothing is found"));
-        let (page, fragment) =
-            found.rsplit_once('/').map_or(found, |(_, name)| name).split_once('#').unwrap_or((found, ""));
-        let page = page.split('?').next().unwrap_or_default();
-        match expected.split_once("?#") {
-            Some((ledger, id)) => assert_eq!((page, fragment), (ledger, id), "{words}"),
-            None => assert_eq!(page, expected, "{words}"),
-        }
-    }
 }

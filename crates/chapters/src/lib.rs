@@ -10,6 +10,7 @@ mod keys;
 mod modules;
 mod open_groups;
 pub mod pages;
+mod synonyms;
 
 // What stands for a placeholder.
 pub mod computed;
@@ -56,6 +57,7 @@ pub static BOOK: Book = Book {
     // Lengths in crank radii.
     letter_units: &["R"],
     address_and_day: geneva_documents::wild::read,
+    synonyms: synonyms::SYNONYMS,
     field_meanings: FIELD_MEANINGS,
     modules: modules::MODULES,
     ledger_crate: Some(LedgerCrate {

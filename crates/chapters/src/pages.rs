@@ -50,7 +50,7 @@ pub const PAGES: &[Page] = &[
     Page::new("open", "Open questions", In(RECORDS)).with_role(PageRole::OpenClaims),
     Page::new("method", "How it is checked", In(RECORDS)),
     Page::new("about", "Sources, data, how to cite", In(RECORDS)).with_role(PageRole::Sources),
-    Page::new("glossary", "Glossary", Below),
+    Page::new("glossary", "Glossary", Below).with_role(PageRole::Glossary),
     Page::new("ledger", "The ledger: every claim", Behind).with_role(PageRole::Claims),
     Page::new("coverage", "Coverage of the sources", Behind).with_role(PageRole::Coverage),
     Page::new("fields", "The data, field by field", Behind),

@@ -3,6 +3,7 @@
 use crate::edition::Edition;
 use crate::imprint::Imprint;
 use crate::pages::{LedgerSection, Page, PageRole};
+use crate::search::Synonym;
 use crate::table::Table;
 use anyhow::ensure;
 use geneva_evidence::{Document, Ledger, OwnNumber, Slip};
@@ -37,6 +38,8 @@ pub struct Book {
     pub letter_units: &'static [&'static str],
     /// Address and day of a locator that is that of a page elsewhere.
     pub address_and_day: fn(&str) -> Option<(&str, &str)>,
+    /// What readers may search for that the pages call otherwise.
+    pub synonyms: &'static [Synonym],
     /// What the book says of a field of its data in place of the builder's words: file, path and meaning.
     pub field_meanings: &'static [(&'static str, &'static str, &'static str)],
     /// Programs that answer its pages, compiled for WebAssembly.

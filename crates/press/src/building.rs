@@ -62,7 +62,7 @@ fn build_with(
 fn render(book: &Book, source: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     source.config.build.build_dir = new.to_owned();
     warnings::refuse(|| source.build())?;
-    search::index(book, new)?;
+    search::write(book, new)?;
     let edition = Edition::detect(&source.root, &book.imprint);
     print::write(book, new, &edition, address::known(&book.imprint).as_ref())?;
     finish(book, new)?;

@@ -1,7 +1,7 @@
 //! Names of files that change with their content, so that a browser never shows an old file for a new one.
 //!
 //! mdBook ends the name of a script, a style or a font with the first four bytes of the SHA-256 of what it copies. But
-//! afterwards names are put into these files, they are shortened, and the search index is made anew. So they are named
+//! afterwards names are put into these files, they are shortened, and the search is our own. So they are named
 //! again here.
 
 use anyhow::{Context, ensure};

@@ -21,7 +21,7 @@ mod modules;
 mod phone_tables;
 mod policy;
 pub mod print;
-mod search;
+pub mod search;
 mod verify;
 
 // A chapter.

@@ -53,6 +53,8 @@ pub enum PageRole {
     SlipsElsewhere,
     /// It has the programs behind all chapters.
     Programs,
+    /// It says what terms mean.
+    Glossary,
     /// It says what the book is made from and how it is cited, and lists the works of others.
     Sources,
 }

@@ -141,6 +141,7 @@ pub(crate) static BOOK: Book = Book {
     notation: Vec::new,
     letter_units: &[],
     address_and_day: |_| None,
+    synonyms: &[],
     field_meanings: &[],
     modules: &[PageModule {
         attributes: &["data-live", "data-given"],

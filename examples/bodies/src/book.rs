@@ -47,6 +47,7 @@ pub static BOOK: Book = Book {
     notation: Vec::new,
     letter_units: &[],
     address_and_day: |_| None,
+    synonyms: &[],
     field_meanings: &[],
     modules: &[],
     ledger_crate: Some(LedgerCrate { package: "geneva-example-bodies", folder: ".", command: "" }),

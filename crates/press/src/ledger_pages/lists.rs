@@ -10,6 +10,9 @@ use crate::{lookup, maths};
 use anyhow::Context;
 use geneva_evidence::{Judged, PlainVerdict, Symbol, Verdict};
 
+/// The name of a table of letters, or its beginning.
+pub const LETTERS: &str = "Letters";
+
 /// The five plain verdicts with their meaning and how many claims of the documents have each.
 pub fn verdicts(book: &Book) -> anyhow::Result<Table> {
     let count = |of| lookup::verdicts_of_documents(book.ledger).filter(|judged| judged.plain() == of).count();
