@@ -429,6 +429,45 @@ fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
 }
 
 #[test]
+fn a_figure_that_moves_says_what_it_is_and_reads_out_one_number() {
+    let mut moving = 0;
+    for (name, page) in pages() {
+        for figure in within(page, "figure") {
+            let Some(Piece::Start { attributes, .. }) = figure.first() else { continue };
+            if !attributes.contains_key("data-live") {
+                continue;
+            }
+            moving += 1;
+            let label = attributes.get("aria-label").map_or("", String::as_str);
+            assert!(label.starts_with("Live Figure "), "{name}: {label}");
+            let spoken = attribute(figure, &["output"], "aria-live");
+            let (first, others) = spoken.split_first().expect("a number");
+            assert!(first == "polite" && others.iter().all(|of| of == "off"), "{name}: {spoken:?}");
+            assert_eq!(
+                attribute(figure, &[], "aria-live").len(),
+                spoken.len(),
+                "{name}: more than numbers are read out"
+            );
+            // A slider says its unit, as its box does.
+            let inputs = |kind: &str| -> Vec<String> {
+                let of_kind = figure.iter().filter_map(|piece| match piece {
+                    Piece::Start { element, attributes }
+                        if element == "input" && attributes.get("type").is_some_and(|of| of == kind) =>
+                    {
+                        Some(attributes.get("aria-label").cloned().unwrap_or_default())
+                    }
+                    _ => None,
+                });
+                of_kind.collect()
+            };
+            assert!(!inputs("range").is_empty() && inputs("range").iter().all(|label| !label.is_empty()), "{name}");
+            assert_eq!(inputs("range"), inputs("number"), "{name}");
+        }
+    }
+    assert!(moving > 4, "{moving} figures move");
+}
+
+#[test]
 fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
     let pages = pages();
     let order: Vec<_> = geneva_chapters::BOOK.pages.iter().map(|page| format!("{}.html", page.name)).collect();

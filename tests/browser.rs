@@ -249,7 +249,7 @@ impl Look<'_> {
             let list = if width < WIDE { "closeList()" } else { "openList()" };
             let mut checks = [vec![list.to_owned()], self.boxes()].concat();
             match width {
-                PHONE => checks.push(format!("targets({TARGET})")),
+                PHONE => checks.extend([format!("targets({TARGET})"), "contrast()".to_owned()]),
                 WIDE => checks.extend(["content()", "keyboard()", "contrast()", "accessibility()"].map(str::to_owned)),
                 _ => {}
             }
@@ -257,6 +257,16 @@ impl Look<'_> {
         }
         self.policy();
         self.without_scripts(&read);
+        self.on_a_phone_in_the_dark();
+    }
+
+    /// What axe-core finds depends on the width, and what it finds of colours, on the medium, too.
+    fn on_a_phone_in_the_dark(&mut self) {
+        self.open(PHONE, Medium::Dark);
+        self.unfold();
+        self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
+        self.check(&["closeList()", "contrast()", "accessibility()"].map(str::to_owned));
+        self.events();
     }
 
     /// Nothing runs that is put into the page.
@@ -449,6 +459,27 @@ fn the_first_press_of_the_tab_key_offers_a_way_past_the_list_of_chapters() {
     );
     browser.press("Tab", 9);
     assert_eq!(browser.evaluate("document.activeElement.closest('main') !== null"), json!(true));
+}
+
+#[test]
+fn a_page_with_a_figure_to_move_offers_a_way_to_it_right_behind_the_title() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(WIDE, Medium::Light);
+    for page in ["making.html", "quick-return.html"] {
+        browser.open(&format!("{}/{page}", address(crate::book_pages::book())));
+        // Behind the title, which leads to itself.
+        browser.evaluate("{ document.querySelector('main h1 a').focus() }");
+        browser.press("Tab", 9);
+        let at = "[document.activeElement.textContent, document.activeElement.getBoundingClientRect().top >= 0]";
+        assert_eq!(browser.evaluate(at), json!(["Skip to the figure", true]), "{page}");
+        browser.command(
+            "Input.dispatchKeyEvent",
+            json!({ "type": "keyDown", "key": "Enter", "text": "\r", "windowsVirtualKeyCode": 13 }),
+        );
+        browser.press("Tab", 9);
+        let is_within = "document.activeElement.closest('figure')?.matches('[data-live]') ?? false";
+        assert_eq!(browser.evaluate(is_within), json!(true), "{page}");
+    }
 }
 
 #[test]

@@ -225,7 +225,7 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
     let side = control
         .side
         .map_or_else(String::new, |ControlSide { group, number }| format!(" data-side=\"{group} {number}\""));
-    let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
+    let (label, spoken) = (escape(label), escape(format!("{label} {unit}").trim_end()));
     match control.kind {
         ControlKind::Choice(choices) => {
             let option = |(number, words): (usize, &&str)| {
@@ -238,7 +238,7 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
         ControlKind::Number => format!(
             "<label class=\"inline\" for=\"{id}\">{label}</label><span><input type=\"number\" id=\"{id}\" name=\"{name}\" aria-label=\"{}\" \
              min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"{side}> {}</span>",
-            spoken.trim_end(),
+            spoken,
             escape(unit)
         ),
         ControlKind::Slider | ControlKind::Player(_) | ControlKind::Follower => {
@@ -249,9 +249,8 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
             };
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
             format!(
-                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}{side}><span><input \
-                 type=\"number\" data-box=\"{name}\" aria-label=\"{}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",
-                spoken.trim_end(),
+                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" aria-label=\"{spoken}\" {range}{play}{side}><span><input \
+                 type=\"number\" data-box=\"{name}\" aria-label=\"{spoken}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",
                 escape(unit)
             )
         }

@@ -19,7 +19,7 @@ use mdbook_preprocessor::Preprocessor;
 use crate::book::Book;
 use crate::edition::Edition;
 use crate::preprocessor::Press;
-use crate::{address, fingerprints, libraries, minify, phone_tables, policy, print, search};
+use crate::{address, fingerprints, libraries, minify, phone_tables, policy, print, search, spoken};
 use site::Site;
 pub use site::abandon;
 
@@ -75,7 +75,10 @@ fn finish(book: &Book, folder: &Path) -> anyhow::Result<()> {
     rewrite(folder, "css", &|text| Ok(minify::style(text)))?;
     rewrite(folder, "js", &|text| Ok(minify::script(text)))?;
     rewrite(folder, "html", &|text| Ok(with_running_head(text)))?;
-    rewrite(folder, "html", &|text| Ok(minify::page(&with_way_past_the_list(&phone_tables::labelled(text)))))?;
+    rewrite(folder, "html", &|text| {
+        let text = spoken::with_named_heads(&phone_tables::labelled(text));
+        Ok(minify::page(&with_way_to_the_figure(&with_way_past_the_list(&text), book)))
+    })?;
     fingerprints::renew(folder)?;
     rewrite(folder, "html", &|page| policy::guarded(page, book.modules))
 }
@@ -98,6 +101,24 @@ fn with_running_head(page: &str) -> String {
         (Some((title, _)), Some((before, (book, rest)))) => {
             let chapter = title.trim().strip_suffix(book.trim()).and_then(|title| title.strip_suffix(" - "));
             format!("{before}{HEAD}{}</h1>{rest}", chapter.unwrap_or(title.trim()))
+        }
+        _ => page.to_owned(),
+    }
+}
+
+/// A page that offers a way to its first figure that a reader moves, right behind the title.
+fn with_way_to_the_figure(page: &str, book: &Book) -> String {
+    let figure = page.split("<figure ").skip(1).filter_map(|rest| rest.split_once('>')).find_map(|(attributes, _)| {
+        let moves = book.modules.iter().any(|module| attributes.contains(&format!("{}=\"", module.asking())));
+        let id = attributes.split("id=\"").nth(1).and_then(|rest| rest.split('"').next());
+        id.filter(|_| moves)
+    });
+    // The title is the first heading of the text; the bar above it has one, too.
+    let title = page.find("<main>").and_then(|main| Some(main + page[main..].find("</h1>")? + "</h1>".len()));
+    match (figure, title) {
+        (Some(id), Some(at)) => {
+            let way = format!("\n<a class=\"skip\" href=\"#{id}\">Skip to the figure</a>");
+            format!("{}{way}{}", &page[..at], &page[at..])
         }
         _ => page.to_owned(),
     }

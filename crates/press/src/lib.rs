@@ -22,6 +22,7 @@ mod phone_tables;
 mod policy;
 pub mod print;
 pub mod search;
+mod spoken;
 mod verify;
 
 // A chapter.

@@ -74,7 +74,7 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "notation",
         "the letters of the whole book",
-        Bare(|book| Ok(lists::notation(book)?.html("Letters of this book"))),
+        Bare(|book| Ok(lists::notation(book)?.html(&format!("{} of this book", lists::LETTERS)))),
     ),
     PlaceholderKey::new("open", "the open claims of a group, with what each lacks", Of(open::open_list)),
     PlaceholderKey::new("open-count", "how many open claims a group has", Of(open::open_count)),
@@ -107,7 +107,7 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "symbols",
         "a source's letters and the book's",
-        Of(|book, of| Ok(lists::symbols(book, of)?.html("Letters"))),
+        Of(|book, of| Ok(lists::symbols(book, of)?.html(lists::LETTERS))),
     ),
     PlaceholderKey::new(
         TABLE,
@@ -269,7 +269,10 @@ impl NumberedItem {
             escape(source),
         );
         let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
-        let html = format!("<figure {attributes} id=\"{}\">\n{inner}\n</figure>", self.anchor());
+        // The caption of a figure that moves says what it shows now, and is no name.
+        let moves = page.book.modules.iter().any(|module| attributes.contains(&format!("{}=\"", module.asking())));
+        let name = if moves { format!(" aria-label=\"Live {kind} {number}\"") } else { String::new() };
+        let html = format!("<figure {attributes} id=\"{}\"{name}>\n{inner}\n</figure>", self.anchor());
         Ok((html, [file, described]))
     }
 }
