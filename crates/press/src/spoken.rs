@@ -89,6 +89,7 @@ fn element(name: &str, parts: &[String]) -> String {
 fn powered(of: &str, power: &str) -> String {
     match power {
         "2" => format!("{of} squared"),
+        "∘" => format!("{of} degrees"),
         "prime" => format!("{of} prime"),
         // A letter above may be an exponent or, as that of a normal acceleration, a name.
         power => format!("{of} superscript {power}"),
@@ -101,7 +102,7 @@ fn sign(text: &str) -> String {
         "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu",
         "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
     ];
-    const SIGNS: [(&str, &str); 20] = [
+    const SIGNS: [(&str, &str); 23] = [
         ("=", "equals"),
         ("+", "plus"),
         ("−", "minus"),
@@ -115,6 +116,9 @@ fn sign(text: &str) -> String {
         ("≥", "at least"),
         ("′", "prime"),
         ("∞", "infinity"),
+        ("↻", "clockwise arrow"),
+        ("↙", "arrow down to the left"),
+        ("↘", "arrow down to the right"),
         ("ϑ", "theta"),
         ("ϕ", "phi"),
         ("ϵ", "epsilon"),
