@@ -30,7 +30,7 @@ fn name(cell: &str) -> Option<String> {
         let (formula, after) = behind.split_once("</math>")?;
         outside.push_str(before);
         words.push_str(&plain(before));
-        words.push_str(&format!(" {} ", in_words(formula.split_once('>')?.1)));
+        words.push_str(&format!(" {} ", speak(formula.split_once('>')?.1)));
         rest = after;
     }
     outside.push_str(rest);
@@ -41,7 +41,7 @@ fn name(cell: &str) -> Option<String> {
 }
 
 /// What is inside a `math` element, in words.
-pub(crate) fn in_words(inner: &str) -> String {
+fn speak(inner: &str) -> String {
     let parts = elements(&mut { inner }).into_iter();
     parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
@@ -70,8 +70,8 @@ fn elements(rest: &mut &str) -> Vec<String> {
 fn element(name: &str, parts: &[String]) -> String {
     match (name, parts) {
         ("msub" | "munder", [of, index]) => format!("{of} sub {index}"),
-        ("msup", [of, power]) => powered(of, power),
-        ("msubsup" | "munderover", [of, index, power]) => powered(&format!("{of} sub {index}"), power),
+        ("msup", [of, power]) => speak_power(of, power),
+        ("msubsup" | "munderover", [of, index, power]) => speak_power(&format!("{of} sub {index}"), power),
         ("mover", [of, over]) => match over.as_str() {
             "→" | "⃗" => format!("vector {of}"),
             "˙" | "." => format!("{of} dot"),
@@ -86,7 +86,7 @@ fn element(name: &str, parts: &[String]) -> String {
     }
 }
 
-fn powered(of: &str, power: &str) -> String {
+fn speak_power(of: &str, power: &str) -> String {
     match power {
         "2" => format!("{of} squared"),
         "∘" => format!("{of} degrees"),
