@@ -17,6 +17,14 @@ pub(crate) fn chapters() -> Vec<(String, String)> {
     BOOK.pages.iter().map(read).collect()
 }
 
+/// The pages, and the documents beside the book, by file name.
+pub(crate) fn texts() -> impl Iterator<Item = (String, String)> {
+    let name = |(path, text): (std::path::PathBuf, String)| {
+        (path.file_name().expect("a name").to_string_lossy().into_owned(), text)
+    };
+    chapters().into_iter().chain(crate::documents().into_iter().map(name))
+}
+
 /// Writes a file anew if it stands otherwise, and says whether it stood so.
 pub(crate) fn stood_written(file: &str, text: &str) -> bool {
     let path = crate::path(file);
@@ -61,7 +69,7 @@ fn no_page_is_left_out_of_the_list_and_what_it_is_to_list_is_shown() {
 
 #[test]
 fn every_block_of_code_names_its_language_and_runs_if_it_is_rust() {
-    for (file, text) in chapters() {
+    for (file, text) in texts() {
         let untagged = fences::untagged(&text);
         assert!(untagged.is_empty(), "{file}: blocks without a language: {untagged:?}");
         for event in Parser::new(&text) {
@@ -75,7 +83,7 @@ fn every_block_of_code_names_its_language_and_runs_if_it_is_rust() {
 
 #[test]
 fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
-    for (file, text) in chapters() {
+    for (file, text) in texts() {
         for (at, line) in text.lines().enumerate() {
             for token in numeric_tokens(line) {
                 let computed = |typed: &Decimal| {
@@ -95,7 +103,7 @@ fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
 #[test]
 fn an_example_uses_only_crates_that_the_test_of_the_book_links() {
     let mut used = 0;
-    for (file, text) in chapters() {
+    for (file, text) in texts() {
         for (at, _) in text.match_indices("geneva_") {
             let rest = &text[at..];
             let name = &rest[..rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len())];
@@ -196,7 +204,7 @@ fn every_work_on_the_list_is_cited_and_every_citation_is_on_it() {
 
 #[test]
 fn every_example_says_first_what_it_shows() {
-    for (file, text) in chapters() {
+    for (file, text) in texts() {
         let blocks = text.split("\n```rust").skip(1).map(|rest| format!("```rust{rest}"));
         for block in blocks {
             let first = fences::headed(&block).map(|(first, _)| first);
@@ -211,7 +219,7 @@ fn every_example_says_first_what_it_shows() {
 
 #[test]
 fn every_slip_is_told_in_some_chapter() {
-    // The errata pages draw all; a chapter must at least speak of one place of each that is not the copy's.
+    // The page of errata draws the grave ones; a chapter must at least speak of one place of each that is not the copy's.
     let all: String = chapters().into_iter().map(|(_, text)| text).collect();
     let told =
         |id: &str| ["erratum", "verdict", "claim"].iter().any(|key| all.contains(&format!("{{{{{key}:{id}}}}}")));
@@ -226,6 +234,9 @@ fn every_slip_is_told_in_some_chapter() {
             told(judged.claim.id) || judged.verdict == Verdict::FromRounded && shown(judged.claim.id)
         };
         assert!(places.claims.iter().any(is_told), "{} is not told", places.slip.id);
+        // Without a box on the page of errata, a chapter says what is printed, what is right and why.
+        let fold = format!("{{{{erratum:{}}}}}", places.slip.id);
+        assert!(BOOK.is_boxed(&places.slip) || all.contains(&fold), "no chapter has {fold}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Does the picture on the page about the architecture show the crates as their manifests have them? The picture is drawn from
+//! Does the picture in the document on the architecture show the crates as their manifests have them? The picture is drawn from
 //! the manifests and written anew where it stands otherwise.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -150,10 +150,11 @@ impl Layout {
             r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="480" class="diagram" role="img" aria-labelledby="crates-title crates-desc" font-family="sans-serif" font-size="22">
 <title id="crates-title">The crates and what each of them uses</title>
 <desc id="crates-desc">{description}</desc>
+<style>svg{{color:#111}}@media (prefers-color-scheme:dark){{svg{{color:#ddd}}}}</style>
 <marker id="crates-head" viewBox="0 0 10 8" refX="10" refY="4" markerWidth="10" markerHeight="8" orient="auto"><path d="M0 0L10 4L0 8z" fill="currentColor"/></marker>
 <g fill="none" stroke="currentColor" marker-end="url(#crates-head)">
 {lines}</g>
-<g fill="var(--fig-fill, #e9eff6)" text-anchor="middle">
+<g fill="#5b9bd526" text-anchor="middle">
 {boxes}</g></svg>
 "##
         )

@@ -16,6 +16,7 @@ mod fonts;
 mod live;
 mod meanings;
 mod mimic_decks;
+mod old_addresses;
 mod pin_over_the_engagement;
 mod printed;
 mod proofread_page;
@@ -25,6 +26,7 @@ mod records;
 mod scoped;
 mod search;
 mod snapshots;
+mod solver_record;
 mod supply;
 mod tidy;
 mod typed;
@@ -59,6 +61,22 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(PathBuf, String)> {
     }
     found.sort();
     assert!(!found.is_empty(), "no file in {folder} ends in {endings:?}");
+    found
+}
+
+/// The texts that have formulas, numbers and examples of ours: those of the pages, and the documents beside the book.
+#[track_caller]
+fn texts() -> Vec<(PathBuf, String)> {
+    let mut found = files("book/src", &[".md"]);
+    found.extend(documents());
+    found
+}
+
+/// The documents beside the book, which belong to its project: a decision tells of its day and isn't one of them.
+#[track_caller]
+fn documents() -> Vec<(PathBuf, String)> {
+    let mut found = files("docs", &[".md"]);
+    found.retain(|(path, _)| path.parent().is_some_and(|folder| folder.ends_with("docs")));
     found
 }
 

@@ -34,7 +34,7 @@ fn is_bare(text: &str) -> bool {
 fn chapters_and_the_readme_call_each_rise_by_its_measure() {
     let mut bare = Vec::new();
     let readme = std::fs::read_to_string(crate::path("README.md")).expect("a README");
-    let all = crate::files("book/src", &["md"]).into_iter().chain([(crate::path("README.md"), readme)]);
+    let all = crate::texts().into_iter().chain([(crate::path("README.md"), readme)]);
     for (path, text) in all {
         // Neither headings, which stand over a paragraph that says it, nor the architecture of the code.
         let paragraphs = text.split("\n\n").filter(|part| !part.starts_with('#') && !part.starts_with("```"));
@@ -70,7 +70,7 @@ fn a_bare_word_is_noticed_and_one_with_its_measure_is_not() {
 fn a_terminal_velocity_is_the_thesiss_and_a_terminal_speed_is_ours() {
     // The thesis means several things by its word, and the book one by its own: the speed at entry.
     let mut bare = Vec::new();
-    for (path, text) in crate::files("book/src", &["md"]) {
+    for (path, text) in crate::texts() {
         for paragraph in text.split("\n\n").filter(|part| !part.starts_with("```")) {
             let says = paragraph.to_lowercase().replace('\n', " ");
             if says.contains("terminal velocity")

@@ -7,7 +7,7 @@ use crate::book_pages::{Piece, pages};
 use std::fmt::Write;
 
 /// Pages that list what the ledger has, in the ledger's words.
-const RECORDS: [&str; 6] = ["ledger", "coverage", "errata", "architecture", "404", "print"];
+const RECORDS: [&str; 5] = ["ledger", "coverage", "errata", "404", "print"];
 
 /// Elements whose text is no running text.
 const SKIPPED: [&str; 13] = [

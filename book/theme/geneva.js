@@ -18,6 +18,13 @@ scrollable();
 addEventListener('resize', scrollable);
 addEventListener('toggle', scrollable, true);
 
+// A link to a fold opens it.
+const openLinked = () => document.querySelectorAll('main details:target').forEach(fold => {
+    fold.open = true;
+});
+openLinked();
+addEventListener('hashchange', openLinked);
+
 // A letter of a formula lights up its part in the nearest drawing that has it: under the pointer, at a tap, or by the row of
 // letters that a button below the drawing opens, and which the Tab key reaches once.
 const drawn = [...document.querySelectorAll('main .fig:has(svg [data-letter])')];

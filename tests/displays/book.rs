@@ -80,7 +80,7 @@ pub(super) fn states_of(chapter: &str) -> Option<Vec<Moment>> {
 /// All displays of the book.
 fn displays() -> Vec<Printed> {
     let mut found = Vec::new();
-    for (path, text) in crate::files("book/src", &[".md"]) {
+    for (path, text) in crate::texts() {
         let chapter = path.file_stem().expect("a name").to_string_lossy().into_owned();
         // Between fences is code. Whether Markdown sees the same displays, the press tells.
         let prose: String = text.split("```").step_by(2).collect();

@@ -308,7 +308,7 @@ fn every_formula_in_a_line_that_relates_nothing_is_what_its_text_takes_it_for() 
     let mut left_over: Vec<(&str, &str)> =
         used().map(|(chapter, tex, _)| (chapter, tex)).chain(not_evaluated()).collect();
     let (mut wrong, mut evaluated, mut misprints) = (Vec::new(), 0, Misprints::default());
-    for (path, text) in crate::files("book/src", &[".md"]) {
+    for (path, text) in crate::texts() {
         let chapter = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let states = states(&chapter);
         let formulas = formulas(&text).into_iter().map(|tex| tex.replace(r"\Delta t", "h"));

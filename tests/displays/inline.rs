@@ -163,7 +163,7 @@ fn every_formula_in_a_line_holds_where_its_text_says() {
     let mut left_over: Vec<_> = UNDER_CONDITIONS.iter().map(|(chapter, tex, _)| (*chapter, *tex)).collect();
     left_over.extend(NOT_EVALUATED.iter().map(|(chapter, tex, _)| (*chapter, *tex)));
     let mut refuted = REFUTED.to_vec();
-    for (path, text) in crate::files("book/src", &[".md"]) {
+    for (path, text) in crate::texts() {
         let chapter = path.file_stem().expect("a name").to_string_lossy().into_owned();
         for tex in formulas(&text).into_iter().filter(|tex| relates(tex)) {
             let is = |(of, formula): (&str, &str)| of == chapter && formula == tex;

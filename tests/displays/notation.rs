@@ -160,7 +160,7 @@ fn retired(page: &str, tex: &str) -> Vec<String> {
 #[test]
 fn no_formula_of_a_chapter_uses_a_letter_that_was_given_up() {
     let (mut wrong, mut read) = (Vec::new(), 0);
-    for (path, text) in crate::files("book/src", &[".md"]) {
+    for (path, text) in crate::texts() {
         let page = path.file_stem().expect("a name").to_string_lossy().into_owned();
         for tex in formulas(&text) {
             read += 1;

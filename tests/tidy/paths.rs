@@ -1,4 +1,4 @@
-//! Do the pages for contributors name files and folders that are there?
+//! Do the documents for contributors name files and folders that are there?
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -31,6 +31,9 @@ fn paths(text: &str) -> impl Iterator<Item = &str> {
     text.split('`').skip(1).step_by(2).filter(is_path)
 }
 
+/// The documents for contributors.
+const DOCUMENTS: [&str; 4] = ["docs/architecture.md", "docs/solver.md", "CONTRIBUTING.md", "README.md"];
+
 /// Whether a word is the end of a path that is there; a crate's folder of sources need not be named.
 fn is_there(word: &str, known: &BTreeSet<String>) -> bool {
     let end = format!("/{}", word.trim_matches('/'));
@@ -44,7 +47,7 @@ fn is_there(word: &str, known: &BTreeSet<String>) -> bool {
 fn what_the_pages_for_contributors_name_is_there() {
     let mut known = BTreeSet::new();
     below(&crate::path(""), &mut known);
-    for page in ["book/src/architecture.md", "CONTRIBUTING.md", "README.md"] {
+    for page in DOCUMENTS {
         let text = std::fs::read_to_string(crate::path(page)).expect("a page");
         let named: Vec<_> = paths(&text).filter(|word| !MADE.iter().any(|made| word.contains(made))).collect();
         assert!(!named.is_empty(), "{page} names no path");
@@ -54,4 +57,22 @@ fn what_the_pages_for_contributors_name_is_there() {
     }
     assert!(is_there("evidence/judge.rs", &known) && is_there("wheel/geometry.rs", &known));
     assert!(!is_there("wheel/extremes.r", &known) && !is_there("evidence/statistics.rs", &known));
+}
+
+#[test]
+fn the_links_of_the_documents_for_contributors_lead_to_files() {
+    let mut count = 0;
+    for page in DOCUMENTS {
+        let text = std::fs::read_to_string(crate::path(page)).expect("a document");
+        let folder = Path::new(page).parent().expect("a folder");
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next()) {
+            if link.is_empty() || link.starts_with("http") {
+                continue;
+            }
+            let file = crate::path("").join(folder).join(link);
+            assert!(file.exists(), "{page}: there is no {link}");
+            count += 1;
+        }
+    }
+    assert!(count > 15, "only {count} links");
 }

@@ -1,9 +1,8 @@
 //! The keys in double braces that this book adds to those of every book.
 
-use crate::{elsewhere, live, measurements, proofreading_form, questions, tables};
+use crate::{elsewhere, live, proofreading_form, questions, tables};
 use geneva_press::book::Expansion::{Bare, Interactive, Numbered, Of};
 use geneva_press::book::PlaceholderKey;
-use geneva_press::html::escape;
 
 /// Every key of this book, what it says or shows, and how that is made.
 pub(crate) const KEYS: &[PlaceholderKey] = &[
@@ -48,11 +47,6 @@ pub(crate) const KEYS: &[PlaceholderKey] = &[
         "question",
         "a question to a mechanism, as it is typed at the command line",
         Of(|_, name| questions::question(name)),
-    ),
-    PlaceholderKey::new(
-        "recorded",
-        "what the record of the benchmarks says of its making: processor, cores, compiler, date",
-        Of(|_, name| Ok(escape(measurements::condition(name)?))),
     ),
     PlaceholderKey::new(
         "wheels",

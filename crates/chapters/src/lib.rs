@@ -26,7 +26,6 @@ pub mod readme;
 
 // What these need.
 mod lookup;
-mod measurements;
 mod printed_cells;
 mod proofreading_record;
 mod rows;
@@ -38,7 +37,7 @@ use geneva_documents::LEDGER;
 use geneva_figures::notation::NOTATION;
 use geneva_press::Book;
 use geneva_press::book::{Examples, LedgerCrate, NotationLetter};
-use geneva_press::pages::{generate_listings, generate_summary};
+use geneva_press::pages::generate_summary;
 
 /// This book.
 pub static BOOK: Book = Book {
@@ -86,12 +85,15 @@ pub const EXAMPLES: Examples = Examples {
     ],
 };
 
+/// The files of figures, as the list of fields names them.
+const OF_A_FIGURE: &str = "CSV of a figure";
+
 /// Fields of the data of which this book has more to say than what they are in every book.
 const FIELD_MEANINGS: &[(&str, &str, &str)] = &[
     (
         "claims",
         "source",
-        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
+        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere, which the book counts separately).",
     ),
     (
         "claims",
@@ -102,6 +104,28 @@ const FIELD_MEANINGS: &[(&str, &str, &str)] = &[
         "claims",
         "verdict",
         "The class of the verdict that the program derived. A table in *How it is checked* says which verdict on the pages each class is.",
+    ),
+    (
+        "every JSON file",
+        "address",
+        "Where the book can be read. Null if that isn't settled. The address of a claim is this one, `ledger.html#` and the claim's `id`.",
+    ),
+    (OF_A_FIGURE, "theta", "The angle of the driver or the crank."),
+    (OF_A_FIGURE, "phi", "The angle of the wheel, the follower or the lever."),
+    (OF_A_FIGURE, "an apostrophe behind a letter", "It stands for the dot that marks a rate of change."),
+    (OF_A_FIGURE, "other letters", "Those of the book, in ASCII: glossary.html#letters."),
+    (OF_A_FIGURE, "slots", "The number of slots."),
+    (
+        OF_A_FIGURE,
+        "pins",
+        "The number of pins. In the mechanisms of the thesis, six pins go with three slots, and three pins with six slots.",
+    ),
+    (
+        OF_A_FIGURE,
+        "columns with the unit `unit`",
+        "Both speeds and times from runs of the thesis: the unit is one rad/s for a speed, but one millisecond for a time. \
+         For each row of a table of the thesis, in the order of the tables, the rows give the peak speed, the minimum \
+         speed and the period.",
     ),
 ];
 
@@ -117,6 +141,5 @@ fn notation() -> Vec<NotationLetter> {
 
 /// What this crate writes into the project: paths and texts.
 pub fn generate_files() -> anyhow::Result<Vec<(String, String)>> {
-    let listings = generate_listings(BOOK.pages).chain([generate_summary(BOOK.pages)]);
-    Ok(listings.chain(readme::pictures()?).collect())
+    Ok([generate_summary(BOOK.pages)].into_iter().chain(readme::pictures()?).collect())
 }

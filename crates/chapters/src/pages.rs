@@ -35,17 +35,6 @@ pub const PAGES: &[Page] = &[
     Page::new("found", "What proofreading found", In(WILD)),
     Page::new("errata", "Errata", In(RECORDS))
         .with_role(PageRole::Slips(&[Consequence::Result, Consequence::Conclusion])),
-    Page::new("errata-small", "In displays and words", Below)
-        .with_role(PageRole::Slips(&[
-            Consequence::Remark,
-            Consequence::Number,
-            Consequence::Derivation,
-            Consequence::Wording,
-        ]))
-        .generated(
-            "Errata in displays and words",
-            "These mistakes in the sources change no result and no conclusion. [Errata](errata.md) lists the mistakes that do.",
-        ),
     Page::new("errata-elsewhere", "On pages elsewhere", Below).with_role(PageRole::SlipsElsewhere),
     Page::new("open", "Open questions", In(RECORDS)).with_role(PageRole::OpenClaims),
     Page::new("method", "How it is checked", In(RECORDS)),
@@ -53,11 +42,7 @@ pub const PAGES: &[Page] = &[
     Page::new("glossary", "Glossary", Below).with_role(PageRole::Glossary),
     Page::new("ledger", "The ledger: every claim", Behind).with_role(PageRole::Claims),
     Page::new("coverage", "Coverage of the sources", Behind).with_role(PageRole::Coverage),
-    Page::new("fields", "The data, field by field", Behind),
-    Page::new("tests", "The tests behind the chapters", Behind).with_role(PageRole::Programs),
-    Page::new("solver", "The solver", Behind).printed(),
     Page::new("mimic", "The language MIMIC", Behind).printed(),
-    Page::new("architecture", "Architecture", Behind),
 ];
 
 /// The sections of the ledger, in the order of the sources. With `ledger-` before its name, the address of a section is that of

@@ -2,11 +2,12 @@
 
 use crate::edition::Edition;
 use crate::imprint::Imprint;
+use crate::page_items::PageItem;
 use crate::pages::{LedgerSection, Page, PageRole};
 use crate::search::Synonym;
 use crate::table::Table;
 use anyhow::ensure;
-use geneva_evidence::{Document, Ledger, OwnNumber, Slip};
+use geneva_evidence::{Consequence, Document, Ledger, OwnNumber, Slip};
 
 /// What a book is made of. It is made once, as a `static`; [`build`](crate::build) turns it into pages.
 pub struct Book {
@@ -40,7 +41,8 @@ pub struct Book {
     pub address_and_day: fn(&str) -> Option<(&str, &str)>,
     /// What readers may search for that the pages call otherwise.
     pub synonyms: &'static [Synonym],
-    /// What the book says of a field of its data in place of the builder's words: file, path and meaning.
+    /// What the book says of a field of its data in place of the builder's words, or of one that only it has: file, path and
+    /// meaning.
     pub field_meanings: &'static [(&'static str, &'static str, &'static str)],
     /// Programs that answer its pages, compiled for WebAssembly.
     pub modules: &'static [PageModule],
@@ -99,6 +101,8 @@ pub enum Expansion {
     Bare(fn(&Book) -> anyhow::Result<String>),
     /// What needs one.
     Of(fn(&Book, &str) -> anyhow::Result<String>),
+    /// What leads to figures, tables and errata, and needs to know on which pages they are.
+    Placed(fn(&Book, &str, &[PageItem]) -> anyhow::Result<String>),
     /// What bears the mark of a claim, whose note is put at the end of the page.
     Marked(fn(&Book, &str) -> anyhow::Result<String>),
     /// What says which edition of the book this is.
@@ -256,14 +260,33 @@ impl Book {
         format!("{}.html#{id}", self.ledger_page())
     }
 
-    /// The page that tells a slip: of a mirrored document by its consequence, of another page with its statements. What only a
-    /// copy has is listed where the copies are. Without such a page, the page of all claims tells it.
+    /// The page that tells a slip or leads to where it is told: of a mirrored document the page of slips, of another page the one
+    /// with its statements. What only a copy has is listed where the copies are. Without such a page, the page of all claims tells
+    /// it.
     pub fn page_of_slip(&self, slip: &Slip) -> &'static str {
-        let is_elsewhere = self.ledger.claim(slip.id).is_some_and(|claim| !claim.document.is_mirrored());
-        let tells = |page: &&Page| matches!(page.role, PageRole::Slips(told) if told.contains(&slip.consequence));
-        let by_consequence = || self.pages.iter().find(tells).map(|page| page.name);
-        let page = if is_elsewhere { self.page_of_role(PageRole::SlipsElsewhere) } else { by_consequence() };
+        let page = match slip.consequence {
+            _ if self.is_elsewhere(slip) => self.page_of_role(PageRole::SlipsElsewhere),
+            Consequence::Copy => None,
+            _ => self.slips_page().map(|(page, _)| page),
+        };
         page.or_else(|| self.page_of_role(PageRole::Coverage)).unwrap_or(self.ledger_page())
+    }
+
+    /// The page of slips, and the consequences of those that have boxes on it.
+    fn slips_page(&self) -> Option<(&'static str, &'static [Consequence])> {
+        self.pages
+            .iter()
+            .find_map(|page| if let PageRole::Slips(boxed) = page.role { Some((page.name, boxed)) } else { None })
+    }
+
+    /// Whether a slip has a box on the page of slips.
+    pub fn is_boxed(&self, slip: &Slip) -> bool {
+        !self.is_elsewhere(slip) && self.slips_page().is_some_and(|(_, boxed)| boxed.contains(&slip.consequence))
+    }
+
+    /// Whether a slip is made in no mirrored document.
+    fn is_elsewhere(&self, slip: &Slip) -> bool {
+        self.ledger.claim(slip.id).is_some_and(|claim| !claim.document.is_mirrored())
     }
 
     /// The sections of the page of all claims: the book's own, or one to each source.

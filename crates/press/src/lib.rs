@@ -7,6 +7,7 @@
 // A book as a value.
 pub mod book;
 pub mod imprint;
+pub mod page_items;
 pub mod pages;
 
 // The pages of a book in a folder.
@@ -38,6 +39,7 @@ pub mod readings;
 
 // Data.
 pub mod data;
+pub mod field_list;
 pub mod fields;
 pub mod records;
 

@@ -1,5 +1,5 @@
-//! The pages of a book: one list, from which the table of contents, the list of chapters to be tested and the pages that only
-//! list something are written; and the sections in which its ledger lists the claims.
+//! The pages of a book: one list, from which the table of contents and the list of chapters to be tested are written; and the
+//! sections in which its ledger lists the claims.
 //!
 //! Records that are looked up and not read stand behind the book: they have no number, and no chapter leads on to them.
 
@@ -17,8 +17,6 @@ pub struct Page {
     pub place: PagePlace,
     /// What the book has it for.
     pub role: PageRole,
-    /// Of a page that only lists records the heading and what stands before the list; the others are written by hand.
-    pub generated: Option<[&'static str; 2]>,
     /// Whether the document for paper has it.
     pub is_printed: bool,
 }
@@ -43,7 +41,7 @@ pub enum PageRole {
     Chapter,
     /// It lists every claim, section by section.
     Claims,
-    /// It lists the slips with these consequences.
+    /// It has a box for each slip with these consequences, and leads to where the others are told.
     Slips(&'static [Consequence]),
     /// It lists how much of each document the claims account for, and what the copies have lost.
     Coverage,
@@ -51,8 +49,6 @@ pub enum PageRole {
     OpenClaims,
     /// It tells the slips of what is no mirrored document.
     SlipsElsewhere,
-    /// It has the programs behind all chapters.
-    Programs,
     /// It says what terms mean.
     Glossary,
     /// It says what the book is made from and how it is cited, and lists the works of others.
@@ -67,20 +63,15 @@ impl PageRole {
 }
 
 impl Page {
-    /// A page that is written by hand, by its name, its title and its place.
+    /// A page by its name, its title and its place.
     pub const fn new(name: &'static str, title: &'static str, place: PagePlace) -> Self {
         let is_printed = !matches!(place, PagePlace::Behind);
-        Self { name, title, place, role: PageRole::Chapter, generated: None, is_printed }
+        Self { name, title, place, role: PageRole::Chapter, is_printed }
     }
 
     /// A page with another role.
     pub const fn with_role(self, role: PageRole) -> Self {
         Self { role, ..self }
-    }
-
-    /// A page that only lists records, under this heading and behind these words.
-    pub const fn generated(self, heading: &'static str, lead: &'static str) -> Self {
-        Self { generated: Some([heading, lead]), ..self }
     }
 
     /// A page behind the book that the document for paper has all the same.
@@ -169,15 +160,6 @@ impl Numbering {
             PagePlace::Before | PagePlace::Behind => String::new(),
         }
     }
-}
-
-/// The pages that only list something: their paths in the project and their texts.
-pub fn generate_listings(pages: &[Page]) -> impl Iterator<Item = (String, String)> {
-    pages.iter().filter_map(|page| {
-        let [heading, lead] = page.generated?;
-        let text = format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name);
-        Some((format!("book/src/{}.md", page.name), text))
-    })
 }
 
 /// The table of contents: its path in the project and its text.

@@ -10,9 +10,10 @@ use crate::edition::Edition;
 use crate::html::{code, escape, plain};
 use crate::ledger_pages::{compare, errata, inline, lists, open, own_numbers, records};
 use crate::lookup::unknown;
+use crate::page_items::{ItemKind, PageItem, numbered_items};
 use crate::table::Table;
 use crate::{address, citing, maths, nowrap_options, nowrap_units, works};
-use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of};
+use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of, Placed};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -53,16 +54,11 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
         Of(own_numbers::computed),
     ),
     PlaceholderKey::new("count", "a number of claims: of a source, or of all documents", Of(inline::claim_count)),
-    PlaceholderKey::new("erratum", "one erratum", Of(errata::erratum_fold)),
+    PlaceholderKey::new(ERRATUM, "one erratum", Of(errata::erratum_fold)),
     PlaceholderKey::new(
         "evidence",
         "the kinds of evidence and how many claims use each",
         Bare(|book| Ok(lists::evidence(book)?.html("Kinds of evidence"))),
-    ),
-    PlaceholderKey::new(
-        "fields",
-        "the fields of a file of the records: claims, errata or coverage",
-        Of(|book, file| Ok(records::fields(book, file)?.html(&format!("Fields of {file}.json")))),
     ),
     PlaceholderKey::new("figure", "a numbered figure", Expansion::Figure),
     PlaceholderKey::new(
@@ -88,7 +84,7 @@ pub const ENGINE_KEYS: &[PlaceholderKey] = &[
     PlaceholderKey::new(
         "records",
         "what the list of pages puts on this page: claims, slips or lines of sources",
-        Of(records::page),
+        Placed(records::page),
     )
     .without_text(),
     PlaceholderKey::new("ref", "the number of a figure or a table, as a link", Expansion::Reference),
@@ -146,6 +142,8 @@ const LONGEST_BESIDE: usize = 420;
 const TABLE: &str = "table";
 /// The key of a table of claims, which is named by its page.
 const COMPARE: &str = "compare";
+/// The key of one erratum in its chapter.
+const ERRATUM: &str = "erratum";
 
 /// The table of this name.
 fn table_of_name(book: &Book, name: &str) -> anyhow::Result<Table> {
@@ -203,31 +201,22 @@ struct FigureFrame<'a> {
     csv: String,
 }
 
-/// A figure or a table where it stands in the book.
-pub struct NumberedItem {
-    /// By which a chapter refers to it.
-    name: String,
-    /// `Figure` or `Table`.
-    kind: &'static str,
-    /// As it is printed: that of the chapter, and its own.
-    number: String,
-    /// The page.
-    page: String,
-    /// Where the placeholder stands in the chapter.
-    at: usize,
-}
-
-/// The figures and tables of a chapter, in their order.
-pub fn numbered_items(chapter: &str, page: ChapterContext<'_>) -> Vec<NumberedItem> {
+/// The figures, tables and errata of a chapter, in their order.
+pub fn page_items(chapter: &str, page: ChapterContext<'_>) -> Vec<PageItem> {
     let (mut figures, mut tables) = (0, 0);
     let all = placeholders(page.book, chapter).into_iter().filter_map(|placeholder| {
+        let argument = placeholder.argument.unwrap_or_default();
+        let at = placeholder.range.start;
         let (kind, count) = match placeholder.key.expansion {
-            Expansion::Figure | Interactive(..) => ("Figure", &mut figures),
-            Numbered(_) => ("Table", &mut tables),
+            Expansion::Figure | Interactive(..) => (ItemKind::Figure, &mut figures),
+            Numbered(_) => (ItemKind::Table, &mut tables),
+            _ if placeholder.key.name == ERRATUM => {
+                let (name, page) = (argument.to_owned(), page.name.to_owned());
+                return Some(PageItem { name, kind: ItemKind::Erratum, number: String::new(), page, at });
+            }
             _ => return None,
         };
         *count += 1;
-        let argument = placeholder.argument.unwrap_or_default();
         let name = match (placeholder.key.expansion, placeholder.key.name) {
             (Interactive(name, _), _) => name(argument).unwrap_or(argument).to_owned(),
             (Numbered(_), COMPARE) => format!("{}-printed-{count}", page.name),
@@ -236,54 +225,43 @@ pub fn numbered_items(chapter: &str, page: ChapterContext<'_>) -> Vec<NumberedIt
             (_, key) => key.to_owned(),
         };
         let number = format!("{}{count}", page.number);
-        Some(NumberedItem { name, kind, number, page: page.name.to_owned(), at: placeholder.range.start })
+        Some(PageItem { name, kind, number, page: page.name.to_owned(), at })
     });
     all.collect()
 }
 
-impl NumberedItem {
-    /// The anchor on its page.
-    fn anchor(&self) -> String {
-        format!("{}-{}", if self.kind == "Figure" { "fig" } else { "table" }, self.name)
-    }
-
-    /// The name of its data: a figure and a table may bear the same.
-    fn file(&self) -> String {
-        if self.kind == "Figure" { self.name.clone() } else { format!("table-{}", self.name) }
-    }
-
-    /// Caption and drawing or table, and what it was made of as a file, with another one that describes it.
-    fn framed(&self, frame: FigureFrame<'_>, page: ChapterContext<'_>) -> anyhow::Result<(String, [PageFile; 2])> {
-        let FigureFrame { attributes, caption, inner, source, csv } = frame;
-        let imprint = &page.book.imprint;
-        let file = PageFile::csv(&self.file(), csv);
-        let (kind, number, path) = (self.kind, &self.number, file.path());
-        // A caption that moves is compared with what its script writes.
-        let caption = if attributes.contains("live") { caption.to_owned() } else { nowrap_units::tied(caption) };
-        let title = format!("{} {}. {}", self.kind, self.number, plain(&caption));
-        let book = format!("{}, {}, page {}", imprint.title, page.edition.words(), page.name);
-        let described = file.metadata(&title, &book, imprint.licence_address)?;
-        let caption = format!(
-            "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
-             title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
-            escape(source),
-        );
-        let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
-        // The caption of a figure that moves says what it shows now, and is no name.
-        let moves = page.book.modules.iter().any(|module| attributes.contains(&format!("{}=\"", module.asking())));
-        let name = if moves { format!(" aria-label=\"Live {kind} {number}\"") } else { String::new() };
-        let html = format!("<figure {attributes} id=\"{}\"{name}>\n{inner}\n</figure>", self.anchor());
-        Ok((html, [file, described]))
-    }
+/// Caption and drawing or table, and what it was made of as a file, with another one that describes it.
+fn framed(
+    item: &PageItem,
+    frame: FigureFrame<'_>,
+    page: ChapterContext<'_>,
+) -> anyhow::Result<(String, [PageFile; 2])> {
+    let FigureFrame { attributes, caption, inner, source, csv } = frame;
+    let imprint = &page.book.imprint;
+    let file = PageFile::csv(&item.file(), csv);
+    let (kind, number, path) = (item.kind.title(), &item.number, file.path());
+    // A caption that moves is compared with what its script writes.
+    let caption = if attributes.contains("live") { caption.to_owned() } else { nowrap_units::tied(caption) };
+    let title = format!("{kind} {number}. {}", plain(&caption));
+    let book = format!("{}, {}, page {}", imprint.title, page.edition.words(), page.name);
+    let described = file.metadata(&title, &book, imprint.licence_address)?;
+    let caption = format!(
+        "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
+         title=\"made by {}\" download>Data (CSV)</a></small></figcaption>",
+        escape(source),
+    );
+    let inner =
+        if item.kind == ItemKind::Figure { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
+    // The caption of a figure that moves says what it shows now, and is no name.
+    let moves = page.book.modules.iter().any(|module| attributes.contains(&format!("{}=\"", module.asking())));
+    let name = if moves { format!(" aria-label=\"Live {kind} {number}\"") } else { String::new() };
+    let html = format!("<figure {attributes} id=\"{}\"{name}>\n{inner}\n</figure>", item.anchor());
+    Ok((html, [file, described]))
 }
 
 /// Replaces the placeholders of a chapter, in a book that shows these figures and tables. Returns also the files to
 /// which the page leads.
-pub fn expand(
-    chapter: &str,
-    page: ChapterContext<'_>,
-    all: &[NumberedItem],
-) -> anyhow::Result<(String, Vec<PageFile>)> {
+pub fn expand(chapter: &str, page: ChapterContext<'_>, all: &[PageItem]) -> anyhow::Result<(String, Vec<PageFile>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
     let found = placeholders(page.book, chapter);
     let lines = lines(chapter, &found, page);
@@ -354,7 +332,7 @@ fn end(inside: &str) -> Option<usize> {
 pub fn caption(
     placeholder: &Placeholder,
     page: ChapterContext<'_>,
-    all: &[NumberedItem],
+    all: &[PageItem],
     files: &mut Vec<PageFile>,
 ) -> anyhow::Result<String> {
     let text = placeholder.caption.filter(|text| !text.is_empty()).with_context(|| {
@@ -375,16 +353,16 @@ pub fn caption(
 pub fn expansion(
     placeholder: &Placeholder,
     page: ChapterContext<'_>,
-    all: &[NumberedItem],
+    all: &[PageItem],
     files: &mut Vec<PageFile>,
 ) -> anyhow::Result<String> {
     let PlaceholderKey { name: key, meaning, expansion, .. } = *placeholder.key;
     let here = || {
-        let is_it = |item: &&NumberedItem| item.page == page.name && item.at == placeholder.range.start;
+        let is_it = |item: &&PageItem| item.page == page.name && item.at == placeholder.range.start;
         all.iter().find(is_it).with_context(|| format!("`{key}` is in no list"))
     };
     let show = |frame: FigureFrame<'_>, files: &mut Vec<PageFile>| {
-        let (html, of_it) = here()?.framed(frame, page)?;
+        let (html, of_it) = framed(here()?, frame, page)?;
         files.extend(of_it);
         Ok(html)
     };
@@ -415,13 +393,14 @@ pub fn expansion(
             let (inner, source) = (&html, table.source());
             show(FigureFrame { attributes: "class=\"tab\"", caption: &caption, inner, source, csv }, files)
         }
-        (Expansion::Reference, Some(name)) => match all.iter().find(|item| item.name == name) {
+        (Placed(make), Some(argument)) => make(book, argument, all),
+        (Expansion::Reference, Some(name)) => match numbered_items(all).find(|item| item.name == name) {
             Some(item) => {
                 let file = if item.page == page.name { String::new() } else { format!("{}.html", item.page) };
-                Ok(format!("<a href=\"{file}#{}\">{}&nbsp;{}</a>", item.anchor(), item.kind, item.number))
+                Ok(format!("<a href=\"{file}#{}\">{}&nbsp;{}</a>", item.anchor(), item.kind.title(), item.number))
             }
             None => {
-                let names: Vec<_> = all.iter().map(|item| item.name.as_str()).collect();
+                let names: Vec<_> = numbered_items(all).map(|item| item.name.as_str()).collect();
                 let unknown = unknown("figure or table", name, names.iter().copied());
                 bail!("{unknown}; the book shows: {}", names.join(", "))
             }
@@ -440,7 +419,7 @@ mod tests {
         ChapterContext { book: &BOOK, name: "pin", number: "1.", edition: &EDITION, written: "" };
 
     fn expanded(chapter: &str) -> anyhow::Result<String> {
-        Ok(expand(chapter, PAGE, &numbered_items(chapter, PAGE))?.0)
+        Ok(expand(chapter, PAGE, &page_items(chapter, PAGE))?.0)
     }
 
     #[test]

@@ -5,7 +5,6 @@ use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::ledger_pages::ledger;
-use crate::pages::PageRole;
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
 use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, records, verify};
 use anyhow::{bail, ensure};
@@ -44,23 +43,12 @@ impl Preprocessor for Press {
             });
             return Ok(chapters);
         }
-        if let Some(page) = book.page_of_role(PageRole::Programs) {
-            let mut programs = String::new();
-            chapters.for_each_chapter_mut(|chapter| {
-                let name = ChapterPlace::of(chapter).name;
-                programs += &chapter_tests::take_programs(page, &name, &chapter.name, &mut chapter.content);
-            });
-            chapters.for_each_chapter_mut(|chapter| {
-                if ChapterPlace::of(chapter).name == page {
-                    chapter_tests::insert_programs(&programs, &mut chapter.content);
-                }
-            });
-        }
         let mut errors = Vec::new();
         let mut written = Vec::new();
         chapters.for_each_chapter_mut(|chapter| {
             written.push(chapter.content.clone());
             errors.extend(misbraced(book, chapter, &folder));
+            chapter_tests::fold_programs(&mut chapter.content);
             match maths::render(&chapter.content) {
                 Ok(content) => chapter.content = fences::fold(&content),
                 Err(error) => errors.push(located(chapter, &error)),
@@ -71,7 +59,7 @@ impl Preprocessor for Press {
             .chapters()
             .flat_map(|chapter| {
                 let place = ChapterPlace::of(chapter);
-                placeholders::numbered_items(&chapter.content, place.context(book, &edition, ""))
+                placeholders::page_items(&chapter.content, place.context(book, &edition, ""))
             })
             .collect();
         let titles: Vec<_> =
@@ -138,12 +126,7 @@ fn check_caller(book: &Book, context: &PreprocessorContext) -> Result<()> {
 /// What is wrong with the double braces of a chapter below this folder, each with its file and line.
 fn misbraced(book: &Book, chapter: &Chapter, chapters: &Path) -> Vec<String> {
     let folder = chapters.join(chapter.source_path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")));
-    let mut text = chapter.content.clone();
-    // On their page, the programs of all chapters have their place.
-    if book.page_of_role(PageRole::Programs) == Some(&*ChapterPlace::of(chapter).name) {
-        chapter_tests::insert_programs("", &mut text);
-    }
-    let faults = braces::faults(book, &text, &folder);
+    let faults = braces::faults(book, &chapter.content, &folder);
     faults.into_iter().map(|fault| format!("{}: {fault}", file(chapter))).collect()
 }
 
@@ -195,21 +178,14 @@ mod tests {
     use mdbook_preprocessor::book::BookItem;
     use mdbook_preprocessor::config::Config;
 
-    fn chapter(text: &str, file: &str) -> Chapter {
-        Chapter::new("Only", text.to_owned(), file, Vec::new())
-    }
-
-    /// What becomes of a chapter for this renderer, or what is wrong, asked by an mdBook of this version.
-    fn processed(chapter: Chapter, renderer: &str, version: &str) -> std::result::Result<String, String> {
+    /// What becomes of a chapter of this text for this renderer, or what is wrong, asked by an mdBook of this version.
+    fn asked(text: &str, renderer: &str, version: &str) -> std::result::Result<String, String> {
         let mut context = PreprocessorContext::new("nowhere/book".into(), Config::default(), renderer.to_owned());
         context.mdbook_version = version.to_owned();
+        let chapter = Chapter::new("Only", text.to_owned(), "only.md", Vec::new());
         let book = Chapters::new_with_items(vec![BookItem::Chapter(chapter)]);
         let book = Press(&BOOK).run(&context, book).map_err(|error| format!("{error:#}"))?;
         Ok(book.chapters().map(|chapter| chapter.content.clone()).collect())
-    }
-
-    fn asked(text: &str, renderer: &str, version: &str) -> std::result::Result<String, String> {
-        processed(chapter(text, "only.md"), renderer, version)
     }
 
     #[test]
@@ -239,13 +215,13 @@ mod tests {
     }
 
     #[test]
-    fn the_place_of_the_programs_is_known_on_their_page_alone() {
-        for renderer in [PAGES, TESTS] {
-            let tests = chapter("# Tests\n\n{{tests}}\n", "tests.md");
-            assert!(processed(tests, renderer, MDBOOK_VERSION).is_ok(), "{renderer}");
-            let error = asked("# Only\n\n{{tests}}\n", renderer, MDBOOK_VERSION).expect_err("another page");
-            assert!(error.starts_with("only.md: line 3: no placeholder `tests`"), "{error}");
-        }
+    fn the_programs_at_the_end_of_a_chapter_are_folded_on_its_page_and_not_for_their_tests() {
+        let text = "# Only\n\n## The tests behind this chapter\n\n```rust\n// One is one.\nassert_eq!(1, 1);\n```\n";
+        let page = asked(text, PAGES, MDBOOK_VERSION).expect("a page");
+        let fold = page.find("id=\"the-tests-behind-this-chapter\"").expect("a fold");
+        let program = page.find("<summary>One is one.</summary>").expect("a program");
+        assert!(fold < program && !page.contains("## The tests"), "{page}");
+        assert!(asked(text, TESTS, MDBOOK_VERSION).expect("tests").contains("## The tests"));
     }
 
     #[test]

@@ -3,10 +3,9 @@
 //! It is made from the finished pages. Everything in it stands on the paper as a reader needs it:
 //!
 //! - What a chapter folds is open: solutions, derivations, tables. Of an example in Rust only its first line is printed, which
-//!   says what it shows; of a mistake only the line that names it, because the pages of errata print all on a mistake in the
-//!   documents.
+//!   says what it shows; of a mistake only the line that names it if the page of errata prints all on it.
 //! - The notes on single claims, the controls of figures that move and the links to data are left out, and so are the pages
-//!   that only list records: the ledger, the coverage of the sources, the fields of the data, and the architecture.
+//!   that only list records: the ledger and the coverage of the sources.
 //! - Links lead to places in the document. A link to a page that is left out leads to the book's address if that is known.
 //!   Otherwise its words are printed without a link.
 
@@ -16,6 +15,7 @@ use crate::address::Address;
 use crate::book::Book;
 use crate::edition::Edition;
 use crate::html::escape;
+use crate::ledger_pages::errata;
 use crate::modules;
 use crate::pages::{Numbering, PagePlace};
 use anyhow::Context;
@@ -230,7 +230,7 @@ impl<'a> State<'a> {
             return;
         }
         if name == "details" {
-            self.folds.push(has("proof") || has("erratum"));
+            self.folds.push(has("proof") || has(errata::FOLD) && !has(errata::TOLD_HERE));
         }
         let name = if name == "button" { "span" } else { name };
         self.out.push_str(&format!("<{name}"));
@@ -357,9 +357,11 @@ mod tests {
     #[test]
     fn folds_are_open_except_examples_and_mistakes_that_the_errata_print() {
         let page = "<details><summary>a</summary><p>b</p></details><details class=\"proof\"><summary>c</summary><pre>d</pre><details>\
-                    <summary>e</summary></details></details><p>f</p><details class=\"erratum\" id=\"g\"><summary>h</summary>i</details>";
+                    <summary>e</summary></details></details><p>f</p><details class=\"erratum\" id=\"g\"><summary>h</summary>i</details>\
+                    <details class=\"erratum told-here\"><summary>j</summary>k</details>";
         let expected = "<details open><summary>a</summary><p>b</p></details><details class=\"proof\" open><summary>c</summary></details>\
-                        <p>f</p><details class=\"erratum\" id=\"pin--g\" open><summary>h</summary></details>";
+                        <p>f</p><details class=\"erratum\" id=\"pin--g\" open><summary>h</summary></details>\
+                        <details class=\"erratum told-here\" open><summary>j</summary>k</details>";
         assert_eq!(set(page, None), expected);
     }
 

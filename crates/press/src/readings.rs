@@ -3,10 +3,9 @@
 use crate::book::{Book, Expansion};
 use crate::edition::Edition;
 use crate::html::plain;
+use crate::page_items::PageItem;
 use crate::pages::Numbering;
-use crate::placeholders::{
-    ChapterContext, NumberedItem, Placeholder, caption, expansion, numbered_items, placeholders,
-};
+use crate::placeholders::{ChapterContext, Placeholder, caption, expansion, page_items, placeholders};
 use anyhow::Context;
 use std::fs;
 use std::path::Path;
@@ -27,7 +26,7 @@ pub fn readings(book: &Book, chapters: &Path) -> anyhow::Result<Vec<(&'static st
         let file = chapters.join(page.name).with_extension("md");
         let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
         let context = ChapterContext { book, name: page.name, number: &number, edition: &edition, written: &text };
-        all.extend(numbered_items(&text, context));
+        all.extend(page_items(&text, context));
         pages.push((page.name, number, text));
     }
     let mut found = Vec::new();
@@ -42,7 +41,7 @@ pub fn readings(book: &Book, chapters: &Path) -> anyhow::Result<Vec<(&'static st
 }
 
 /// What is read in the place of a chapter's placeholders.
-pub fn reading(chapter: &str, page: ChapterContext<'_>, all: &[NumberedItem]) -> anyhow::Result<String> {
+pub fn reading(chapter: &str, page: ChapterContext<'_>, all: &[PageItem]) -> anyhow::Result<String> {
     let (mut lines, mut from) = (String::new(), 0);
     for placeholder in placeholders(page.book, chapter) {
         let range = placeholder.range.clone();
@@ -73,7 +72,7 @@ fn words_before(text: &str) -> String {
 }
 
 /// The lines of text that stand for a placeholder.
-fn rows(placeholder: &Placeholder<'_>, page: ChapterContext<'_>, all: &[NumberedItem]) -> anyhow::Result<Vec<String>> {
+fn rows(placeholder: &Placeholder<'_>, page: ChapterContext<'_>, all: &[PageItem]) -> anyhow::Result<Vec<String>> {
     let html = match (placeholder.key.expansion, placeholder.argument) {
         (Expansion::Figure | Expansion::Interactive(..) | Expansion::Dated(_) | Expansion::DatedOf(_), _) => {
             return Ok(Vec::new());

@@ -1,138 +1,13 @@
-//! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
+//! The ledger as data: a claim, a slip, a line of a source, all of them in files.
 
 use crate::book::Book;
 use crate::edition::Edition;
 use crate::fields::{self, DataRow, FieldValue};
-use crate::lookup::unknown;
-use crate::{address, citing, works};
+use crate::{address, citing, field_list, works};
 use geneva_evidence::{
     Check, Consequence, Document, Entry, Finding, Judged, Ledger, Line, Slip, TracedSlip, entry_numbers,
     without_ellipses,
 };
-use std::collections::BTreeSet;
-
-/// A field of the files by its path, a point before the field of an object, and what it says.
-pub type FieldMeaning = (&'static str, &'static str);
-
-/// What the fields on the origin of a mistake say.
-const ORIGIN: &str =
-    "How the mistake came about, as far as we can tell: `copy`, `misprint`, `arithmetic`, `concept` or `unknown`.";
-
-/// What the fields of a claim say.
-pub const OF_A_CLAIM: &[FieldMeaning] = &[
-    ("id", "The name of the claim. It stays the same from version to version."),
-    ("source", "The source, by the name with which the ids of its claims begin."),
-    (
-        "locator",
-        "Where in the source the claim is. For a page elsewhere, this is its address and the day on which we read it.",
-    ),
-    (
-        "kind",
-        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (what a program builds).",
-    ),
-    ("meaning", "What the source says here, in our words."),
-    (
-        "printed",
-        "The characters that the source prints, formulas in TeX. In CSV some begin with `=`, `+` or `-`: have a spreadsheet import the column as text.",
-    ),
-    ("unit", "The unit of the printed number, as printed. Empty if there is none."),
-    (
-        "computed",
-        "The result of the calculation that the source describes, done again: in the printed unit and not rounded. Null \
-         if the claim is not a number.",
-    ),
-    ("witnessed", "The number that the second route gives, which is meant to share no formula with the first."),
-    ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
-    ("verdict", "The verdict that the program derived."),
-    ("expected", "The verdict on record. We write it down by hand, and a test compares it with the derived one."),
-    (
-        "holds",
-        "True if the derived verdict is the verdict on record and nothing contradicts it. In a released version, this \
-         is so for every claim.",
-    ),
-    ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
-    (
-        "evidence",
-        "The kinds of evidence of the two routes, the first route first. The list is empty if a claim cannot be decided.",
-    ),
-    ("findings", "What we found when we tried the forms of an equation, a figure or a statement."),
-    (
-        "findings.form",
-        "Which form was tried (the printed one, the corrected one or a near miss), and by which route (the first or the witness).",
-    ),
-    ("findings.holds", "Whether this form holds."),
-    ("findings.how", "How we know, in words."),
-    (
-        "truth",
-        "Whether what is printed is right: `right`, `wrong` or `open`. The book counts claims separately if they are \
-         wrong only in the copy, that is, if their `consequence` is `copy`.",
-    ),
-    (
-        "right_value",
-        "The right number. It is given if a digit of the printed number is wrong, or if the source makes a mistake in this claim.",
-    ),
-    (
-        "slip",
-        "The mistake that reaches the claim. A mistake has the id of the claim in which it is made, and errata.json describes it, or copies.json if only the copy has it.",
-    ),
-    (
-        "consequence",
-        "What that mistake changes: `result`, `conclusion`, `remark`, `number`, `derivation` or `wording`; or `copy` if only the copy has it.",
-    ),
-    ("reading", "How we read a vague sentence."),
-    (
-        "neighbour",
-        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. \
-         Null if the printed statement is wrong, because then the printed statement is itself the near miss.",
-    ),
-    ("missing", "What is missing, if we could not decide the claim."),
-    ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
-    ("erratum.printed", "The printed characters again."),
-    ("erratum.corrected", "The characters that should be printed instead."),
-    ("erratum.reason", "Why the printed characters are wrong."),
-    ("erratum.witness", "The second, independent reason."),
-    ("erratum.origin", ORIGIN),
-    (
-        "erratum.inherited_by",
-        "The other claims that the mistake reaches. Only the claim in which the mistake is made lists them.",
-    ),
-];
-
-/// What the fields of a mistake say.
-pub const OF_A_SLIP: &[FieldMeaning] = &[
-    ("id", "The name of the mistake, which is the id of the claim in which it is made."),
-    ("source", "The source, as in claims.json."),
-    ("locator", "Where the mistake is made."),
-    ("meaning", "What the source says there, in our words."),
-    ("consequence", "What the mistake changes, as in claims.json."),
-    ("origin", ORIGIN),
-    ("places", "The claims that the mistake reaches, among them the claim in which it is made."),
-    ("printed", "The characters that the source prints, formulas in TeX."),
-    ("corrected", "The characters that should be printed instead."),
-    ("unit", "The unit of measurement of the number, as printed and as corrected. Empty if there is none."),
-    ("reason", "Why the printed characters are wrong."),
-    ("witness", "The second, independent reason."),
-    ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
-    ("wrong_numbers", "How many printed numbers are wrong because of the mistake."),
-    ("greatest_change", "The largest relative deviation of the wrong numbers from the right ones."),
-];
-
-/// What the fields of an entry in a line say.
-pub const OF_AN_ENTRY: &[FieldMeaning] = &[
-    ("source", "The source, as in claims.json. Pages elsewhere are left out."),
-    ("line", "The number of the line in the text of the copy, counted from 1."),
-    (
-        "entry",
-        "What is in this place of the line: `claim` (a claim is made here), `rest` (more of a claim that began earlier), `again` (a claim's number is printed once more), `reading` (a claim about numbers that another entry accounts for), `label` (the number of an equation or a figure) or `exception` (nothing to check).",
-    ),
-    ("id", "The claim, the label, or the exception's own name."),
-    (
-        "numbers",
-        "The printed numbers that the entry accounts for, in digits and in words. Together, the entries of a line contain \
-         all numbers of the line, in their order.",
-    ),
-    ("reason", "Why there is nothing to check. Null unless the entry is an exception."),
-];
 
 /// The files of the records of this edition: their names and texts.
 pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
@@ -141,6 +16,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
     let copies: Vec<_> = slips_of_copies(ledger).map(slip).collect();
     let entries = entries(ledger)?;
     let works: Vec<_> = works::rows(book.works).collect();
+    let meanings = field_list::rows(book)?;
     let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
     let versioned = |what, rows: &mut dyn Iterator<Item = DataRow>| versioned(book, what, edition, rows);
     let mut files = vec![
@@ -151,6 +27,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
         ("coverage.json", versioned("entries", &mut entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
+        (field_list::FILE, fields::csv(meanings.first(), meanings.iter().cloned())?),
         ("CITATION.cff", citing::cff_of_edition(book.citation_file, edition)),
     ];
     // A book that cites no work has no list of works, and so on.
@@ -210,52 +87,6 @@ fn entry(document: &'static Document, line: &Line, entry: &Entry) -> DataRow {
         ("numbers", entry_numbers(document, entry).into()),
         ("reason", reason.into()),
     ])
-}
-
-/// The names of the files that are described, with what their fields say.
-const DESCRIBED: [(&str, &[FieldMeaning]); 3] =
-    [("claims", OF_A_CLAIM), ("errata", OF_A_SLIP), ("coverage", OF_AN_ENTRY)];
-
-/// The fields of a file's rows, with what each says in this book, and one row to each of the ledger's to see of what type they
-/// are.
-pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, Vec<DataRow>)> {
-    let ledger = book.ledger;
-    let found = DESCRIBED.iter().find(|(name, _)| *name == file);
-    let (_, fields) = found.ok_or_else(|| unknown("file that is described", file, DESCRIBED.iter().map(|of| of.0)))?;
-    let in_this_book = |(path, meaning): &FieldMeaning| {
-        let own = book.field_meanings.iter().find(|(of, known, _)| *of == file && known == path);
-        (*path, own.map_or(*meaning, |(.., own)| own))
-    };
-    let rows = match file {
-        "claims" => ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged)).collect(),
-        "errata" => ledger.slips().iter().map(slip).collect(),
-        _ => entries(ledger)?,
-    };
-    Ok((fields.iter().map(in_this_book).collect(), rows))
-}
-
-/// Of what types the values at a path are, in words.
-pub fn types(rows: &[DataRow], path: &str) -> String {
-    let mut found = BTreeSet::new();
-    for row in rows {
-        collect(row, path, &mut found);
-    }
-    found.into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(" or ")
-}
-
-fn collect(row: &DataRow, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
-    let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
-    let Some((_, value)) = row.0.iter().find(|(name, _)| *name == key) else { return };
-    match (value, rest) {
-        (FieldValue::Object(inner) | FieldValue::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
-        (FieldValue::List(values), Some(rest)) => values.iter().for_each(|value| {
-            if let FieldValue::Object(inner) | FieldValue::Worded(inner, _) = value {
-                collect(inner, rest, found);
-            }
-        }),
-        (_, Some(_)) => {}
-        (value, None) => drop(found.insert(value.kind())),
-    }
 }
 
 /// All that is known of a claim.

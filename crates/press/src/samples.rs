@@ -114,7 +114,6 @@ pub(crate) static BOOK: Book = Book {
         Page::new("about", "Sources", PagePlace::In("Part")).with_role(PageRole::Sources),
         Page::new("errata", "Errata", PagePlace::In("Part")).with_role(PageRole::Slips(&[Consequence::Result])),
         Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
-        Page::new("tests", "Programs", PagePlace::Behind).with_role(PageRole::Programs),
     ],
     sections: &[],
     own_numbers: Default::default,

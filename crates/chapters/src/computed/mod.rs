@@ -18,7 +18,6 @@ mod pin;
 mod program;
 pub mod runs;
 mod second_routes;
-mod solver;
 mod terminal_speed;
 pub mod timer;
 mod wild;
@@ -48,7 +47,6 @@ pub fn own_numbers() -> &'static [OwnNumber] {
             pin::numbers(),
             program::numbers(),
             runs::numbers(),
-            solver::numbers(),
             terminal_speed::numbers(),
             timer::numbers(),
             wild::numbers(),

@@ -98,7 +98,6 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("joints-losses", runs::losses),
     ("wrong-formulas", wild::formulas),
     ("locking-cuts", wild::locking_cuts),
-    ("solver-work-precision", runs::work_precision),
 ];
 
 /// The figure of this name.

@@ -1,10 +1,8 @@
-//! The figures of the runs of the thesis, of the steady motion and of the solvers.
+//! The figures of the runs of the thesis and of the steady motion.
 
 use super::designs;
-use crate::measurements::integrators;
 use crate::printed_cells::{self, PrintedCell};
 use crate::rows::{self, NONE, number, weakest};
-use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
 use geneva_case1973::{
     Column, EXPLAINED, Hypothesis, PeakReading, Reset, Row, Score, rows_of, rows_with_least_friction,
@@ -13,7 +11,7 @@ use geneva_documents::meyer::runs::choice::{comparable, of_fig_8 as rows_of_fig_
 use geneva_documents::meyer::runs::study::{delays, scores};
 use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_figures::runs::{self, ComparedCells, Count, LagLikelihood, MechanismRuns, Scan};
-use geneva_figures::steady::{self, SolverMeasurement};
+use geneva_figures::steady;
 use geneva_figures::{Figure, Series};
 use geneva_kinematics::Mechanism;
 use geneva_press::numbers::fixed;
@@ -187,22 +185,4 @@ pub(super) fn losses() -> anyhow::Result<Figure> {
         number(row, "friction")?
     );
     Ok(steady::losses(&Hypothesis::IDEAL.parameters(row).context(NONE)?, BEARINGS, &shown)?)
-}
-
-/// Work and precision of those solvers in the record that run over the same times.
-pub(super) fn work_precision() -> anyhow::Result<Figure> {
-    let all = integrators()?;
-    let runs = CONTESTANTS.iter().filter_map(|(contestant, words)| Some((*contestant, words.strip_suffix(": run")?)));
-    let drawn = runs.flat_map(|(contestant, words)| {
-        all.iter().filter(move |one| one.contestant == contestant).filter_map(move |one| {
-            Some(SolverMeasurement {
-                contestant: words.to_owned(),
-                tolerance: one.tolerance.parse().ok()?,
-                evaluations: one.evaluations,
-                milliseconds: one.milliseconds,
-                true_error: one.true_error?,
-            })
-        })
-    });
-    Ok(steady::work_precision(&drawn.collect::<Vec<_>>()))
 }

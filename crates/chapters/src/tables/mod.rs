@@ -8,7 +8,6 @@ mod quick_return;
 pub mod readings;
 mod rise_times;
 mod runs;
-pub mod solver;
 pub mod timer;
 mod wheels;
 
@@ -42,8 +41,6 @@ pub const TABLES: &[(&str, MakeTable)] = &[
     ("joints-multiplier", joints::multipliers),
     ("mimic-cards", mimic::cards),
     ("mimic-functions", mimic::functions),
-    ("solver-speeds", solver::speeds),
-    ("solver-maps", solver::maps),
     ("timer-settling", timer::settling),
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),

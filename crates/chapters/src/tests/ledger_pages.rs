@@ -5,7 +5,6 @@ use geneva_evidence::{Document, Truth};
 use geneva_press::html::GLUED;
 use geneva_press::ledger_pages::findings::{how, with_minus_signs};
 use geneva_press::ledger_pages::lists::letter;
-use geneva_press::ledger_pages::records::fields;
 use geneva_press::ledger_pages::{coverage, inline, ledger};
 
 #[test]
@@ -93,12 +92,4 @@ fn a_letter_says_what_the_table_says_and_an_unknown_one_is_refused() {
     for wrong in ["meyer", "meyer Kk", "mayer K"] {
         assert!(letter(&BOOK, wrong).is_err(), "{wrong}");
     }
-}
-
-#[test]
-fn words_of_the_data_are_set_as_code_and_titles_in_italics() {
-    let table = fields(&BOOK, "claims").expect("a table");
-    assert!(table.contains("<code>right</code>, <code>wrong</code> or <code>open</code>"));
-    assert!(table.contains("<em>How it is checked</em>") && table.contains("<code>erratum.reason</code>"));
-    assert!(fields(&BOOK, "claim").is_err());
 }

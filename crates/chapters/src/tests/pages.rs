@@ -2,7 +2,8 @@
 
 use crate::BOOK;
 use geneva_evidence::Consequence;
-use geneva_press::pages::{Page, PageRole};
+use geneva_press::ledger_pages::records;
+use geneva_press::pages::PageRole;
 
 #[test]
 fn every_claim_stands_in_one_section() {
@@ -14,12 +15,20 @@ fn every_claim_stands_in_one_section() {
 }
 
 #[test]
-fn every_slip_that_is_not_the_copys_stands_on_one_page() {
-    for consequence in Consequence::ALL {
-        let tells = |page: &&Page| matches!(page.role, PageRole::Slips(told) if told.contains(consequence));
-        let pages = usize::from(*consequence != Consequence::Copy);
-        assert_eq!(BOOK.pages.iter().filter(tells).count(), pages, "{consequence}");
+fn every_slip_that_is_not_the_copys_has_its_place_on_the_page_of_slips() {
+    let slips = BOOK.pages.iter().filter(|page| matches!(page.role, PageRole::Slips(_)));
+    assert_eq!(slips.map(|page| page.name).collect::<Vec<_>>(), ["errata"]);
+    let page = records::page(&BOOK, "errata", &[]).expect("a page");
+    let (mut boxes, mut lines) = (0, 0);
+    for places in BOOK.ledger.slips().iter().filter(|places| places.is_mirrored()) {
+        let (id, is_of_copy) = (places.slip.id, places.slip.consequence == Consequence::Copy);
+        assert_eq!(page.matches(&format!(" id=\"slip-{id}\"")).count(), usize::from(!is_of_copy), "{id}");
+        assert_eq!(BOOK.page_of_slip(&places.slip), if is_of_copy { "coverage" } else { "errata" }, "{id}");
+        boxes += usize::from(page.contains(&format!("<aside class=\"erratum\" id=\"slip-{id}\"")));
+        lines += usize::from(page.contains(&format!("<li id=\"slip-{id}\">")));
     }
+    assert_eq!(boxes, BOOK.ledger.slips().iter().filter(|of| of.is_mirrored() && BOOK.is_boxed(&of.slip)).count());
+    assert!(boxes >= 10 && lines >= 10, "{boxes} boxes, {lines} lines");
 }
 
 #[test]
@@ -30,7 +39,7 @@ fn each_kind_of_record_that_is_listed_whole_has_one_page() {
     assert_eq!(named(PageRole::Coverage), ["coverage"]);
     assert_eq!(named(PageRole::OpenClaims), ["open"]);
     assert_eq!(named(PageRole::SlipsElsewhere), ["errata-elsewhere"]);
-    for page in ["errata", "errata-small", "errata-elsewhere", "open", "ledger", "solver"] {
+    for page in ["errata", "errata-small", "errata-elsewhere", "open", "ledger", "mimic"] {
         assert!(BOOK.is_looked_up(page), "{page}");
     }
     for page in ["pin", "method", "about", "glossary"] {

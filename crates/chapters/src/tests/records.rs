@@ -4,8 +4,9 @@ use crate::BOOK;
 use geneva_evidence::Document;
 use geneva_press::address;
 use geneva_press::edition::Edition;
+use geneva_press::field_list::{self, OF_A_CLAIM, OF_A_SLIP, OF_AN_ENTRY, described, types};
 use geneva_press::fields::FieldValue;
-use geneva_press::records::{OF_A_CLAIM, OF_A_SLIP, OF_AN_ENTRY, described, entries, files, types};
+use geneva_press::records::{entries, files};
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
 
@@ -45,7 +46,12 @@ fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
         };
         assert_eq!(whole["license"], BOOK.imprint.licence, "{name}");
         assert_eq!((&whole["commit"], &whole["changed"]), (&Json::from("abcdef0"), &Json::from(true)), "{name}");
-        assert_eq!(whole.as_object().expect("an object").len(), 7, "{name}");
+        let around: Vec<_> = whole.as_object().expect("an object").keys().map(String::as_str).collect();
+        let mut expected: Vec<_> =
+            fields_of("every JSON file").into_iter().filter(|field| !field.contains(' ')).collect();
+        expected.push(list.to_owned());
+        expected.sort_unstable();
+        assert_eq!(around, expected, "{name}");
         assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
         let mut found = BTreeSet::new();
         keys(&whole[list], "", &mut found);
@@ -57,6 +63,34 @@ fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
     let (_, claims) = files(&BOOK, &NONE).expect("files").swap_remove(0);
     let claims: Json = serde_json::from_str(&claims).expect("JSON");
     assert!(claims["commit"].is_null() && claims["changed"].is_null(), "no repository");
+}
+
+/// The fields of these files in the list of all fields.
+fn fields_of(of: &str) -> Vec<String> {
+    let files = files(&BOOK, &NONE).expect("files");
+    let (_, list) = files.iter().find(|(name, _)| *name == field_list::FILE).expect("the list");
+    let mut reader = csv::Reader::from_reader(list.as_bytes());
+    assert_eq!(reader.headers().expect("names"), vec!["file", "field", "type", "meaning"]);
+    let rows = reader.records().map(|row| row.expect("as many cells as columns"));
+    rows.filter(|row| &row[0] == of).map(|row| row[1].to_owned()).collect()
+}
+
+#[test]
+fn the_list_of_fields_has_every_field_and_every_kind_of_file() {
+    for (files, fields) in [
+        ("claims.json", OF_A_CLAIM),
+        ("errata.json, copies.json, copies.csv", OF_A_SLIP),
+        ("coverage.json, coverage.csv", OF_AN_ENTRY),
+    ] {
+        assert!(fields_of(files).iter().eq(fields.iter().map(|(path, _)| path)), "{files}");
+    }
+    let figure = fields_of("CSV of a figure");
+    for column in ["theta", "phi", "slots", "pins"] {
+        assert!(figure.iter().any(|field| field == column), "{column}");
+    }
+    for kind in ["CSV of a table", "CSV of a figure or a table", "CSV of claims, errata, copies or coverage"] {
+        assert_eq!(fields_of(kind).len(), 1, "{kind}");
+    }
 }
 
 #[test]

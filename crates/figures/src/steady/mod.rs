@@ -10,7 +10,6 @@ mod phase;
 mod return_map;
 #[cfg(test)]
 mod tests;
-mod work_precision;
 
 pub use accelerations::accelerations;
 pub use collapse::collapse;
@@ -19,4 +18,3 @@ pub use losses::losses;
 pub use map::map;
 pub use phase::phase;
 pub use return_map::return_map;
-pub use work_precision::{SolverMeasurement, work_precision};

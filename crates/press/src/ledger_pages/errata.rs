@@ -1,4 +1,4 @@
-//! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
+//! What is wrong in the sources: one erratum in its chapter, and the page of all slips by what they do.
 
 use super::findings::how;
 use super::inline::{badge, linked_id, with_unit};
@@ -6,9 +6,16 @@ use crate::book::Book;
 use crate::formula::{breakable, mark_changes, tex_or_text};
 use crate::html::{escape, prose};
 use crate::lookup;
+use crate::numbers::sentence_start;
+use crate::page_items::{PageItem, address_of_erratum, anchor_of_erratum};
 use crate::table::{Cells, Table};
 use anyhow::anyhow;
 use geneva_evidence::{Claim, Consequence, Judged, TracedSlip, without_ellipses};
+
+/// The class of the fold with an erratum.
+pub(crate) const FOLD: &str = "erratum";
+/// The class of a fold with an erratum that has no box on another page.
+pub(crate) const TOLD_HERE: &str = "told-here";
 
 /// The erratum of a claim: one line, which opens.
 pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
@@ -16,8 +23,10 @@ pub fn erratum_fold(book: &Book, id: &str) -> anyhow::Result<String> {
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
     let places =
         book.ledger.slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
+    let told_here = if book.is_boxed(&places.slip) { String::new() } else { format!(" {TOLD_HERE}") };
     Ok(format!(
-        "<details class=\"erratum\">\n<summary>{}</summary>\n{}\n</details>",
+        "<details class=\"{FOLD}{told_here}\" id=\"{}\">\n<summary>{}</summary>\n{}\n</details>",
+        anchor_of_erratum(id),
         in_a_line(book, judged)?,
         entries(book, judged, places, false)?
     ))
@@ -50,12 +59,39 @@ pub fn errata_list(book: &Book, consequence: Consequence) -> anyhow::Result<Stri
     Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
 
+/// A line for each slip of the documents that has no box, with a link to the fold of its chapter, or to the ledger where no
+/// chapter has one.
+pub fn errata_in_chapters(book: &Book, items: &[PageItem]) -> String {
+    let all = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).flat_map(|of| book.ledger.slips_of(*of));
+    let lines = all.filter(|places| !book.is_boxed(&places.slip)).map(|places| {
+        let (claim, slip) = (places.main().claim, &places.slip);
+        let address = address_of_erratum(items, slip.id).unwrap_or_else(|| book.address_of_claim(slip.id));
+        format!(
+            "<li id=\"slip-{}\"><a href=\"{address}\">{}, {}</a>: {} <small>({})</small></li>\n",
+            slip.id,
+            sentence_start(claim.document.title),
+            escape(claim.locator),
+            escape(claim.meaning),
+            slip.consequence
+        )
+    });
+    let lines: String = lines.collect();
+    if lines.is_empty() {
+        return lines;
+    }
+    format!(
+        "\n\n## Told in the chapters {{#in-the-chapters}}\n\nEach line leads to the place where its mistake is explained.\n\n\
+         <ul>\n{lines}</ul>\n"
+    )
+}
+
 /// What changes a result or a conclusion, a row each.
 pub fn grave_errata(book: &Book) -> anyhow::Result<Table> {
     let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(|of| book.ledger.slips_of(of));
     let place = |places: &TracedSlip| {
         let claim = places.main().claim;
-        let (document, locator, meaning) = (claim.document, escape(claim.locator), escape(claim.meaning));
+        let document = sentence_start(claim.document.title);
+        let (locator, meaning) = (escape(claim.locator), escape(claim.meaning));
         format!("<a href=\"#slip-{}\">{document}, {locator}</a>: {meaning}", places.slip.id)
     };
     let printed = |claim: &Claim| with_unit(book, &tex_or_text(&without_ellipses(claim))?, claim.unit);
@@ -119,9 +155,14 @@ pub fn entries(book: &Book, judged: &Judged, places: &TracedSlip, in_full_detail
     if in_full_detail {
         explain(book, judged, places, &mut entry)?;
     }
-    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", book.page_of_slip(slip), slip.id);
-    let more = if in_full_detail { String::new() } else { more };
-    out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(book, claim.id)));
+    let id = linked_id(book, claim.id);
+    let last = match in_full_detail {
+        true => id,
+        // Without a box, the row in the ledger says it.
+        false if !book.is_boxed(slip) => format!("How it was found: {id}"),
+        false => format!("{id}, <a href=\"{}.html#slip-{}\">how it was found</a>", book.page_of_slip(slip), slip.id),
+    };
+    out.push_str(&format!("</dl>\n<p>{last}</p>"));
     Ok(out)
 }
 
