@@ -224,7 +224,6 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
         ("method", "of degrees 2 and 4", vec![]),
         ("method", "the degree is at most 2 in one variable and at most 4 in another", vec![]),
         ("method", "more than 300 numbers", vec![]),
-        ("found", "until 40 flags", vec![]),
         ("found", "We aimed at 70 % real errors", vec![]),
         ("found", "2.40 m/s² × (12.0 s)² = 172.80 m", vec![2.4, 12.0, 2.4 * 12.0 * 12.0 / 2.0]),
         ("found", "left side is 345.6 m", vec![2.4 * 12.0 * 12.0]),

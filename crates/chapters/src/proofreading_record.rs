@@ -8,7 +8,6 @@ const UNITS: &str = include_str!("../../proofread/judged/university-physics-unit
 const CONTACT: &str = include_str!("../../proofread/judged/contact.csv");
 const ERRATA: &str = include_str!("../../proofread/judged/errata.csv");
 const RUNS: &str = include_str!("../../proofread/judged/runs.csv");
-const SUMS: &str = include_str!("../../proofread/judged/sums.csv");
 
 /// What a person who read a flag in its context says of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
@@ -96,8 +95,6 @@ pub(crate) struct Contact {
     pub hint_right: Option<Answer>,
     /// Whether the program flags it after the repairs.
     pub after: Answer,
-    /// Whether the program of that round would have set it aside, with the rule for doubts and nothing else put in.
-    pub aside: Option<Answer>,
     /// What the reader says.
     pub judgement: Judgement,
     /// What a second reader says who did not know the first judgement; none in rounds with one reader.
@@ -124,8 +121,6 @@ pub(crate) struct ToolRun {
     pub run: String,
     /// The text, by the name that the contacts use.
     pub text: String,
-    /// What it is written in.
-    pub format: String,
     /// Formulas or lines.
     pub formulas: u32,
     /// Chains that arithmetic can check.
@@ -133,6 +128,7 @@ pub(crate) struct ToolRun {
     /// Chains that were checked.
     pub checked: u32,
     /// Flags on the number.
+    #[cfg(test)]
     pub flags: u32,
     /// Results in which one digit was changed on purpose.
     pub results: Option<u32>,
@@ -146,20 +142,6 @@ pub(crate) struct ToolRun {
     pub operands_noticed: Option<u32>,
     /// How many changed operands don't change the result in its printed digits, so that nobody could notice them.
     pub operands_invisible: Option<u32>,
-}
-
-/// Signs of a sum in some texts.
-#[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct Sums {
-    /// How many there are.
-    pub signs: u32,
-    /// How many have a summand of numbers and a printed result.
-    pub of_numbers: u32,
-}
-
-/// The signs of a sum that were counted.
-pub(crate) fn sums() -> anyhow::Result<Vec<Sums>> {
-    read(SUMS)
 }
 
 fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {

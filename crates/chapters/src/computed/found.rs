@@ -3,7 +3,7 @@
 use super::kinds::{INTERVAL, TRIALS};
 use super::second_routes::interval::score_interval;
 use crate::proofreading_record::{
-    Answer, Contact, Flag, Judgement, ToolRun, contacts, errata, flags, run, runs, sums, unit_flags, wilson,
+    Answer, Contact, Flag, Judgement, ToolRun, contacts, errata, flags, run, runs, unit_flags, wilson,
 };
 use geneva_evidence::{Numbers, OwnNumber, RECORD};
 
@@ -50,71 +50,11 @@ pub(crate) fn numbers() -> Vec<OwnNumber> {
             let of = errors()?.operands;
             Ok(100.0 * f64::from(of.invisible) / f64::from(of.tried.max(1)))
         }),
-        OwnNumber::count("found.first.commas", || Ok(count_because("first", "decimal comma")?)),
-        OwnNumber::count("found.second.agreed", || Ok(agreement_count(&round("second")?))),
-        OwnNumber::count("found.third.texts", || Ok(of_run("third")?.len())),
-        OwnNumber::count("found.third.flags", || Ok(round("third")?.len())),
-        OwnNumber::count("found.third.early", || {
-            let first: Vec<String> = of_run("third")?.into_iter().take(14).map(|run| run.text).collect();
-            Ok(round("third")?.iter().filter(|flag| first.contains(&flag.text)).count())
-        }),
-        OwnNumber::count("found.third.real", || Ok(confirmed_count(&round("third")?))),
-        share("found.third.precision", SHARE, || Ok(confirmed_of_all(&round("third")?))),
-        OwnNumber::count("found.third.faults", || Ok(round_fault_count("third")?)),
-        OwnNumber::count("found.third.with-fault", || Ok(count_texts_with_fault("third")?)),
-        OwnNumber::count("found.stop.texts", || Ok(until_stop()?.0)),
-        share("found.stop.english", COUNTED, || {
-            let mut flags = until_stop()?.1;
-            flags.retain(|flag| flag.text != "Solid state physics");
-            Ok(confirmed_of_all(&flags))
-        }),
-        OwnNumber::count("found.fourth.texts", || Ok(flags_until("fourth", ENOUGH)?.0)),
-        OwnNumber::count("found.fourth.run", || Ok(of_run("fourth")?.len())),
-        share("found.fourth.all", COUNTED, || Ok(confirmed_of_all(&round("fourth")?))),
-        OwnNumber::count("found.fourth.commands", || Ok(count_because("fourth", "a command that isn't known")?)),
-        OwnNumber::count("found.fifth.flags", || Ok(first_of("fifth")?.len())),
-        OwnNumber::count("found.fifth.faults", || Ok(fault_count(&first_of("fifth")?))),
-        OwnNumber::count("found.fifth.cut", || {
-            Ok(first_of("fifth")?.iter().filter(|flag| flag.judgement == Judgement::Rounding).count())
-        }),
-        OwnNumber::count("found.sixth.faults", || Ok(round_fault_count("sixth")?)),
-        OwnNumber::count("found.sixth.with-fault", || Ok(count_texts_with_fault("sixth")?)),
-        share("found.sixth.rest", COUNTED, || counts_without_richest("sixth")),
-        OwnNumber::count("found.sixth.misread", || Ok(misread_count(&round("sixth")?))),
-        OwnNumber::count("found.after.new", || {
-            let again: Vec<_> = contacts()?.into_iter().filter(|flag| flag.round == "again").collect();
-            let is_new = |flag: &&Contact| flag.judgement == Judgement::Real && flag.after == Answer::Yes;
-            Ok(again.iter().filter(is_new).count())
-        }),
-        kept_share("found.aside.first", "first"),
-        kept_share("found.aside.second", "second"),
-        kept_share("found.aside.third", "third"),
-        kept_share("found.aside.fourth", "fourth"),
-        kept_share("found.aside.fifth", "fifth"),
-        OwnNumber::count("found.aside.all-real", || Ok(real_flags_asked_about()?.len())),
-        OwnNumber::count("found.aside.lost", || {
-            Ok(real_flags_asked_about()?.iter().filter(|flag| flag.aside == Some(Answer::Yes)).count())
-        }),
-        thousands("found.sums.signs", || Ok(sums()?.iter().map(|of| of.signs).sum())),
-        OwnNumber::count("found.sums.of-numbers", || Ok(sums()?.iter().map(|of| of.of_numbers).sum::<u32>())),
-        OwnNumber::count("found.seventh.misread", || Ok(misread_count(&round("seventh")?))),
-        OwnNumber::count("found.seventh.understood", || Ok(count_because("seventh", "kiloohms")?)),
-        share("found.seventh.rest", COUNTED, || counts_without_richest("seventh")),
-        OwnNumber::count("found.eighth.flags", || Ok(round("eighth")?.len())),
         share("found.publisher.real", MARKED, || Ok(confirmed_of_all(&round("publisher")?))),
         OwnNumber::count("found.publisher.misread", || Ok(misread_count(&round("publisher")?))),
-        OwnNumber::count("found.publisher.faults", || Ok(round_fault_count("publisher")?)),
+        OwnNumber::count("found.publisher.faults", || Ok(fault_count(&round("publisher")?))),
         OwnNumber::new("found.publisher.after", OF, RECORD, || {
             Ok(confirmed_of_all(&flags_after_repairs("publisher")?))
-        }),
-        OwnNumber::count("found.ninth.second", || Ok(second_reader_count(&round("ninth")?))),
-        OwnNumber::count("found.ninth.flags", || Ok(round("ninth")?.len())),
-        OwnNumber::count("found.tenth.letters", || Ok(count_because("tenth", "einbein")?)),
-        OwnNumber::count("found.eleventh.repeated", || {
-            let most = richest("eleventh")?;
-            let of_it = |flag: &Contact| most.as_ref().is_some_and(|most| flag.text == most.text);
-            let flags: Vec<Contact> = round("eleventh")?.into_iter().filter(of_it).collect();
-            Ok(flags.len() - confirmed_count(&flags))
         }),
         share("found.last", MARKED, || Ok(confirmed_of_all(&last_rounds()?))),
         OwnNumber::count("found.last.flags", || Ok(last_rounds()?.len())),
@@ -131,7 +71,6 @@ pub(crate) fn numbers() -> Vec<OwnNumber> {
 const OF: &str = "{.0} of {.0}";
 /// A share in per cent with its interval; with part and all before it, and with what they are.
 const SHARE: &str = "{.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
-const COUNTED: &str = "{.0} of {.0}, {.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
 const MARKED: &str = "{.0} of {.0} flags mark real errors: {.0}&nbsp;% (95&nbsp;% interval {.0} to {.0}&nbsp;%)";
 
 /// The share of a part in all with its interval: by Wilson's formula, and by trying which shares the counts allow. A form with more
@@ -303,11 +242,6 @@ fn first_of(name: &str) -> anyhow::Result<Vec<Contact>> {
     Ok(round(name)?.into_iter().take(ENOUGH).collect())
 }
 
-/// How many flags of a round have such a reason.
-fn count_because(name: &str, reason: &str) -> anyhow::Result<usize> {
-    Ok(round(name)?.iter().filter(|flag| flag.why.contains(reason)).count())
-}
-
 /// How many texts of the third round were needed for forty flags, by the rule that was written down before, and their flags.
 fn until_stop() -> anyhow::Result<(usize, Vec<Contact>)> {
     const FEWEST_TEXTS: usize = 6;
@@ -329,49 +263,9 @@ fn after_repairs(name: &str) -> anyhow::Result<String> {
     Ok(format!("{} of {}", confirmed_count(&flags), flags.len()))
 }
 
-/// The confirmed flags of a round among those that the rule for doubts would have left, with their share.
-fn kept_share(id: &'static str, name: &'static str) -> OwnNumber {
-    OwnNumber::new(id, "{.0} of {.0} ({.0}&nbsp;%)", RECORD, move || {
-        let flags: Vec<Contact> = round(name)?.into_iter().filter(|flag| flag.aside == Some(Answer::No)).collect();
-        let [part, all] = confirmed_of_all(&flags).map(|count| count as f64);
-        Ok([part, all, 100.0 * part / all.max(1.0)])
-    })
-}
-
-/// The real errors among the flags for which it is known whether the rule for doubts would have set them aside.
-fn real_flags_asked_about() -> anyhow::Result<Vec<Contact>> {
-    Ok(contacts()?.into_iter().filter(|flag| flag.aside.is_some() && flag.judgement == Judgement::Real).collect())
-}
-
-/// How many faults of the texts the confirmed flags of a round come from.
-fn round_fault_count(name: &str) -> anyhow::Result<usize> {
-    Ok(fault_count(&round(name)?))
-}
-
 /// How many faults of the texts these flags come from.
 fn fault_count(flags: &[Contact]) -> usize {
     flags.iter().filter(|flag| flag.judgement == Judgement::Real && flag.repeats == Answer::No).count()
-}
-
-/// In how many texts of a round at least one flag was confirmed.
-fn count_texts_with_fault(name: &str) -> anyhow::Result<usize> {
-    let flags = round(name)?;
-    let texts: std::collections::BTreeSet<&str> =
-        flags.iter().filter(|flag| flag.judgement == Judgement::Real).map(|flag| flag.text.as_str()).collect();
-    Ok(texts.len())
-}
-
-/// The run with the most flags of a round.
-fn richest(name: &str) -> anyhow::Result<Option<ToolRun>> {
-    Ok(of_run(name)?.into_iter().max_by_key(|run| run.flags))
-}
-
-/// The confirmed flags of a round among all, without the text that has the most flags.
-fn counts_without_richest(name: &str) -> Numbers<[usize; 2]> {
-    let mut flags = round(name)?;
-    let most = richest(name)?;
-    flags.retain(|flag| most.as_ref().is_none_or(|most| flag.text != most.text));
-    Ok(confirmed_of_all(&flags))
 }
 
 /// On how many flags two readers agree.

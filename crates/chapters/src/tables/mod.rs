@@ -46,7 +46,6 @@ pub const TABLES: &[(&str, MakeTable)] = &[
     ("timer-accelerations", timer::accelerations),
     ("timer-mean-speed", timer::mean_speed),
     ("found-rounds", found::rounds),
-    ("found-texts", found::texts),
     ("found-misprints", found::misprints),
     ("found-units", found::units),
     ("found-others", found::others),
