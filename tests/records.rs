@@ -120,6 +120,17 @@ fn an_address_of_a_claim_opens_its_row_with_all_that_is_known_of_it() {
     }
 }
 
+#[test]
+fn a_link_to_a_fold_opens_it() {
+    let Some(mut browser) = opened("terminal-speed.html#erratum-meyer.shape") else { return };
+    let is_open = |id: &str| format!("document.getElementById('{id}')?.open");
+    assert_eq!(when_there(&mut browser, &is_open("erratum-meyer.shape")), true);
+    let tests = is_open("the-tests-behind-this-chapter");
+    assert_eq!(browser.evaluate(&tests), false);
+    browser.evaluate("location.hash = 'the-tests-behind-this-chapter'");
+    assert_eq!(when_there(&mut browser, &tests), true);
+}
+
 /// How far below its upper edge a window may have the row to which an address leads, in pixels: the bar is above it.
 const AT_THE_TOP: f64 = 100.0;
 

@@ -19,9 +19,12 @@ addEventListener('resize', scrollable);
 addEventListener('toggle', scrollable, true);
 
 // A link to a fold opens it.
-const openLinked = () => document.querySelectorAll('main details:target').forEach(fold => {
-    fold.open = true;
-});
+const openLinked = () => {
+    const linked = document.getElementById(location.hash.slice(1));
+    if (linked?.matches('main details')) {
+        linked.open = true;
+    }
+};
 openLinked();
 addEventListener('hashchange', openLinked);
 

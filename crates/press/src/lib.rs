@@ -41,6 +41,7 @@ pub mod readings;
 pub mod data;
 pub mod field_list;
 pub mod fields;
+pub mod record_files;
 pub mod records;
 
 // What stands for a placeholder.

@@ -6,7 +6,7 @@ use crate::edition::Edition;
 use crate::html::escape;
 use crate::ledger_pages::ledger;
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
-use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, records, verify};
+use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, record_files, verify};
 use anyhow::{bail, ensure};
 use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -82,7 +82,7 @@ impl Preprocessor for Press {
         ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
         if data::has_place(&folder) && chapters.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
-            let records = records::files(book, &edition)?.into_iter();
+            let records = record_files::files(book, &edition)?.into_iter();
             files.extend(records.map(|(name, text)| PageFile::text_file(name, text)));
             files.extend(ledger::files(book)?);
         }

@@ -6,7 +6,8 @@ use geneva_press::address;
 use geneva_press::edition::Edition;
 use geneva_press::field_list::{self, OF_A_CLAIM, OF_A_SLIP, OF_AN_ENTRY, described, types};
 use geneva_press::fields::FieldValue;
-use geneva_press::records::{entries, files};
+use geneva_press::record_files::files;
+use geneva_press::records::entries;
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
 
