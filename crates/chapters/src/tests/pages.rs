@@ -39,7 +39,7 @@ fn each_kind_of_record_that_is_listed_whole_has_one_page() {
     assert_eq!(named(PageRole::Coverage), ["coverage"]);
     assert_eq!(named(PageRole::OpenClaims), ["open"]);
     assert_eq!(named(PageRole::SlipsElsewhere), ["errata-elsewhere"]);
-    for page in ["errata", "errata-small", "errata-elsewhere", "open", "ledger", "mimic"] {
+    for page in ["errata", "errata-elsewhere", "open", "ledger", "mimic"] {
         assert!(BOOK.is_looked_up(page), "{page}");
     }
     for page in ["pin", "method", "about", "glossary"] {
