@@ -7,7 +7,7 @@ const fn synonym(typed: &'static str, meant: &'static [&'static str]) -> Synonym
 }
 
 /// Words that may be typed, and the words of the pages to which they lead.
-pub const SYNONYMS: &[Synonym] = &[
+pub(crate) const SYNONYMS: &[Synonym] = &[
     // The mechanisms.
     synonym("maltese cross", &["Geneva wheel"]),
     synonym("star wheel", &["Geneva wheel"]),
