@@ -121,7 +121,9 @@ fn verdicts_in_other_words(page: &str) -> Vec<String> {
 #[test]
 fn pages_say_a_verdict_in_one_of_five_words() {
     let mut marked = 0;
-    for (name, page) in crate::book_pages::pages() {
+    for name in crate::book_pages::names() {
+        let page = std::fs::read_to_string(crate::book_pages::book().join(&name)).expect("a page");
+        let page = &page;
         assert_eq!(verdicts_in_other_words(page), Vec::<String>::new(), "{name}");
         marked += page.matches(" verdict-").count();
     }

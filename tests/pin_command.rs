@@ -28,7 +28,7 @@ fn the_answers_are_those_of_the_closed_forms() {
 #[test]
 fn the_sheet_and_the_steps_are_pinned() {
     let line =
-        ["pin", "--crank-radius", "1.25", "--centre-distance", "2.5", "--unit", "in", "--angle-from-extension", "160"];
+        ["pin", "--crank-radius", "2", "--centre-distance", "4", "--unit", "in", "--angle-from-extension", "160"];
     pin("pin-steps", &[&line[..], &["--rpm", "90", "--steps"]].concat());
     let lever =
         ["quick-return", "--ground", "300", "--crank", "100", "--unit", "mm", "--lever-angle", "15", "--rad-s", "6"];

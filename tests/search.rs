@@ -40,13 +40,13 @@ const TYPED: &[(&str, &[&str])] = &[
     ("velocity diagram", &["quick-return.html#step-2-the-velocity-diagram"]),
     ("direction of coriolis acceleration", &["quick-return.html"]),
     ("why is the centre distance root 2", &["pin.html#centre-distance"]),
-    ("check my homework", &["pin.html#check-your-own-homework", "quick-return.html#check-your-own-homework"]),
+    ("check my homework", &["pin.html#your-numbers", "quick-return.html#your-numbers"]),
     // A maker.
     ("3d print", &["making.html"]),
     ("backlash", &["making.html#7-backlash-the-blow-at-entry-and-tolerances"]),
     ("pin diameter", &["making.html#3-pin-slot-and-play", "making.html#8-the-drawing-number-by-number"]),
     ("motor torque", &["making.html#5-loads"]),
-    ("wear of the slot", &["making.html#how-such-wheels-fail"]),
+    ("wear of the slot", &["making.html"]),
     // A horologist.
     ("isochronism", &["timer.html", "glossary.html#clocks-and-timers"]),
     ("beats per second", &["timer.html", "escapement.html", "terminal-speed.html"]),
@@ -177,7 +177,7 @@ fn the_search_is_used_by_keyboard_alone_and_the_way_back_leads_to_the_results() 
     browser.command("Input.dispatchKeyEvent", enter);
     browser.arrive(first.rsplit('/').next().unwrap_or_default());
     browser.evaluate("until(() => document.readyState === 'complete' && CSS.highlights.get('searched')?.size > 0)");
-    browser.evaluate("{ history.back() }");
+    browser.evaluate("{ setTimeout(() => history.back(), 0) }");
     browser.arrive("?search=tolerance");
     browser.evaluate("until(() => document.querySelectorAll('#mdbook-searchresults a').length > 2)");
 }

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// The module is loaded at the first touch; these are its bytes, and what is loaded with it.
 const MODULE: &str = "data/verify-module.js";
 const HEAVIEST_MODULE: usize = 2_200_000;
-const HEAVIEST_PACKED: usize = 800_000;
+const HEAVIEST_PACKED: usize = 830_000;
 /// What each page loads before the first touch.
 const HEAVIEST_SCRIPT: usize = 3_000;
 

@@ -32,11 +32,11 @@ fn point(browser: &mut Browser, number: usize) {
 const LIT: &str = "(letter => { const lit = [...document.querySelectorAll('svg .lit')]; const middle = of => { const box = \
      of.getBoundingClientRect(); return box.top + box.height / 2 }; const away = of => Math.abs(middle(of) - middle(letter)); \
      const name = letter.dataset.letter; const having = [...document.querySelectorAll('main .fig svg')].filter(svg => \
-     svg.getClientRects().length && [...svg.querySelectorAll('[data-letter]')].some(of => of.dataset.letter === name)); \
+     svg.checkVisibility() && [...svg.querySelectorAll('[data-letter]')].some(of => of.dataset.letter === name)); \
      const own = having.sort((one, other) => away(one) - away(other))[0]; const all = own && \
      [...own.querySelectorAll('[data-letter]')].filter(of => of.dataset.letter === name); return { name, lit: lit.map(of => \
-     of.dataset.letter), wrong: lit.filter(of => of.ownerSVGElement !== own).length, missing: all?.filter(of => \
-     !of.matches('.lit')).length, shapes: lit.filter(of => of.localName !== 'text').length } })";
+     of.dataset.letter), wrong: lit.filter(of => of.ownerSVGElement !== own).length, missing: (all || []).filter(of => \
+     !of.matches('.lit')).length, shapes: own ? lit.filter(of => of.localName !== 'text').length : 1 } })";
 
 /// Touches each letter of the open page: at which letters something is wrong, and what.
 pub(super) fn touch(browser: &mut Browser, page: &str) -> Vec<(String, String)> {

@@ -89,7 +89,6 @@ const USED: &[(&str, &[Use])] = &[
         "quick-return",
         &[
             (r"\varphi + \beta", r"\theta + 180^\circ = •"),
-            (r"180^\circ + \theta", r"• = \varphi + \beta"),
             (r"a_2^\mathrm{n}\sin\beta", r"a_4^\mathrm{t} = • - a_\mathrm{Cor}"),
             (r"\dot\varphi\,v_\mathrm{rel}", r"2• = a_\mathrm{Cor}"),
             (r"\dot r\,\dot\varphi", r"|2•| = a_\mathrm{Cor}"),
@@ -190,7 +189,6 @@ const NOT_EVALUATED: &[(&str, &[(&str, &str)])] = &[
             ("joints", "10^{-9}"),
             ("method", r"\sqrt{2}"),
             ("method", "d+1"),
-            ("pin", r"60/(2\pi)"),
             ("solver", "10^{-11}"),
         ],
     ),

@@ -197,7 +197,7 @@ impl DriverSpeed {
     }
 
     /// The number as it was given.
-    pub fn given(self) -> f64 {
+    pub fn value(self) -> f64 {
         match self {
             Self::Rpm(given) | Self::RadiansPerSecond(given) => given,
         }

@@ -1,6 +1,6 @@
 //! What readers search for that this book calls otherwise.
 
-use geneva_press::search::Synonym;
+use geneva_press::synonyms::Synonym;
 
 const fn synonym(typed: &'static str, meant: &'static [&'static str]) -> Synonym {
     Synonym { typed, meant }

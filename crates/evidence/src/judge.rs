@@ -4,8 +4,8 @@ use crate::number_format::fixed;
 use crate::tex::places_changed;
 use crate::units::unit_fault;
 use crate::{
-    Agreement, Check, ChoiceFn, Claim, Decimal, DecisionFn, Erratum, Evidence, Finding, NumberFn, PlainVerdict, Route,
-    Stated, Truth, Verdict,
+    Agreement, Check, ChoiceFn, Claim, Consequence, Decimal, DecisionFn, Erratum, Evidence, Finding, NumberFn,
+    PlainVerdict, Route, Stated, Truth, Verdict,
 };
 use std::any::Any;
 use std::borrow::Cow;
@@ -329,6 +329,33 @@ fn verdict(printed: bool, corrected: Option<bool>) -> Verdict {
         (true, _) => Verdict::Reproduced,
         (false, Some(true)) => Verdict::Corrected,
         (false, _) => Verdict::NotReproduced,
+    }
+}
+
+impl Judged {
+    /// The plain verdict on the characters that were judged.
+    ///
+    /// Other characters than the printed ones are in no source, so none of them is open for want of a correction, and none is
+    /// miscopied: what the check refuses is wrong.
+    pub fn plain(&self) -> PlainVerdict {
+        if self.is_as_printed() {
+            return self.verdict.plain(self.is_only_in_copy());
+        }
+        match self.verdict {
+            Verdict::NotReproduced => PlainVerdict::Wrong,
+            other => other.plain(false),
+        }
+    }
+
+    /// The plain verdict on the printed characters, as it is on record.
+    pub fn recorded_plain(&self) -> PlainVerdict {
+        self.claim.expected.plain(self.is_only_in_copy())
+    }
+
+    /// Whether the mistake that reaches the claim, if one does, is only in the copy.
+    fn is_only_in_copy(&self) -> bool {
+        let of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
+        self.claim.erratum.as_ref().is_some_and(of_copy)
     }
 }
 

@@ -4,7 +4,7 @@
 //! so pages say it in these five words and in no others. Which class becomes which word is decided here only.
 
 use crate::slugs::slugs;
-use crate::{Consequence, Erratum, Judged, Truth, Verdict};
+use crate::{Truth, Verdict};
 
 /// Whether what is printed is right, as a page says it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -65,7 +65,7 @@ impl PlainVerdict {
         }
     }
 
-    /// The same answer where a reading counts as right and a copy as what is printed.
+    /// Right, wrong or open: a reading counts as right, and a mistake of the copy as one of what is printed.
     pub fn truth(self) -> Truth {
         match self {
             Self::Right | Self::RightAsRead => Truth::Right,
@@ -93,32 +93,5 @@ impl Verdict {
     /// The answer to the question whether what is printed is right.
     pub fn truth(self) -> Truth {
         self.plain(false).truth()
-    }
-}
-
-impl Judged {
-    /// The plain verdict on the characters that were judged.
-    ///
-    /// Other characters than the printed ones are in no source, so none of them is open for want of a correction, and none is
-    /// miscopied: what the check refuses is wrong.
-    pub fn plain(&self) -> PlainVerdict {
-        if self.is_as_printed() {
-            return self.verdict.plain(self.is_only_in_copy());
-        }
-        match self.verdict {
-            Verdict::NotReproduced => PlainVerdict::Wrong,
-            other => other.plain(false),
-        }
-    }
-
-    /// The plain verdict on the printed characters, as it is on record.
-    pub fn recorded_plain(&self) -> PlainVerdict {
-        self.claim.expected.plain(self.is_only_in_copy())
-    }
-
-    /// Whether the mistake that reaches the claim, if one does, is only in the copy.
-    fn is_only_in_copy(&self) -> bool {
-        let of_copy = |erratum: &Erratum| erratum.slip.consequence == Consequence::Copy;
-        self.claim.erratum.as_ref().is_some_and(of_copy)
     }
 }

@@ -169,7 +169,7 @@ An option that would have no effect is refused, and the message says what to add
     #[command(after_help = "\
 Examples:
   geneva pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8
-  geneva pin --crank-radius 1.25 --centre-distance 2.5 --unit in --angle-from-extension 160 --rpm 90 --steps
+  geneva pin --crank-radius 2 --centre-distance 4 --unit in --angle-from-extension 160 --rpm 90 --steps
   geneva pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8 --format json
 
 The pin on the driver slides in a slot of the wheel, which turns against the driver. Angles are counted in the driver's \

@@ -65,7 +65,7 @@ pub const LIVE: Live = Live {
 /// The mechanism of these settings: by the lever's angle where the reader has moved that, and by the crank's elsewhere.
 fn design(settings: &Settings) -> Result<QuickReturnDesign, String> {
     let (ground, crank, speed) = (settings.value("ground")?, settings.value("radius")?, speed(settings)?);
-    if speed.given() == 0.0 {
+    if speed.value() == 0.0 {
         return Err("the crank must turn, or nothing moves: give a speed that is not 0".to_owned());
     }
     let branch = if settings.value_if_moved("branch")? == Some(1.0) { Branch::Near } else { Branch::Far };
@@ -129,7 +129,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
          {far} point.",
         round_for_box(linkage.ground()),
         round_for_box(linkage.crank()),
-        with_minus_sign(&round_for_box(speed.given()).to_string()),
+        with_minus_sign(&round_for_box(speed.value()).to_string()),
         speed.unit(),
         LiveNumber::new("lever", lever, 1, "°").text,
     );

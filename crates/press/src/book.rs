@@ -4,7 +4,7 @@ use crate::edition::Edition;
 use crate::imprint::Imprint;
 use crate::page_items::PageItem;
 use crate::pages::{LedgerSection, Page, PageRole};
-use crate::search::Synonym;
+use crate::synonyms::Synonym;
 use crate::table::Table;
 use anyhow::ensure;
 use geneva_evidence::{Consequence, Document, Ledger, OwnNumber, Slip};

@@ -24,6 +24,7 @@ mod policy;
 pub mod print;
 pub mod search;
 mod spoken;
+pub mod synonyms;
 mod verify;
 
 // A chapter.

@@ -19,7 +19,7 @@ pub(crate) enum PhoneLayout {
 
 impl PhoneLayout {
     /// The layouts in columns with their room for letters in a table of some columns, in pixels, and the size of the print.
-    /// `geneva.css` has the same sizes: a phone is 390 pixels wide, and a table leaves 8 free at each side.
+    /// The style sheet has the same sizes: a phone is 390 pixels wide, and a table leaves 8 free at each side.
     const COLUMNS: [(Self, f64, f64); 2] = [(Self::Columns, 10.0, 12.5), (Self::TightColumns, 5.0, 12.0)];
     const PHONE: f64 = 374.0;
 

@@ -25,15 +25,6 @@ const INDEX: &str = "searchindex";
 const SEARCHER: &str = "searcher";
 const NOT_NEEDED: [&str; 2] = ["elasticlunr", "mark"];
 
-/// What a reader may type that the book calls otherwise.
-#[derive(Clone, Copy, Debug)]
-pub struct Synonym {
-    /// Words that may be typed.
-    pub typed: &'static str,
-    /// What they are called in the book. Each has words of its pages.
-    pub meant: &'static [&'static str],
-}
-
 /// Puts the search into a book that is built in a folder. One without an index, which its settings may want, is left alone.
 pub(crate) fn write(book: &Book, folder: &Path) -> anyhow::Result<()> {
     let files = files(folder)?;

@@ -21,7 +21,7 @@
         ['Open', of => of.verdict === 'open'],
         ['Right', () => true],
     ].map(([title, isIn]) => {
-        const heading = document.createElement('p'), list = document.createElement('ul');
+        const heading = document.createElement('div'), list = document.createElement('ul');
         heading.className = 'group';
         heading.setAttribute('role', 'heading');
         heading.setAttribute('aria-level', '2');

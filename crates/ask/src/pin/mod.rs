@@ -140,7 +140,7 @@ impl PinDesign {
         let speed = question.speed.radians_per_second();
         if !SPEEDS.contains(&speed) {
             let option = if matches!(question.speed, DriverSpeed::Rpm(_)) { "--rpm" } else { "--rad-s" };
-            let given = as_typed(question.speed.given());
+            let given = as_typed(question.speed.value());
             return Err(refused!("{option} {given}: the driver must turn; give a speed above zero"));
         }
         let mechanism = PinSlot::new(radius, centres)?;
@@ -226,7 +226,7 @@ impl PinDesign {
                 "Pin in a slot: crank radius {} {}, {axes}, driver at {} {}",
                 as_typed(radius),
                 unit.name(),
-                as_typed(speed.given()),
+                as_typed(speed.value()),
                 speed.unit()
             ),
             introduction: "Crank angles are counted from the line of centres in the sense in which the driver turns, so they \

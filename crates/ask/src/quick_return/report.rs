@@ -74,9 +74,9 @@ impl QuickReturnDesign {
                 "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} {} {}",
                 as_typed(linkage.ground()),
                 as_typed(linkage.crank()),
-                as_typed(speed.given().abs()),
+                as_typed(speed.value().abs()),
                 speed.unit(),
-                sense(speed.given())
+                sense(speed.value())
             ),
             introduction: INTRODUCTION,
             sections: vec![

@@ -163,7 +163,7 @@ fn title(design: &WheelDesign) -> String {
     let (stations, pins) = (count(wheel.stations() as usize, "station"), count(wheel.pins() as usize, "pin"));
     let radius =
         design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", short_length(radius)));
-    let speed = |speed: DriverSpeed| format!(", {} {}", as_typed(speed.given()), speed.unit());
+    let speed = |speed: DriverSpeed| format!(", {} {}", as_typed(speed.value()), speed.unit());
     let rpm = design.question.speed().map_or_else(String::new, speed);
     format!("{name} Geneva wheel: {stations}, driver with {pins}{radius}{rpm}")
 }

@@ -40,6 +40,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("quick-return-velocity", || of_lever(quick_return::velocity_diagram)),
     ("quick-return-acceleration", || of_lever(quick_return::acceleration_diagram)),
     ("quick-return-bead", || Ok(quick_return::bead_on_a_lever())),
+    ("live-pin", || live::figure("pin")),
     ("live-polygon", || live::figure("polygon")),
     ("quick-return-turn", || of_lever(|linkage, at, drive, _| quick_return::over_a_turn(linkage, at, drive))),
     ("wheel-choice", || Ok(stations::choice(3..=18)?)),
