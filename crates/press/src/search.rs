@@ -11,6 +11,7 @@ mod entries;
 
 use crate::book::Book;
 use crate::pages::PageRole;
+use crate::synonyms::Synonym;
 use anyhow::{Context, ensure};
 use entries::{Entry, EntryKind, entries};
 use serde_json::{Value, json};
