@@ -35,7 +35,7 @@ pub(crate) enum PreprocessorQuestion {
 /// Answers the question, or processes the book on standard input.
 pub(crate) fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) -> anyhow::Result<Outcome> {
     if let Some(PreprocessorQuestion::Supports { renderer }) = call.question {
-        return Ok(Outcome::as_recorded_if(Press(&BOOK).supports_renderer(&renderer)?));
+        return Ok(Outcome::as_recorded_if(Press::new(&BOOK).supports_renderer(&renderer)?));
     }
     ensure!(
         !stdin().is_terminal(),
@@ -47,7 +47,7 @@ pub(crate) fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) ->
             chain(&error)
         )
     })?;
-    let mut book = Press(&BOOK).run(&context, book)?;
+    let mut book = Press::new(&BOOK).run(&context, book)?;
     if context.renderer == TESTS {
         // mdBook gives rustdoc no crates unless it is told where they are. So the programs are tested here, with those of
         // the project, by mdBook's library, and mdBook gets chapters in which nothing is left to be tested.

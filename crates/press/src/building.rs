@@ -9,17 +9,20 @@ mod output_folder;
 mod site;
 mod warnings;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
 use mdbook_preprocessor::Preprocessor;
 
 use crate::book::Book;
+use crate::cache::Shelf;
 use crate::edition::Edition;
 use crate::preprocessor::Press;
-use crate::{address, fingerprints, libraries, minify, phone_tables, policy, print, search, spoken};
+use crate::{address, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken};
 use site::Site;
 pub use site::abandon;
 
@@ -37,8 +40,17 @@ pub struct BuiltBook {
 /// `out` may be absent, empty, or an earlier build and nothing else; anything else is refused before the build begins. When
 /// something fails, `out` is as it was. A key in double braces that the book does not have, and an argument that its key does
 /// not know, stop the build; the error names file, line and the nearest name.
+///
+/// What an earlier build by the same program has made of the same texts is taken from `book-cache` below the target
+/// directory. The book is the same, byte for byte, as one that is built afresh.
 pub fn build(book: &'static Book, root: &Path, out: &Path) -> anyhow::Result<BuiltBook> {
-    build_with(book, root, out, Press(book))
+    let shelf = Shelf::open(&modules::target_directory(root, root), book, "pages");
+    build_with(book, root, out, Press::new(book), &shelf)
+}
+
+/// Builds the pages of a book as [`build`] does, and takes nothing from an earlier build.
+pub fn build_afresh(book: &'static Book, root: &Path, out: &Path) -> anyhow::Result<BuiltBook> {
+    build_with(book, root, out, Press::afresh(book), &Shelf::empty())
 }
 
 /// Builds a book with a preprocessor that takes the place of the command of the same name in `book.toml`.
@@ -47,11 +59,12 @@ fn build_with(
     root: &Path,
     out: &Path,
     preprocessor: impl Preprocessor + 'static,
+    shelf: &Shelf,
 ) -> anyhow::Result<BuiltBook> {
     let mut source = warnings::refuse(|| load(root, preprocessor))?;
     let out = output_folder::find(out, &source.source_dir())?;
     let site = Site::open(&out)?;
-    render(book, &mut source, &site.new_book()).with_context(|| {
+    render(book, &mut source, &site.new_book(), shelf).with_context(|| {
         format!("the book in {} does not build; {} is as it was", source.root.display(), out.display())
     })?;
     let kept = site.finish()?;
@@ -59,19 +72,33 @@ fn build_with(
 }
 
 /// Makes all files of the book in the folder `new`.
-fn render(book: &Book, source: &mut MDBook, new: &Path) -> anyhow::Result<()> {
+fn render(book: &Book, source: &mut MDBook, new: &Path, shelf: &Shelf) -> anyhow::Result<()> {
     source.config.build.build_dir = new.to_owned();
+    without_words_to_search(&mut source.config)?;
     warnings::refuse(|| source.build())?;
-    search::write(book, new)?;
+    search::write(book, new, shelf)?;
     let edition = Edition::detect(&source.root, &book.imprint);
-    print::write(book, new, &edition, address::known(&book.imprint).as_ref())?;
-    finish(book, new)?;
-    list::write(new)
+    print::write(book, new, &edition, address::known(&book.imprint).as_ref(), shelf)?;
+    finish(book, new, shelf)?;
+    list::write(new)?;
+    shelf.complete();
+    Ok(())
+}
+
+/// Settings with which mdBook puts no word into its search index, which is made anew afterwards. Its name then says nothing
+/// of the chapters, so that a page is the same when only another one changes.
+fn without_words_to_search(config: &mut Config) -> anyhow::Result<()> {
+    let is_searched = config.html_config().and_then(|html| html.search).is_some_and(|search| search.enable);
+    if is_searched {
+        let none: BTreeMap<&str, BTreeMap<&str, bool>> = BTreeMap::from([("", BTreeMap::from([("enable", false)]))]);
+        config.set("output.html.search.chapter", none)?;
+    }
+    Ok(())
 }
 
 /// Puts the last hand to the style sheets, scripts and pages of a built book. A file has its name when it changes no more, and
 /// a page its policy when it names all files as they are.
-fn finish(book: &Book, folder: &Path) -> anyhow::Result<()> {
+fn finish(book: &Book, folder: &Path, shelf: &Shelf) -> anyhow::Result<()> {
     rewrite(folder, "css", &|text| Ok(minify::style(text)))?;
     rewrite(folder, "js", &|text| Ok(minify::script(text)))?;
     rewrite(folder, "html", &|text| Ok(with_running_head(text)))?;
@@ -80,7 +107,7 @@ fn finish(book: &Book, folder: &Path) -> anyhow::Result<()> {
         Ok(minify::page(&with_way_to_the_figure(&with_way_past_the_list(&text), book)))
     })?;
     fingerprints::renew(folder)?;
-    rewrite(folder, "html", &|page| policy::guarded(page, book.modules))
+    rewrite(folder, "html", &|page| policy::guarded(page, book.modules, shelf))
 }
 
 /// A page that begins with a link past the list of chapters, for readers with a keyboard.
@@ -146,7 +173,7 @@ fn rewrite(folder: &Path, kind: &str, change: &dyn Fn(&str) -> anyhow::Result<St
 /// asked for those of one build of the examples' package, and they are linked into `target/book-libs`. mdBook
 /// itself writes what rustdoc says about a failing block to standard error.
 pub fn test(book: &'static Book, root: &Path) -> anyhow::Result<()> {
-    let mut source = warnings::refuse(|| load(root, Press(book)))?;
+    let mut source = warnings::refuse(|| load(root, Press::afresh(book)))?;
     let libraries = libraries::link(root, book.examples.package)?;
     let path = libraries
         .to_str()
@@ -177,6 +204,8 @@ mod tests {
     use std::fs;
     use tempfile::TempDir;
 
+    mod cache;
+
     /// Adds nothing, or fails.
     struct Still {
         fails: bool,
@@ -206,7 +235,7 @@ mod tests {
     }
 
     fn attempt(root: &TempDir, out: &str, fails: bool) -> Result<PathBuf, String> {
-        let built = build_with(&BOOK, root.path(), &root.path().join(out), Still { fails });
+        let built = build_with(&BOOK, root.path(), &root.path().join(out), Still { fails }, &Shelf::empty());
         built.map(|built| built.first_page).map_err(|error| format!("{error:#}"))
     }
 

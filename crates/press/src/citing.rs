@@ -76,7 +76,7 @@ pub fn citation_in_words(imprint: &Imprint, edition: &Edition, address: Option<&
 /// One claim in words, as HTML, with the address of its row in the ledger.
 pub fn claim_citation(book: &Book, id: &str, edition: &Edition, address: Option<&Address>) -> anyhow::Result<String> {
     let imprint = &book.imprint;
-    let place = book.address_of_claim(lookup::verdict(book.ledger, id)?.claim.id);
+    let place = book.address_of_claim(lookup::claim(book.ledger, id)?.id);
     let said = escape(&address.map_or_else(|| place.clone(), |address| address.page(&place)));
     Ok(format!(
         "{}: Claim <code>{}</code>. In: <em>{}</em>, {}, <a href=\"{}\">{said}</a>.",
@@ -99,10 +99,20 @@ pub fn footer(book: &Book, edition: &Edition, address: Option<&Address>) -> Stri
         .map_or_else(String::new, |page| format!(" <a href=\"{}.html\">{}</a>.", page.name, escape(page.title)));
     let archived = edition.swhid().map_or_else(String::new, |id| format!(" <code>{id}</code>."));
     format!(
-        "\n<footer class=\"edition\">{}, {}.{archived}{read}{sources}</footer>\n",
+        "\n{FOOT}{}, {}.{archived}{read}{sources}{FOOT_END}\n",
         escape(book.imprint.title),
         escape(&edition.words())
     )
+}
+
+/// How the foot of a page begins and ends.
+const FOOT: &str = "<footer class=\"edition\">";
+const FOOT_END: &str = "</footer>";
+
+/// A page without the foot, which alone says from which edition it is.
+pub(crate) fn without_foot(page: &str) -> String {
+    let split = page.rsplit_once(FOOT).and_then(|(before, rest)| Some((before, rest.split_once(FOOT_END)?)));
+    split.map_or_else(|| page.to_owned(), |(before, (_, behind))| format!("{before}{behind}"))
 }
 
 #[cfg(test)]
@@ -175,6 +185,16 @@ mod tests {
         }
         for form in forms(&changed).0 {
             assert!(form.contains("commit abcdef0") && form.contains(", changed") && !form.contains("swh:"), "{form}");
+        }
+    }
+
+    #[test]
+    fn a_page_without_its_foot_is_the_same_in_every_edition() {
+        let page = |edition: &Edition| format!("<main>a{}<script></script></main>", footer(&BOOK, edition, None));
+        assert_eq!(without_foot(&page(&edition())), "<main>a\n\n<script></script></main>");
+        assert_eq!(without_foot(&page(&edition())), without_foot(&page(&NONE)));
+        for page in ["<main>a</main>", FOOT] {
+            assert_eq!(without_foot(page), page);
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
+use crate::cache::Shelf;
 use crate::fields;
 use anyhow::{Context, bail};
 use std::fs;
@@ -40,6 +41,11 @@ impl PageFile {
         Self { name: name.to_owned(), text }
     }
 
+    /// The file with another text.
+    pub(crate) fn with_text(self, change: impl FnOnce(&str) -> String) -> Self {
+        Self { text: change(&self.text), ..self }
+    }
+
     /// What is in it.
     pub fn text(&self) -> &str {
         &self.text
@@ -49,6 +55,26 @@ impl PageFile {
     pub fn path(&self) -> String {
         format!("{FOLDER}/{}", self.name)
     }
+}
+
+/// Files that may come from a shelf; see [`Shelf::recall`].
+pub(crate) fn recall(
+    shelf: &Shelf,
+    what: &str,
+    parts: &[&str],
+    make: impl FnOnce() -> anyhow::Result<Vec<PageFile>>,
+) -> anyhow::Result<Vec<PageFile>> {
+    Ok(from_texts(shelf.recall(what, parts, || Ok(as_texts(make()?).collect()))?.into_iter()).collect())
+}
+
+/// The name and the text of each file, one after the other.
+pub(crate) fn as_texts(files: Vec<PageFile>) -> impl Iterator<Item = String> {
+    files.into_iter().flat_map(|file| [file.name, file.text])
+}
+
+/// The files of which these are the names and texts.
+pub(crate) fn from_texts(mut texts: impl Iterator<Item = String>) -> impl Iterator<Item = PageFile> {
+    std::iter::from_fn(move || Some(PageFile { name: texts.next()?, text: texts.next()? }))
 }
 
 /// Whether this is a folder of chapters, where files of data are written. There is none where a book is handed over without

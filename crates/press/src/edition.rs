@@ -4,6 +4,9 @@ use crate::imprint::Imprint;
 use geneva_host::git::Repository;
 use std::path::Path;
 
+/// What stands for an edition in what every edition has: no author writes this sign, to which Unicode gives no meaning.
+pub(crate) const SIGN: &str = "\u{f8ff}";
+
 /// The version of a book and the commit that it is made from, with its date, and whether the sources are as the commit has
 /// them. A book that is not made from a repository of its own has no commit.
 #[derive(Clone, Debug, PartialEq, Eq)]

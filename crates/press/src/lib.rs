@@ -13,6 +13,7 @@ pub mod pages;
 // The pages of a book in a folder.
 pub mod address;
 pub mod building;
+mod cache;
 pub mod citing;
 pub mod edition;
 mod fingerprints;
@@ -61,7 +62,7 @@ mod samples;
 pub mod table;
 
 pub use book::Book;
-pub use building::{build, test};
+pub use building::{build, build_afresh, test};
 pub use ledger_pages::own_numbers::computed as computed_number;
 pub use preprocessor::Press;
 pub use readings::readings;

@@ -2,6 +2,7 @@
 
 use crate::base64::base64;
 use crate::book::{Book, PageModule};
+use crate::cache::{Shelf, digest};
 use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
@@ -32,7 +33,12 @@ pub(crate) fn is_own_attribute(book: &Book, name: &str) -> bool {
 /// made from the workspace `root`.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
-pub(crate) fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut String>, root: &Path) -> Vec<PageFile> {
+pub(crate) fn load_into_pages(
+    book: &Book,
+    pages: &mut dyn Iterator<Item = &mut String>,
+    root: &Path,
+    shelf: &Shelf,
+) -> anyhow::Result<Vec<PageFile>> {
     let mut pages: Vec<&mut String> = pages.collect();
     let mut files = Vec::new();
     for module in book.modules {
@@ -41,23 +47,23 @@ pub(crate) fn load_into_pages(book: &Book, pages: &mut dyn Iterator<Item = &mut 
         if asking.peek().is_none() {
             continue;
         }
-        match scripts(module, root) {
-            Ok(scripts) => {
+        match compiled(module, root) {
+            Ok(compiled) => {
                 asking.for_each(|page| **page = with_scripts(module, page));
-                files.extend(scripts);
+                files.extend(scripts(module, &compiled, shelf)?);
             }
             Err(why) => eprintln!("What `{}` makes live stands still in this book: {why}", module.package),
         }
     }
-    files
+    Ok(files)
 }
 
 fn style_path(module: &PageModule) -> String {
     format!("{FOLDER}/{}.css", module.name)
 }
 
-fn scripts(module: &PageModule, root: &Path) -> Result<[PageFile; 3], String> {
-    let packed = packed(&compiled(module, root)?);
+fn scripts(module: &PageModule, compiled: &[u8], shelf: &Shelf) -> anyhow::Result<[PageFile; 3]> {
+    let packed = packed(compiled, shelf)?;
     Ok([
         PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
         PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
@@ -75,8 +81,8 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
 }
 
 /// A module as text.
-pub(crate) fn packed(module: &[u8]) -> String {
-    base64(&compress_to_vec(module, LEVEL))
+pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> anyhow::Result<String> {
+    shelf.text("module", &[&digest(module)], || Ok(base64(&compress_to_vec(module, LEVEL))))
 }
 
 /// The compiled module.
@@ -174,11 +180,12 @@ mod tests {
     fn a_folder_without_the_program_gets_still_figures_and_a_reason() {
         let folder = tempfile::TempDir::new().expect("a folder");
         for module in BOOK.modules {
-            let why = scripts(module, folder.path()).err().expect("nothing to compile");
+            let why = compiled(module, folder.path()).expect_err("nothing to compile");
             assert!(why.contains("does not hold their program"), "{why}");
             let mut page = format!("<p {}=\"\"></p>", module.asking());
             let still = page.clone();
-            assert!(load_into_pages(&BOOK, &mut std::iter::once(&mut page), folder.path()).is_empty());
+            let files = load_into_pages(&BOOK, &mut std::iter::once(&mut page), folder.path(), &Shelf::empty());
+            assert!(files.expect("a still figure").is_empty());
             assert_eq!(page, still);
         }
     }

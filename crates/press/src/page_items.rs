@@ -15,7 +15,7 @@ pub struct PageItem {
 }
 
 /// What stands on a page.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ItemKind {
     Figure,
     Table,
@@ -52,6 +52,13 @@ impl PageItem {
 /// The anchor of the fold with the erratum of a claim.
 pub(crate) fn anchor_of_erratum(id: &str) -> String {
     format!("erratum-{id}")
+}
+
+/// All that other chapters say of them, in words for a key. Where in its chapter one stands, that chapter alone needs to know.
+pub(crate) fn listed(all: &[PageItem]) -> String {
+    let words =
+        all.iter().map(|PageItem { name, kind, number, page, at: _ }| format!("{:?}", (name, kind, number, page)));
+    words.collect::<Vec<_>>().join(" ")
 }
 
 /// Those that have a number.

@@ -5,6 +5,7 @@
 //! of other keys stop the build before (`braces.rs`).
 
 use crate::book::{Book, Expansion, InteractiveFigure, PageFigure, PlaceholderKey};
+use crate::cache::Shelf;
 use crate::data::PageFile;
 use crate::edition::Edition;
 use crate::html::{code, escape, plain};
@@ -14,7 +15,7 @@ use crate::page_items::{ItemKind, PageItem, numbered_items};
 use crate::table::Table;
 use crate::{address, citing, maths, nowrap_options, nowrap_units, works};
 use Expansion::{Bare, Dated, DatedOf, Interactive, Marked, Numbered, Of, Placed};
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, anyhow, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -262,6 +263,16 @@ fn framed(
 /// Replaces the placeholders of a chapter, in a book that shows these figures and tables. Returns also the files to
 /// which the page leads.
 pub fn expand(chapter: &str, page: ChapterContext<'_>, all: &[PageItem]) -> anyhow::Result<(String, Vec<PageFile>)> {
+    expand_with(&Shelf::empty(), chapter, page, all)
+}
+
+/// Does what [`expand`] does, and takes from a shelf what an earlier build has made.
+pub(crate) fn expand_with(
+    shelf: &Shelf,
+    chapter: &str,
+    page: ChapterContext<'_>,
+    all: &[PageItem],
+) -> anyhow::Result<(String, Vec<PageFile>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
     let found = placeholders(page.book, chapter);
     let lines = lines(chapter, &found, page);
@@ -269,7 +280,7 @@ pub fn expand(chapter: &str, page: ChapterContext<'_>, all: &[PageItem]) -> anyh
         if let (Marked(_), Some(id)) = (placeholder.key.expansion, placeholder.argument) {
             marked.insert(id);
         }
-        match expansion(placeholder, page, all, &mut files) {
+        match expansion(shelf, placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),
             Err(error) => errors.push(format!("line {line}: {error:#}")),
         }
@@ -279,7 +290,8 @@ pub fn expand(chapter: &str, page: ChapterContext<'_>, all: &[PageItem]) -> anyh
     let tie = if is_ledger { nowrap_units::tied_without_tags } else { nowrap_units::tied };
     let mut text = inline::glued(&maths::apply(chapter, &edits));
     for id in marked {
-        text.push_str(&format!("\n{}\n", inline::note(page.book, id)?));
+        let note = shelf.text("note", &[id], || inline::note(page.book, id))?;
+        text.push_str(&format!("\n{note}\n"));
     }
     Ok((nowrap_options::in_one_piece(&tie(&text)), files))
 }
@@ -315,6 +327,22 @@ pub fn placeholders<'a>(book: &Book, chapter: &'a str) -> Vec<Placeholder<'a>> {
     found
 }
 
+/// A figure as texts: what its class goes on with, and the figure.
+fn figure_parts(class: String, figure: PageFigure) -> Vec<String> {
+    vec![class, figure.drawing, figure.caption, figure.csv, figure.source.to_owned()]
+}
+
+/// The texts that a shelf has for something that has so many.
+fn take_parts<const COUNT: usize>(parts: Vec<String>) -> anyhow::Result<[String; COUNT]> {
+    parts.try_into().map_err(|_| anyhow!("a cache that has other texts: remove the folder `book-cache` in `target`"))
+}
+
+/// Whether a chapter says which edition of the book this is.
+pub(crate) fn is_dated(book: &Book, chapter: &str) -> bool {
+    let names = |key: &&PlaceholderKey| matches!(key.expansion, Dated(_) | DatedOf(_));
+    keys(book).filter(names).any(|key| chapter.contains(&format!("{{{{{}", key.name)))
+}
+
 /// Where double braces end of which this is the inside and what follows: others may be inside.
 fn end(inside: &str) -> Option<usize> {
     let (mut from, mut open) = (0, 1);
@@ -329,7 +357,8 @@ fn end(inside: &str) -> Option<usize> {
 }
 
 /// The caption of a numbered table, in HTML, with a point at its end.
-pub fn caption(
+pub(crate) fn caption(
+    shelf: &Shelf,
     placeholder: &Placeholder,
     page: ChapterContext<'_>,
     all: &[PageItem],
@@ -343,14 +372,16 @@ pub fn caption(
     let words = |text: &str| escape(&text.replace('\n', " "));
     for inner in placeholders(page.book, text) {
         html += &words(&text[from..inner.range.start]);
-        html += &expansion(&inner, page, all, files)?;
+        html += &expansion(shelf, &inner, page, all, files)?;
         from = inner.range.end;
     }
     Ok(html + &words(&text[from..]) + ".")
 }
 
-/// What stands for a placeholder on a page; the files to which it leads are added to those of the page.
-pub fn expansion(
+/// What stands for a placeholder on a page; the files to which it leads are added to those of the page. What follows from the
+/// key and the argument alone may come from a shelf.
+pub(crate) fn expansion(
+    shelf: &Shelf,
     placeholder: &Placeholder,
     page: ChapterContext<'_>,
     all: &[PageItem],
@@ -366,32 +397,48 @@ pub fn expansion(
         files.extend(of_it);
         Ok(html)
     };
-    let show_figure = |attributes: &str, figure: PageFigure, files: &mut Vec<PageFile>| {
-        let PageFigure { drawing, caption, csv, source } = figure;
-        show(FigureFrame { attributes, caption: &escape(&caption), inner: &drawing, source, csv }, files)
+    let show_figure = |parts: Vec<String>, files: &mut Vec<PageFile>| {
+        let [class, drawing, caption, csv, source] = take_parts(parts)?;
+        let (attributes, caption) = (&*format!("class=\"fig{class}"), &*escape(&caption));
+        show(FigureFrame { attributes, caption, inner: &drawing, source: &source, csv }, files)
     };
     let book = page.book;
     match (expansion, placeholder.argument) {
-        (Bare(make), None) => make(book),
-        (Of(make) | Marked(make), Some(argument)) => make(book, argument),
+        (Bare(make), None) => shelf.text(key, &[], || make(book)),
+        (Of(make) | Marked(make), Some(argument)) => shelf.text(key, &[argument], || make(book, argument)),
         (Dated(make), None) => make(book, page.edition),
         (Bare(_) | Dated(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
         (DatedOf(make), Some(argument)) => make(book, argument, page.edition),
         (Expansion::Figure, Some(name)) => {
-            let figure = (book.figures)(name)?;
-            let is_long = figure.caption.chars().count() > LONGEST_BESIDE;
-            show_figure(if is_long { "class=\"fig long\"" } else { "class=\"fig\"" }, figure, files)
+            let parts = shelf.recall(key, &[name], || {
+                let figure = (book.figures)(name)?;
+                let is_long = figure.caption.chars().count() > LONGEST_BESIDE;
+                Ok(figure_parts(if is_long { " long\"" } else { "\"" }.to_owned(), figure))
+            })?;
+            show_figure(parts, files)
         }
         (Interactive(_, make), Some(name)) => {
-            let InteractiveFigure { figure, attributes } = make(book, name)?;
-            show_figure(&format!("class=\"fig live\"{attributes}"), figure, files)
+            let parts = shelf.recall(key, &[name], || {
+                let InteractiveFigure { figure, attributes } = make(book, name)?;
+                Ok(figure_parts(format!(" live\"{attributes}"), figure))
+            })?;
+            show_figure(parts, files)
         }
         (Numbered(make), Some(argument)) => {
-            let table = make(book, argument)?;
-            let caption = caption(placeholder, page, all, files)?;
-            let (html, csv) = (table.html(&plain(&caption)), table.csv()?);
-            let (inner, source) = (&html, table.source());
-            show(FigureFrame { attributes: "class=\"tab\"", caption: &caption, inner, source, csv }, files)
+            // A table that is not there is named before a caption that it lacks.
+            let caption = match caption(shelf, placeholder, page, all, files) {
+                Ok(caption) => caption,
+                Err(error) => return make(book, argument).and(Err(error)),
+            };
+            let title = plain(&caption);
+            let parts = shelf.recall(key, &[argument, &title], || {
+                let table = make(book, argument)?;
+                Ok(vec![table.html(&title), table.csv()?, table.source().to_owned()])
+            })?;
+            let [inner, csv, source] = take_parts(parts)?;
+            let frame =
+                FigureFrame { attributes: "class=\"tab\"", caption: &caption, inner: &inner, source: &source, csv };
+            show(frame, files)
         }
         (Placed(make), Some(argument)) => make(book, argument, all),
         (Expansion::Reference, Some(name)) => match numbered_items(all).find(|item| item.name == name) {

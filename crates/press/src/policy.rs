@@ -16,17 +16,19 @@ use std::collections::BTreeSet;
 
 use crate::base64::base64;
 use crate::book::PageModule;
+use crate::cache::Shelf;
+use crate::citing;
 use crate::verify;
 
 /// The element behind which the policy stands: as the pages have it, and as those that lead on to another have it.
 const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
 
 /// A page with its policy, which is the first thing that a browser reads. These modules may answer it.
-pub(crate) fn guarded(page: &str, modules: &[PageModule]) -> anyhow::Result<String> {
+pub(crate) fn guarded(page: &str, modules: &[PageModule], shelf: &Shelf) -> anyhow::Result<String> {
     let split = BEFORE.iter().find_map(|before| page.split_once(before).map(|(head, rest)| (head, before, rest)));
     let (head, before, rest) = split.with_context(|| format!("it has no `{}`", BEFORE[0]))?;
     ensure!(!head.contains("<script"), "a script stands before `{before}`");
-    let policy = policy(&inline(page, modules));
+    let policy = policy(&inline_by_parts(page, modules, shelf)?);
     Ok(format!("{head}{before}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{rest}"))
 }
 
@@ -50,6 +52,41 @@ fn policy(inline: &Inline) -> String {
         hashes(&inline.styles)
     )
 }
+
+/// What stands in a page: in its text, which may come from a shelf, and in its frame, which names files by their content.
+fn inline_by_parts(page: &str, modules: &[PageModule], shelf: &Shelf) -> anyhow::Result<Inline> {
+    let (Some(start), Some(end)) = (page.find("<main>"), page.rfind("</main>")) else {
+        return Ok(inline(page, modules));
+    };
+    let Some(text) = page.get(start..end) else { return Ok(inline(page, modules)) };
+    // The foot of a page has neither scripts nor styles.
+    let text = citing::without_foot(text);
+    let texts = shelf.recall("inline", &[&text], || {
+        let Inline { scripts, styles, moves } = inline(&text, modules);
+        let [scripts, styles] = [(SCRIPT, scripts), (STYLE, styles)]
+            .map(|(what, texts)| texts.into_iter().flat_map(move |text| [what.to_owned(), text]));
+        Ok(scripts.chain(styles).chain(moves.then(|| MOVES.to_owned())).collect())
+    })?;
+    let mut all = inline(&page[..start], modules);
+    let behind = inline(&page[end..], modules);
+    all.scripts.extend(behind.scripts);
+    all.styles.extend(behind.styles);
+    all.moves |= behind.moves;
+    let mut texts = texts.into_iter();
+    while let Some(what) = texts.next() {
+        match &*what {
+            SCRIPT => all.scripts.extend(texts.next()),
+            STYLE => all.styles.extend(texts.next()),
+            _ => all.moves = true,
+        }
+    }
+    Ok(all)
+}
+
+/// What says of the next text on a shelf what it is, and that a figure moves.
+const SCRIPT: &str = "script";
+const STYLE: &str = "style";
+const MOVES: &str = "moves";
 
 fn inline(page: &str, modules: &[PageModule]) -> Inline {
     let tokenizer = Tokenizer::new(InlineSink { modules, state: RefCell::default() }, TokenizerOpts::default());
@@ -118,7 +155,7 @@ mod tests {
     fn scripts_and_styles_in_a_page_are_allowed_by_their_hashes() {
         let page = "<html><head><meta charset=\"UTF-8\"><script>alert('Hello, world.');</script><script src=\"a.js\"></script>\
                     <style>a{}</style></head><body><pre>&lt;script&gt;no&lt;/script&gt;</pre></body></html>";
-        let guarded = guarded(page, BOOK.modules).expect("a policy");
+        let guarded = guarded(page, BOOK.modules, &Shelf::empty()).expect("a policy");
         let policy = guarded.split("content=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a policy");
         // The hash is the example of the specification, Content Security Policy Level 3, section 8.
         let script = "script-src 'self' 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=';";
@@ -134,13 +171,13 @@ mod tests {
     #[test]
     fn a_module_is_allowed_where_a_figure_moves() {
         let page = "<head><meta charset=\"UTF-8\"></head><figure data-live=\"wheel\"></figure>";
-        let guarded = guarded(page, BOOK.modules).expect("a policy");
+        let guarded = guarded(page, BOOK.modules, &Shelf::empty()).expect("a policy");
         assert!(guarded.contains("script-src 'self' 'wasm-unsafe-eval';") && guarded.contains("worker-src blob:"));
     }
 
     #[test]
     fn a_page_without_a_place_for_its_policy_is_refused() {
-        assert!(guarded("<head></head>", &[]).is_err());
-        assert!(guarded("<script>a</script><meta charset=\"UTF-8\">", &[]).is_err());
+        assert!(guarded("<head></head>", &[], &Shelf::empty()).is_err());
+        assert!(guarded("<script>a</script><meta charset=\"UTF-8\">", &[], &Shelf::empty()).is_err());
     }
 }

@@ -1,10 +1,12 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
 use crate::book::Book;
+use crate::cache::Shelf;
 use crate::data::PageFile;
-use crate::edition::Edition;
+use crate::edition::{Edition, SIGN};
 use crate::html::escape;
 use crate::ledger_pages::ledger;
+use crate::page_items::{self, PageItem};
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
 use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, record_files, verify};
 use anyhow::{bail, ensure};
@@ -22,15 +24,31 @@ const TESTS: &str = "test";
 /// For pages, formulas become markup and placeholders give way to the ledger's numbers, tables and figures. For tests, the
 /// examples are told which crates they may use; the rest stays as it is.
 #[derive(Clone, Copy)]
-pub struct Press(pub &'static Book);
+pub struct Press {
+    book: &'static Book,
+    keeps: bool,
+}
+
+impl Press {
+    /// A preprocessor that takes what an earlier run of the same program made of the same texts, and keeps what it makes, in
+    /// `book-cache` below the target directory.
+    pub const fn new(book: &'static Book) -> Self {
+        Self { book, keeps: true }
+    }
+
+    /// A preprocessor that makes everything anew, and keeps nothing.
+    pub const fn afresh(book: &'static Book) -> Self {
+        Self { book, keeps: false }
+    }
+}
 
 impl Preprocessor for Press {
     fn name(&self) -> &str {
-        self.0.imprint.program
+        self.book.imprint.program
     }
 
     fn run(&self, context: &PreprocessorContext, mut chapters: Chapters) -> Result<Chapters> {
-        let book = self.0;
+        let book = self.book;
         book.check(ENGINE_KEYS)?;
         check_caller(book, context)?;
         let folder = context.root.join(&context.config.book.src);
@@ -43,14 +61,23 @@ impl Preprocessor for Press {
             });
             return Ok(chapters);
         }
+        let root = context.root.parent().unwrap_or(&context.root);
+        let shelf = if self.keeps {
+            Shelf::open(&modules::target_directory(root, root), book, "chapters")
+        } else {
+            Shelf::empty()
+        };
         let mut errors = Vec::new();
         let mut written = Vec::new();
         chapters.for_each_chapter_mut(|chapter| {
             written.push(chapter.content.clone());
             errors.extend(misbraced(book, chapter, &folder));
             chapter_tests::fold_programs(&mut chapter.content);
-            match maths::render(&chapter.content) {
-                Ok(content) => chapter.content = fences::fold(&content),
+            let set = shelf.text("formulas", &[&chapter.content], || {
+                maths::render(&chapter.content).map(|content| fences::fold(&content))
+            });
+            match set {
+                Ok(content) => chapter.content = content,
                 Err(error) => errors.push(located(chapter, &error)),
             }
         });
@@ -65,13 +92,16 @@ impl Preprocessor for Press {
         let titles: Vec<_> =
             chapters.chapters().map(|chapter| (ChapterPlace::of(chapter).name, chapter.name.clone())).collect();
         let footer = citing::footer(book, &edition, address::known(&book.imprint).as_ref());
+        let listed = page_items::listed(&items);
         let mut files = Vec::new();
         let mut written = written.into_iter();
         chapters.for_each_chapter_mut(|chapter| {
             let place = ChapterPlace::of(chapter);
             let beside = neighbours(&titles, &place.name);
             let written = written.next().unwrap_or_default();
-            match placeholders::expand(&chapter.content, place.context(book, &edition, &written), &items) {
+            let context = place.context(book, &edition, &written);
+            let made = expanded(&shelf, &chapter.content, context, &items, &listed);
+            match made {
                 Ok((content, led_to)) => {
                     chapter.content = content + &beside + &footer;
                     files.extend(led_to);
@@ -82,18 +112,17 @@ impl Preprocessor for Press {
         ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
         if data::has_place(&folder) && chapters.chapters().any(|chapter| data::is_led_to(&chapter.content)) {
-            let records = record_files::files(book, &edition)?.into_iter();
-            files.extend(records.map(|(name, text)| PageFile::text_file(name, text)));
-            files.extend(ledger::files(book)?);
+            files.extend(record_files::of_edition(book, &edition, &shelf)?);
+            files.extend(data::recall(&shelf, "details", &[], || Ok(ledger::files(book)?.into()))?);
         }
-        let root = context.root.parent().unwrap_or(&context.root);
         let mut contents = Vec::new();
         chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
-        files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root));
-        files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root)?);
+        files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
+        files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
         let mut contents = contents.into_iter();
         chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
         data::write(&folder, &files)?;
+        shelf.complete();
         Ok(chapters)
     }
 
@@ -101,6 +130,32 @@ impl Preprocessor for Press {
     fn supports_renderer(&self, _: &str) -> Result<bool> {
         Ok(true)
     }
+}
+
+/// A chapter without placeholders, and the files to which it leads. Unless it says so itself, it is the same in every edition;
+/// only the descriptions of its files name the edition.
+fn expanded(
+    shelf: &Shelf,
+    chapter: &str,
+    page: ChapterContext<'_>,
+    items: &[PageItem],
+    listed: &str,
+) -> Result<(String, Vec<PageFile>)> {
+    const ANY: Edition = Edition::without_commit(SIGN);
+    let is_dated = placeholders::is_dated(page.book, chapter);
+    let edition = if is_dated { page.edition } else { &ANY };
+    let dated = if is_dated { format!("{edition:?}") } else { String::new() };
+    let mut texts = shelf
+        .recall("chapter", &[chapter, page.name, page.number, listed, &dated], || {
+            let page = ChapterContext { edition, ..page };
+            let (content, files) = placeholders::expand_with(shelf, chapter, page, items)?;
+            Ok([content].into_iter().chain(data::as_texts(files)).collect())
+        })?
+        .into_iter();
+    let content = texts.next().unwrap_or_default();
+    let words = page.edition.words();
+    let files = data::from_texts(texts).map(|file| file.with_text(|text| text.replace(&ANY.words(), &words)));
+    Ok((content, files.collect()))
 }
 
 /// Refuses a renderer for which the book isn't made, and an mdBook that may mean something else by what it says.
@@ -184,7 +239,7 @@ mod tests {
         context.mdbook_version = version.to_owned();
         let chapter = Chapter::new("Only", text.to_owned(), "only.md", Vec::new());
         let book = Chapters::new_with_items(vec![BookItem::Chapter(chapter)]);
-        let book = Press(&BOOK).run(&context, book).map_err(|error| format!("{error:#}"))?;
+        let book = Press::new(&BOOK).run(&context, book).map_err(|error| format!("{error:#}"))?;
         Ok(book.chapters().map(|chapter| chapter.content.clone()).collect())
     }
 
@@ -192,7 +247,7 @@ mod tests {
     fn a_renderer_for_which_the_book_is_not_made_is_refused_with_a_way_out() {
         for renderer in ["markdown", "epub", "pandoc", "linkcheck"] {
             assert!(
-                Press(&BOOK).supports_renderer(renderer).expect("an answer"),
+                Press::new(&BOOK).supports_renderer(renderer).expect("an answer"),
                 "{renderer} would be left alone in silence"
             );
             let error = asked("# Only\n", renderer, MDBOOK_VERSION).expect_err("no such renderer");

@@ -13,6 +13,8 @@ pub mod numbers;
 
 use crate::address::Address;
 use crate::book::Book;
+use crate::cache::Shelf;
+use crate::citing;
 use crate::edition::Edition;
 use crate::html::escape;
 use crate::ledger_pages::errata;
@@ -48,7 +50,13 @@ struct Chapter {
 }
 
 /// Writes the document of a book into the folder in which it is built. Where none of its pages is there, there is none.
-pub fn write(book: &Book, folder: &Path, edition: &Edition, address: Option<&Address>) -> anyhow::Result<()> {
+pub(crate) fn write(
+    book: &Book,
+    folder: &Path,
+    edition: &Edition,
+    address: Option<&Address>,
+    shelf: &Shelf,
+) -> anyhow::Result<()> {
     let mut styles = String::new();
     let mut chapters = Vec::new();
     let (mut numbering, mut part) = (Numbering::default(), "");
@@ -71,7 +79,17 @@ pub fn write(book: &Book, folder: &Path, edition: &Edition, address: Option<&Add
             PagePlace::Before | PagePlace::Below => part,
         };
         let begins = (std::mem::replace(&mut part, of) != of).then_some(of);
-        let (html, sections) = reset(book, main, page.name, &number, address);
+        let at = address.map_or("", |address| &address.book);
+        // The foot of the page is left out.
+        let main = &citing::without_foot(main);
+        let mut texts = shelf
+            .recall("printed", &[main, page.name, &number, at], || {
+                let (html, sections) = reset(book, main, page.name, &number, address);
+                Ok([html].into_iter().chain(sections.into_iter().flat_map(|(id, title)| [id, title])).collect())
+            })?
+            .into_iter();
+        let html = texts.next().unwrap_or_default();
+        let sections = std::iter::from_fn(|| Some((texts.next()?, texts.next()?))).collect();
         chapters.push(Chapter { name: page.name, number, title: page.title, part: begins, html, sections });
     }
     if chapters.is_empty() {

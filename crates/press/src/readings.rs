@@ -1,6 +1,7 @@
 //! What a reader reads in the place of each placeholder, as text: a change of a number is seen in the sentence that says it.
 
 use crate::book::{Book, Expansion};
+use crate::cache::Shelf;
 use crate::edition::Edition;
 use crate::html::plain;
 use crate::page_items::PageItem;
@@ -79,10 +80,10 @@ fn rows(placeholder: &Placeholder<'_>, page: ChapterContext<'_>, all: &[PageItem
         }
         _ if !placeholder.key.is_text => return Ok(Vec::new()),
         (Expansion::Numbered(make), Some(argument)) => {
-            let caption = caption(placeholder, page, all, &mut Vec::new())?;
+            let caption = caption(&Shelf::empty(), placeholder, page, all, &mut Vec::new())?;
             format!("<p>{caption}</p>{}", make(page.book, argument)?.html(&plain(&caption)))
         }
-        _ => expansion(placeholder, page, all, &mut Vec::new())?,
+        _ => expansion(&Shelf::empty(), placeholder, page, all, &mut Vec::new())?,
     };
     let cells = html.replace("</td>", " | ").replace("</th>", " | ").replace("</dt>", ": ");
     let ends = ["</tr>", "</li>", "</p>", "</summary>", "</dd>", "</div>", "</pre>"];

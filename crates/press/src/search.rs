@@ -10,6 +10,8 @@
 mod entries;
 
 use crate::book::Book;
+use crate::cache::Shelf;
+use crate::citing;
 use crate::pages::PageRole;
 use crate::synonyms::Synonym;
 use anyhow::{Context, ensure};
@@ -27,14 +29,14 @@ const SEARCHER: &str = "searcher";
 const NOT_NEEDED: [&str; 2] = ["elasticlunr", "mark"];
 
 /// Puts the search into a book that is built in a folder. One without an index, which its settings may want, is left alone.
-pub(crate) fn write(book: &Book, folder: &Path) -> anyhow::Result<()> {
+pub(crate) fn write(book: &Book, folder: &Path, shelf: &Shelf) -> anyhow::Result<()> {
     let files = files(folder)?;
     let named = |start: &str| files.iter().find(|file| is_script(file, start));
     let (Some(index), Some(searcher)) = (named(INDEX), named(SEARCHER)) else { return Ok(()) };
     let write =
         |file: &Path, text: String| fs::write(file, text).with_context(|| format!("cannot write {}", file.display()));
     let pages: Vec<&PathBuf> = files.iter().filter(|file| name(file).ends_with(".html")).collect();
-    let json = indexed(book, &pages)?.to_string();
+    let json = indexed(book, &pages, shelf)?.to_string();
     write(index, format!("genevaIndex('{}');\n", json.replace('\\', "\\\\").replace('\'', "\\'")))?;
     write(searcher, SCRIPT.to_owned())?;
     for file in NOT_NEEDED.into_iter().filter_map(named) {
@@ -50,7 +52,7 @@ pub(crate) fn write(book: &Book, folder: &Path) -> anyhow::Result<()> {
 
 /// The index as the script reads it: the book's title; pages with theirs; entries, each with the place of its page, anchor, title, text,
 /// text that counts little, and weight; synonyms.
-fn indexed(book: &Book, pages: &[&PathBuf]) -> anyhow::Result<Value> {
+fn indexed(book: &Book, pages: &[&PathBuf], shelf: &Shelf) -> anyhow::Result<Value> {
     let asking: Vec<&str> = book.modules.iter().map(|module| module.asking()).collect();
     let (mut titles, mut all, mut words) = (Vec::new(), Vec::new(), BTreeSet::new());
     for page in pages {
@@ -60,7 +62,7 @@ fn indexed(book: &Book, pages: &[&PathBuf]) -> anyhow::Result<Value> {
             continue;
         }
         let html = fs::read_to_string(page).with_context(|| format!("cannot read {}", page.display()))?;
-        let found = entries(&html, &asking);
+        let found = known_entries(&html, &asking, shelf)?;
         let Some(first) = found.first() else { continue };
         let title = first.page.clone();
         for entry in found {
@@ -75,6 +77,27 @@ fn indexed(book: &Book, pages: &[&PathBuf]) -> anyhow::Result<Value> {
     check(book.synonyms, &words)?;
     let synonyms: Vec<Value> = book.synonyms.iter().map(|of| json!([of.typed, of.meant])).collect();
     Ok(json!({ "title": book.imprint.title, "pages": titles, "entries": all, "synonyms": synonyms }))
+}
+
+/// The entries of a page, which may come from a shelf.
+fn known_entries(html: &str, asking: &[&str], shelf: &Shelf) -> anyhow::Result<Vec<Entry>> {
+    // Nothing outside the text is searched, nor the edition at its foot.
+    let text = html.find("<main").and_then(|at| html.get(at..)).unwrap_or_default();
+    let text = text.rfind("</main>").and_then(|end| text.get(..end)).unwrap_or(text);
+    let text = citing::without_foot(text);
+    let texts = shelf.recall("entries", &[&text], || {
+        let texts = entries(&text, asking).into_iter().map(|Entry { kind, page, id, title, body, little }| {
+            [kind.name().to_owned(), page, id, title, body, little]
+        });
+        Ok(texts.flatten().collect())
+    })?;
+    let mut texts = texts.into_iter();
+    let entry = std::iter::from_fn(|| {
+        let kind = EntryKind::of_name(&texts.next()?);
+        let [page, id, title, body] = [texts.next()?, texts.next()?, texts.next()?, texts.next()?];
+        Some(Entry { kind, page, id, title, body, little: texts.next()? })
+    });
+    Ok(entry.collect())
 }
 
 /// Holds what readers are led to against the words of all pages.
@@ -148,7 +171,7 @@ mod tests {
         let page = "<script src=\"elasticlunr-0c0c0c0c.min.js\"></script><script src=\"mark-0d0d0d0d.min.js\"></script>\
                     <script src=\"searcher-0b0b0b0b.js\"></script><main><h1 id=\"f\">First</h1><p>it's “a\\b”</p></main>";
         let folder = built(&[("preface.html", page), ("index.html", page), ("ledger.html", page)]);
-        write(&BOOK, folder.path()).expect("written");
+        write(&BOOK, folder.path(), &Shelf::empty()).expect("written");
         let names: Vec<_> = files(folder.path()).expect("files").iter().map(|file| name(file)).collect();
         assert_eq!(
             names,

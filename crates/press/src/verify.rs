@@ -4,6 +4,7 @@
 //! this by naming that crate, without a line of its own.
 
 use crate::book::{Book, LedgerCrate};
+use crate::cache::Shelf;
 use crate::data::PageFile;
 use crate::modules::{self, Compilation, THREAD};
 use anyhow::Context;
@@ -33,11 +34,12 @@ pub(crate) fn load_into_pages(
     book: &Book,
     pages: &mut dyn Iterator<Item = &mut String>,
     root: &Path,
+    shelf: &Shelf,
 ) -> anyhow::Result<Vec<PageFile>> {
     let asking: Vec<&mut String> = pages.filter(|page| ASKING.iter().any(|part| page.contains(part))).collect();
     let Some(of) = book.ledger_crate.filter(|_| !asking.is_empty()) else { return Ok(Vec::new()) };
     let packed = match compiled(&of, root) {
-        Ok(module) => modules::packed(&module),
+        Ok(module) => modules::packed(&module, shelf)?,
         Err(why) => {
             eprintln!("No claim can be checked in the pages of this book: {why:#}");
             return Ok(Vec::new());
@@ -46,11 +48,12 @@ pub(crate) fn load_into_pages(
     for page in asking {
         page.push_str(&format!("\n\n<script src=\"{SCRIPT}\" defer></script>\n"));
     }
+    let record = shelf.text("record", &[], || record(book, &of))?;
     Ok(vec![
         PageFile::text_file("verify.js", SCRIPT_TEXT.to_owned()),
         PageFile::text_file("verify-panel.js", format!("{THREAD}{PANEL}")),
         PageFile::text_file("verify.css", STYLE.to_owned()),
-        PageFile::text_file("verify-module.js", format!("{}genevaModule('{packed}');\n", record(book, &of)?)),
+        PageFile::text_file("verify-module.js", format!("{record}genevaModule('{packed}');\n")),
     ])
 }
 

@@ -41,6 +41,22 @@ pub(super) enum EntryKind {
     Claim,
 }
 
+impl EntryKind {
+    /// Its name on a shelf.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Section => "section",
+            Self::Figure => "figure",
+            Self::Claim => "claim",
+        }
+    }
+
+    /// The one of this name.
+    pub(super) fn of_name(name: &str) -> Self {
+        [Self::Figure, Self::Claim].into_iter().find(|kind| kind.name() == name).unwrap_or_default()
+    }
+}
+
 /// The entries of a page, in their order. What a reader moves has one of these attributes.
 pub(super) fn entries(html: &str, moving: &[&str]) -> Vec<Entry> {
     let state = RefCell::new(State { moving, ..State::default() });
