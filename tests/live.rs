@@ -199,7 +199,7 @@ fn drawing_numbers_and_the_control_in_use_share_a_screen() {
 /// Types a number into the box of a control.
 fn typed(name: &str, value: &str) -> String {
     format!(
-        "(() => {{ const box = g.querySelector('[data-box={name}]'); box.value = '{value}'; box.dispatchEvent(new \
+        "(() => {{ const box = g.querySelector('[data-box={name}]') ?? g.elements['{name}']; box.value = '{value}'; box.dispatchEvent(new \
          Event('input', {{ bubbles: true }})) }})()"
     )
 }
@@ -277,7 +277,7 @@ fn the_crank_follows_the_lever_and_the_lever_follows_the_crank() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     open(&mut browser, "quick-return", "");
-    let state = "[...['crank', 'lever'].map(name => Number(g.querySelector(`[data-box=${name}]`).value)), \
+    let state = "[...['crank', 'lever'].map(name => Number((g.querySelector(`[data-box=${name}]`) ?? g.elements[name]).value)), \
                  g.elements.branch.value, f.querySelector('output[name=lever-acceleration]').value, \
                  g.querySelector('[data-do=link]').hash]";
     let first = of(&mut browser, "polygon", state);
@@ -290,7 +290,7 @@ fn the_crank_follows_the_lever_and_the_lever_follows_the_crank() {
     let crank = |told: &Value| told[0].as_f64().expect("an angle");
     approx::assert_abs_diff_eq!(crank(&far), 18.0 + beta - 180.0, epsilon = 1e-4);
     assert_eq!([&far[1], &far[2], &far[3]], [&json!(18), &json!("0"), &json!("−5.123 rad/s²")]);
-    assert!(far[4].as_str().is_some_and(|hash| hash.contains("crank=&lever=18&branch=0&ground=0.28")), "{far}");
+    assert!(far[4].as_str().is_some_and(|hash| hash.contains("crank=&direction=&lever=18&branch=0&ground=0.28")), "{far}");
     of(
         &mut browser,
         "polygon",
@@ -308,7 +308,7 @@ fn the_crank_follows_the_lever_and_the_lever_follows_the_crank() {
     let lever = (0.12_f64 / 0.28).atan().to_degrees();
     approx::assert_abs_diff_eq!(turned[1].as_f64().expect("an angle"), lever, epsilon = 1e-4);
     assert_eq!(turned[2], json!("0"));
-    assert!(turned[4].as_str().is_some_and(|hash| hash.contains("crank=-90&lever=&branch=&")), "{turned}");
+    assert!(turned[4].as_str().is_some_and(|hash| hash.contains("crank=-90&direction=&lever=&branch=&")), "{turned}");
     of(&mut browser, "polygon", "g.querySelector('[data-do=reset]').click()");
     let reset = of(&mut browser, "polygon", state);
     // All but the link, which the page begins without a setting.

@@ -4,7 +4,7 @@
 //! A line of a step is text with marked symbols: `{v:P}` is v with the index P, `{a:2:n}` is a with the index 2 and the
 //! superscript n, and `{r}` is r alone. A page sets them in italics with real indices; a terminal shows [`plain`] characters.
 
-use crate::number_format::{angle, as_typed, number};
+use crate::number_format::{as_typed, to_digits};
 use crate::{Error, ReportField};
 use geneva_figures::with_minus_sign;
 use std::f64::consts::PI;
@@ -47,9 +47,18 @@ pub fn as_text(steps: &[WorkedStep]) -> String {
     steps.iter().zip(1..).map(step).collect::<Vec<_>>().join("\n")
 }
 
-/// A number of a step: four significant digits and a true minus sign, or fewer digits if it has no more.
+/// Significant digits that a solution carries from step to step.
+const CARRIED: usize = 6;
+
+/// A number as a solution carries it: rounded to six significant digits, so that what is computed from it is computed from what
+/// is written.
+pub(crate) fn carried(value: f64) -> f64 {
+    format!("{value:.behind$e}", behind = CARRIED - 1).parse().unwrap_or(value)
+}
+
+/// A number of a step: six significant digits and a true minus sign, or fewer digits if it has no more.
 pub(crate) fn shown(value: f64) -> String {
-    shorter(value, number(value))
+    shorter(value, to_digits(value, CARRIED))
 }
 
 /// A number as a factor or behind a minus sign: as by [`shown`], in brackets if it is negative.
@@ -60,7 +69,7 @@ pub(crate) fn factor(value: f64) -> String {
 
 /// An angle of a step in degrees, as by [`shown`], with the sign for degrees.
 pub(crate) fn in_degrees(degrees: f64) -> String {
-    format!("{}°", shorter(degrees, angle(degrees)))
+    format!("{}°", shown(degrees))
 }
 
 /// The number as it could be typed, if that is shorter than as it is written.
@@ -213,7 +222,7 @@ impl DriverSpeed {
 
     /// The speed in radians per second with the way there, in the notation of this module.
     pub(crate) fn line(self) -> String {
-        let speed = shown(self.radians_per_second());
+        let speed = shown(carried(self.radians_per_second()));
         match self {
             Self::Rpm(rpm) => format!("{{θ̇}} = 2π · {} rpm / (60 s/min) = {speed} rad/s", factor(rpm)),
             Self::RadiansPerSecond(_) => format!("{{θ̇}} = {speed} rad/s is given"),
@@ -259,8 +268,9 @@ mod tests {
     fn symbols_are_read_without_their_marks() {
         let line = "{v:P′} = {v:P} sin {γ} = 151.5 mm/s, {a:2:n} = {R} {θ̇}²";
         assert_eq!(plain(line), "v_P′ = v_P sin γ = 151.5 mm/s, a_2^n = R θ̇²");
-        assert_eq!([40.0, -0.5, 17.876_543, 40.000_000_1].map(shown), ["40", "−0.5", "17.88", "40.00"]);
-        assert_eq!((in_degrees(-20.0), factor(-1.0 / 3.0)), ("−20°".to_owned(), "(−0.3333)".to_owned()));
+        assert_eq!([40.0, -0.5, 17.876_543, 40.000_000_1].map(shown), ["40", "−0.5", "17.8765", "40.0000"]);
+        assert_eq!([carried(17.876_543), carried(-1.0 / 3.0)], [17.8765, -0.333_333]);
+        assert_eq!((in_degrees(-20.0), factor(-1.0 / 3.0)), ("−20°".to_owned(), "(−0.333333)".to_owned()));
         let steps = [WorkedStep::new("One", ["{r} = 1".to_owned()]), WorkedStep::new("Two", [])];
         assert_eq!(as_text(&steps), "1. One\n   r = 1\n\n2. Two\n");
     }

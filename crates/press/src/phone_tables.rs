@@ -213,7 +213,7 @@ mod tests {
         let head = ["What", "Value", "Why"];
         assert_eq!(layout(&head, &["pin", "2.5&nbsp;mm", "as printed"]), PhoneLayout::Columns);
         let sentence =
-            "The program resets the driver's angle every quarter turn, whatever the number of pins. ".repeat(4);
+            "The program resets the driver's angle every quarter turn, whatever the number of pins. ".repeat(8);
         assert_eq!(layout(&head, &["pin", "2.5&nbsp;mm", &sentence]), PhoneLayout::Cards);
         // A formula does not break, and neither does a number before its unit.
         let long = "1&nbsp;2".repeat(20);

@@ -1,29 +1,39 @@
 //! The steps of the solution, with the numbers of the question filled in.
 
 use super::{AxisDistance, PinDesign, PinQuestion};
-use crate::number_format::{as_typed, to_digits};
-use crate::worked::{AngleOrigin, WorkedStep, in_degrees, shown, without_rounding};
+use crate::number_format::as_typed;
+use crate::worked::{AngleOrigin, WorkedStep, carried, in_degrees, shown, without_rounding};
 use geneva_figures::with_minus_sign;
 
 impl PinDesign {
     /// The solution step by step: the six steps of the problem, and a seventh for the wheel's angular acceleration.
     ///
-    /// Each number is computed with all digits and written with four; so a chain of equal sides holds to the digits that are
-    /// written.
+    /// Six digits are carried: each number is computed from those before it as they are written, so every chain of equal sides
+    /// holds to the digits that are written.
     pub fn steps(&self) -> Vec<WorkedStep> {
         let PinQuestion { unit, speed, .. } = self.question;
-        let [radius, centres] = [self.mechanism.crank_radius(), self.mechanism.centre_distance()].map(shown);
-        let driver = shown(speed.radians_per_second());
         let triangle = &self.triangle;
-        let [squared, distance] = [triangle.slot_radius * triangle.slot_radius, triangle.slot_radius].map(shown);
-        let theta = in_degrees(self.theta);
-        let size = in_degrees(self.theta.abs());
-        let slot = in_degrees(triangle.angle_at_pivot.to_degrees());
-        let gamma = in_degrees(without_rounding(triangle.velocity_angle, 1.0).to_degrees());
-        let pin = shown(triangle.pin_speed);
-        let across = shown(without_rounding(triangle.slot_point_speed, triangle.pin_speed));
-        let sliding = shown(self.sliding_speed().abs());
-        let [k, q] = [self.mechanism.ratio(), triangle.radius_squared_ratio].map(|ratio| to_digits(ratio, 6));
+        // Each number follows from those before it as they are written; where one is known to be zero, it is.
+        let (radius, centres) = (self.mechanism.crank_radius(), carried(self.mechanism.centre_distance()));
+        let driver = carried(speed.radians_per_second());
+        let (angle, turned) = (self.theta.abs(), self.theta.abs().to_radians());
+        let squared = carried(radius * radius + centres * centres - 2.0 * radius * centres * libm::cos(turned));
+        let distance = carried(squared.sqrt());
+        let sine = carried(radius * libm::sin(turned) / distance);
+        let slot = carried(libm::asin(sine.min(1.0)).to_degrees());
+        let is_at_the_end = without_rounding(triangle.velocity_angle, 1.0) == 0.0;
+        let gamma = if is_at_the_end { 0.0 } else { carried(90.0 - slot - angle) };
+        let pin = carried(radius * driver);
+        let across = carried(pin * libm::sin(gamma.to_radians()));
+        let sliding = if self.theta == 0.0 { 0.0 } else { carried(pin * libm::cos(gamma.to_radians())) };
+        let wheel = carried(across / distance);
+        let (k, q) = (carried(centres / radius), carried(squared / (radius * radius)));
+        let acceleration =
+            carried(-k * (k * k - 1.0) * libm::sin(self.theta.to_radians()) * driver * driver / (q * q)) + 0.0;
+        let [theta, size, slot, gamma] = [self.theta, angle, slot, gamma].map(in_degrees);
+        let [radius, centres, driver, squared, distance, sine, pin, across, sliding, wheel, k, q, acceleration] =
+            [radius, centres, driver, squared, distance, sine, pin, across, sliding, wheel, k, q, acceleration]
+                .map(shown);
         let (length, rate) = (unit.name(), unit.speed());
 
         let mut data = vec![self.crank_angle()];
@@ -45,10 +55,7 @@ impl PinDesign {
             WorkedStep::new(
                 "Where the slot points",
                 [
-                    format!(
-                        "sin|{{φ}}| = {{R}} sin|{{θ}}| / {{r}} = {radius} · sin {size} / {distance} = {}",
-                        shown(triangle.sine_at_pivot)
-                    ),
+                    format!("sin|{{φ}}| = {{R}} sin|{{θ}}| / {{r}} = {radius} · sin {size} / {distance} = {sine}"),
                     format!("|{{φ}}| = {slot}, the acute angle"),
                 ],
             ),
@@ -68,7 +75,7 @@ impl PinDesign {
             WorkedStep::new(
                 "How fast the wheel is",
                 [
-                    format!("{{φ̇}} = {{v:P′}} / {{r}} = {across} / {distance} = {} rad/s", shown(self.wheel_speed())),
+                    format!("{{φ̇}} = {{v:P′}} / {{r}} = {across} / {distance} = {wheel} rad/s"),
                     capitalised(self.turning_in_words()),
                 ],
             ),
@@ -80,8 +87,7 @@ impl PinDesign {
                     ),
                     format!(
                         "{{φ̈}} = −{{k}} ({{k}}² − 1) sin {{θ}} · {{θ̇}}² / {{q}}² = −{k} · ({k}² − 1) · sin({theta}) · {driver}² / {q}² = \
-                         {} rad/s²",
-                        shown(self.wheel_acceleration())
+                         {acceleration} rad/s²"
                     ),
                     capitalised(self.acceleration_in_words()),
                 ],
@@ -104,7 +110,7 @@ impl PinDesign {
     fn axes(&self) -> Option<String> {
         let AxisDistance::Stations(slots) = self.question.axes else { return None };
         let half = in_degrees(180.0 / f64::from(slots));
-        let [radius, centres] = [self.mechanism.crank_radius(), self.mechanism.centre_distance()].map(shown);
+        let [radius, centres] = [self.mechanism.crank_radius(), carried(self.mechanism.centre_distance())].map(shown);
         Some(format!(
             "{{l}} = {{R}} / sin(180°/{slots}) = {radius} / sin {half} = {centres} {}",
             self.question.unit.name()

@@ -60,10 +60,10 @@ fn a_problem_with_numbers_of_ones_own_is_written_out() {
     let lines: Vec<String> = at.steps().iter().flat_map(|step| step.lines.iter().map(|line| plain(line))).collect();
     for line in [
         "θ = 160° − 180° = −20°, so |θ| = 20°",
-        "r² = R² + l² − 2 R l cos|θ| = 40² + 80² − 2 · 40 · 80 · cos 20° = 1986 mm²",
-        "r = √(1986 mm²) = 44.56 mm",
+        "r² = R² + l² − 2 R l cos|θ| = 40² + 80² − 2 · 40 · 80 · cos 20° = 1985.97 mm²",
+        "r = √(1985.97 mm²) = 44.5642 mm",
         "v_P = R θ̇ = 40 · 8 = 320 mm/s",
-        "φ̇ = v_P′ / r = 252.6 / 44.56 = 5.668 rad/s",
+        "φ̇ = v_P′ / r = 252.578 / 44.5642 = 5.66773 rad/s",
         "Opposite to the driver.",
     ] {
         assert!(lines.iter().any(|known| known == line), "{line}\n{}", lines.join("\n"));

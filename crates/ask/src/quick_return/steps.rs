@@ -7,7 +7,7 @@ use super::instant::LeverInstant;
 use super::{LinkageAngle, QuickReturnDesign};
 use crate::Error;
 use crate::number_format::as_typed;
-use crate::worked::{AngleOrigin, LengthUnit, WorkedStep, factor, in_degrees, shown, without_rounding};
+use crate::worked::{AngleOrigin, LengthUnit, WorkedStep, carried, factor, in_degrees, shown, without_rounding};
 use geneva_figures::with_minus_sign;
 use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
@@ -18,16 +18,31 @@ struct Written {
     distance: String,
     speed: String,
     lever: String,
-    turned: String,
     beta: String,
+}
+
+/// The triangle of the two axes and the pin: angles in degrees.
+struct Triangle {
+    /// θ; zero where the lever's angle is given.
+    theta: f64,
+    /// sin β; zero where the crank's angle is given.
+    sine: f64,
+    /// The pin from the lever's pivot, along the line of centres and across it; zero where the lever's angle is given.
+    sides: [f64; 2],
+    /// r.
+    distance: f64,
+    /// φ.
+    lever: f64,
+    /// β.
+    beta: f64,
 }
 
 impl QuickReturnDesign {
     /// The solution step by step, for a design whose lengths are in `unit`, with the crank's angle as a problem with this origin
     /// gives it.
     ///
-    /// Each number is computed with all digits and written with four; so a chain of equal sides holds to the digits that are
-    /// written.
+    /// Six digits are carried: each number is computed from those before it as they are written, so every chain of equal sides
+    /// holds to the digits that are written.
     ///
     /// # Errors
     ///
@@ -38,47 +53,43 @@ impl QuickReturnDesign {
         let motion =
             LeverMotion::new(&linkage.ground(), &linkage.crank(), &position.crank, drive).ok_or_else(beyond)?;
         let instant = LeverInstant::new(linkage, position);
-        let (lever, crank) = (position.lever.degrees(), position.crank.degrees());
-        let turned = crank - lever;
-        let beta = without_rounding(turned - 360.0 * (turned / 360.0).round(), 180.0);
-        let written = Written {
-            ground: shown(linkage.ground()),
-            crank: shown(linkage.crank()),
-            distance: shown(position.pin_distance),
-            speed: factor(drive.speed),
-            lever: in_degrees(without_rounding(lever, 180.0)),
-            turned: in_degrees(without_rounding(crank, 180.0)),
-            beta: in_degrees(beta),
-        };
-        let Written { crank, distance, beta, .. } = &written;
-        let (rate, acceleration) = (unit.speed(), unit.acceleration());
-
-        let pin_speed = linkage.crank() * drive.speed;
-        let along = position.lever.direction();
-        let size = pin_speed.abs();
-        let across = if instant.lever_at_rest { 0.0 } else { motion.velocities.follower_speed * position.pin_distance };
-        let across = without_rounding(across, size);
-        let sliding = motion.velocities.sliding_velocity.dot(&along);
-        let sliding = if instant.on_centre_line { 0.0 } else { without_rounding(sliding, size) };
-        let turning = across / position.pin_distance;
-        let [pin_normal, lever_normal] = [pin_speed * drive.speed, turning * across];
-        let coriolis = 2.0 * turning * sliding;
+        // Each number follows from those before it as they are written; where one is known to be zero, it is.
+        let (ground, crank, driver) = (linkage.ground(), linkage.crank(), carried(drive.speed));
+        let triangle = self.triangle(origin);
+        let Triangle { distance, beta, .. } = triangle;
+        let [sine, cosine] = [libm::sin(beta.to_radians()), libm::cos(beta.to_radians())];
+        let pin_speed = carried(crank * driver);
+        let across = if instant.lever_at_rest { 0.0 } else { carried(pin_speed * cosine) };
+        let sliding = if instant.on_centre_line { 0.0 } else { carried(-pin_speed * sine) };
+        let turning = carried(across / distance);
+        let [pin_normal, lever_normal] = [crank * driver * driver, distance * turning * turning].map(carried);
+        let coriolis = carried(2.0 * turning * sliding);
         let greatest = [pin_normal, lever_normal, coriolis].into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let out = without_rounding(motion.accelerations.sliding_tangential.dot(&along), greatest);
-        let tangential = motion.accelerations.follower_acceleration * position.pin_distance;
-        let tangential = if instant.steady_lever() { 0.0 } else { without_rounding(tangential, greatest) };
-        let angular = tangential / position.pin_distance;
+        let exact = motion.accelerations.sliding_tangential.dot(&position.lever.direction());
+        let is_steady = without_rounding(exact, greatest) == 0.0;
+        let out = if is_steady { 0.0 } else { carried(lever_normal - pin_normal * cosine) };
+        let tangential = if instant.steady_lever() { 0.0 } else { carried(-pin_normal * sine - coriolis) };
+        let angular = carried(tangential / distance);
         let numbers =
             [pin_speed, across, sliding, turning, pin_normal, lever_normal, coriolis, out, tangential, angular];
         if numbers.iter().any(|value| !value.is_finite()) {
             return Err(beyond());
         }
-        let [pin_speed, across, sliding, pin_normal, lever_normal, coriolis, out, tangential] =
-            [pin_speed, across, sliding, pin_normal, lever_normal, coriolis, out, tangential]
-                .map(|value| without_rounding(value, 0.0));
+        let [pin_speed, across, sliding, turning, pin_normal, lever_normal, coriolis, out, tangential, angular] =
+            numbers.map(|value| without_rounding(value, 0.0));
+        let written = Written {
+            ground: shown(ground),
+            crank: shown(crank),
+            distance: shown(distance),
+            speed: factor(driver),
+            lever: in_degrees(triangle.lever),
+            beta: in_degrees(beta),
+        };
+        let Written { crank, distance, beta, .. } = &written;
+        let (rate, acceleration) = (unit.speed(), unit.acceleration());
 
         let mut place = vec![speed.line()];
-        place.extend(self.place(&written, origin, unit));
+        place.extend(self.place(&written, &triangle, origin, unit));
         Ok(vec![
             WorkedStep::new("Where the pin is", place),
             WorkedStep::new(
@@ -167,14 +178,44 @@ impl QuickReturnDesign {
         ])
     }
 
-    /// The triangle of the two axes and the pin, from the angle that was given.
-    fn place(&self, written: &Written, origin: AngleOrigin, unit: LengthUnit) -> Vec<String> {
+    /// The triangle of the two axes and the pin, each number from those before it as they are written.
+    fn triangle(&self, origin: AngleOrigin) -> Triangle {
+        let Self { linkage, position, place, .. } = self;
+        let (ground, crank) = (linkage.ground(), linkage.crank());
+        match *place {
+            LinkageAngle::Lever(degrees, branch) => {
+                let sine = carried(ground * libm::sin(degrees.to_radians()) / crank);
+                let acute = libm::asin(sine.clamp(-1.0, 1.0)).to_degrees();
+                let beta = match branch {
+                    Branch::Far => acute,
+                    Branch::Near => 180.0_f64.copysign(acute) - acute,
+                };
+                let beta = carried(beta);
+                let distance = ground * libm::cos(degrees.to_radians()) + crank * libm::cos(beta.to_radians());
+                Triangle { theta: 0.0, sine, sides: [0.0; 2], distance: carried(distance), lever: degrees, beta }
+            }
+            LinkageAngle::Crank(degrees) => {
+                let theta = AngleOrigin::Extension.from_line_of_centres(degrees);
+                let theta = if origin == AngleOrigin::LineOfCentres { carried(theta) } else { theta };
+                let way = position.lever.direction() * position.pin_distance;
+                let sides = [ground - crank * libm::cos(theta.to_radians()), -crank * libm::sin(theta.to_radians())];
+                let is_zero = [way.x, way.y].map(|side| without_rounding(side, ground) == 0.0);
+                let [x, y] = [0, 1].map(|of| if is_zero[of] { 0.0 } else { carried(sides[of]) });
+                let lever = carried(libm::atan2(y, x).to_degrees());
+                let beta = 180.0 + theta - lever;
+                let beta = carried(without_rounding(beta - 360.0 * (beta / 360.0).round(), 180.0));
+                Triangle { theta, sine: 0.0, sides: [x, y], distance: carried(libm::hypot(x, y)), lever, beta }
+            }
+        }
+    }
+
+    /// The lines of the triangle, from the angle that was given.
+    fn place(&self, written: &Written, triangle: &Triangle, origin: AngleOrigin, unit: LengthUnit) -> Vec<String> {
         let length = unit.name();
-        let Written { ground, crank, distance, lever, turned, beta, .. } = written;
+        let Written { ground, crank, distance, lever, beta, .. } = written;
         let given = |degrees: f64| with_minus_sign(&as_typed(degrees));
         match self.place {
             LinkageAngle::Lever(degrees, branch) => {
-                let sine = shown(self.linkage.ratio() * libm::sin(degrees.to_radians()));
                 let (which, place) = match branch {
                     Branch::Far => ("not obtuse", "the far point"),
                     Branch::Near => ("not acute", "the near point"),
@@ -182,10 +223,11 @@ impl QuickReturnDesign {
                 vec![
                     format!("{{φ}} = {}° is given, with the pin at {place}", given(degrees)),
                     format!(
-                        "sin {{β}} = {{l}} sin {{φ}} / {{R}} = {ground} · sin {} / {crank} = {sine}",
-                        bracketed(lever)
+                        "sin {{β}} = {{l}} sin {{φ}} / {{R}} = {ground} · sin {} / {crank} = {}",
+                        bracketed(lever),
+                        shown(triangle.sine)
                     ),
-                    format!("{{β}} = {beta}, the angle with this sine that is {which}"),
+                    format!("{{β}} = {beta}, which is {which}"),
                     format!(
                         "{{r}} = {{l}} cos {{φ}} + {{R}} cos {{β}} = {ground} · cos {} + {crank} · cos {} = {distance} {length}",
                         bracketed(lever),
@@ -194,21 +236,15 @@ impl QuickReturnDesign {
                 ]
             }
             LinkageAngle::Crank(degrees) => {
-                let theta = AngleOrigin::Extension.from_line_of_centres(degrees);
+                let theta = in_degrees(triangle.theta);
                 let first = match origin {
-                    AngleOrigin::LineOfCentres => format!("{{θ}} = {} is given", in_degrees(theta)),
+                    AngleOrigin::LineOfCentres => format!("{{θ}} = {theta} is given"),
                     AngleOrigin::Extension => {
-                        format!(
-                            "{{θ}} = {}° − 180° = {}, the angle from the line of centres",
-                            given(degrees),
-                            in_degrees(theta)
-                        )
+                        format!("{{θ}} = {}° − 180° = {theta}, the angle from the line of centres", given(degrees))
                     }
                 };
-                let lever_way = self.position.lever.direction() * self.position.pin_distance;
-                let [x, y] = [lever_way.x, lever_way.y].map(|side| without_rounding(side, self.linkage.ground()));
-                let theta = in_degrees(theta);
                 let theta = bracketed(&theta);
+                let [x, y] = triangle.sides;
                 vec![
                     first,
                     format!(
@@ -218,7 +254,7 @@ impl QuickReturnDesign {
                     format!("{{y}} = −{{R}} sin {{θ}} = −{crank} · sin {theta} = {} {length}", shown(y)),
                     format!("{{r}} = √({{x}}² + {{y}}²) = √({}² + {}²) = {distance} {length}", factor(x), factor(y)),
                     format!("{{φ}} = {lever}, the direction of ({{x}}, {{y}})"),
-                    format!("{{β}} = 180° + {{θ}} − {{φ}} = {turned} − {} = {beta}", bracketed(lever)),
+                    format!("{{β}} = 180° + {{θ}} − {{φ}} = {beta}"),
                 ]
             }
         }
