@@ -2,6 +2,7 @@
 
 use crate::{geneva, piped_into, refusal, small_workspace};
 use geneva_chapters::EXAMPLES;
+use geneva_documents::LEDGER;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
@@ -164,4 +165,39 @@ fn printing_says_what_it_lacks() {
     let said = printing("any", "book.pdf");
     assert!(said.contains("has no page to be printed"), "{said}");
     assert_eq!(names(workspace.path()), ["book", "crates"]);
+}
+
+#[test]
+fn an_ebook_goes_to_a_file_in_a_folder_that_is_there() {
+    let workspace = small_workspace();
+    for (output, why) in [
+        ("nowhere/book.epub", "give another --output, in a folder that exists"),
+        ("book", "is a folder; give a file in it"),
+    ] {
+        let said = refusal(inside(workspace.path(), &["book", "epub", "--output", output]));
+        assert!(said.contains(why), "{said}");
+    }
+    assert_eq!(names(workspace.path()), ["book", "crates"]);
+}
+
+#[test]
+fn a_renderer_of_others_gets_chapters_without_placeholders() {
+    let workspace = small_workspace();
+    let book = workspace.path().join("book").canonicalize().expect("it exists");
+    let text = "# Only\n\nIt is {{printed:pin.radius}} in $x^2$.\n\n{{figure:pin-position}}\n\n{{live:wheel}}\n";
+    let chapter = json!({"name": "Only", "content": text, "number": [1], "sub_items": [], "path": "only.md",
+                         "source_path": "only.md", "parent_names": []});
+    let context = json!({"root": book, "config": {"book": {}}, "renderer": "made-up", "mdbook_version": "0.5.4"});
+    let input = json!([context, {"items": [{"Chapter": chapter}]}]).to_string();
+    let output = piped_into(inside(&book, &["preprocess"]), &input);
+    assert!(output.status.success(), "{output:?}");
+    let answer: Value = serde_json::from_slice(&output.stdout).expect("a book and nothing else");
+    let content = answer["items"][0]["Chapter"]["content"].as_str().expect("text");
+    let printed = LEDGER.claim("pin.radius").expect("a claim").printed;
+    for part in [printed, "<math", "<svg", "<figcaption>"] {
+        assert!(content.contains(part), "no `{part}` in {content}");
+    }
+    for part in ["{{", "<button", "<input", "<script"] {
+        assert!(!content.contains(part), "`{part}` in {content}");
+    }
 }

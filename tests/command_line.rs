@@ -231,6 +231,7 @@ fn every_command_explains_itself_with_an_example() {
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-print", &["book", "print", "--help"]),
+        ("help-book-epub", &["book", "epub", "--help"]),
         ("help-book-test", &["book", "test", "--help"]),
         ("help-completions", &["completions", "--help"]),
         ("help-preprocess", &["preprocess", "--help"]),

@@ -11,6 +11,7 @@ mod citing;
 mod coverage;
 mod crate_picture;
 mod displays;
+mod ebook;
 mod first_page;
 mod fonts;
 mod live;

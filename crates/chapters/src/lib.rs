@@ -67,6 +67,7 @@ pub static BOOK: Book = Book {
     }),
     examples: EXAMPLES,
     citation_file: include_str!("../../../CITATION.cff"),
+    changelog: include_str!("../../../CHANGELOG.md"),
 };
 
 /// The examples in the chapters: the root package, and the crates that an example may use.

@@ -1,8 +1,9 @@
 //! The book: built, opened, tested.
 
+use crate::ebook::EpubArguments;
 use crate::output::{Outcome, OutputStreams};
 use crate::print::PrintArguments;
-use crate::{print, progress, signals, workspace};
+use crate::{ebook, print, progress, signals, workspace};
 use anyhow::Context;
 use clap::{Args, Subcommand};
 use geneva_chapters::BOOK;
@@ -36,6 +37,13 @@ Example:
 Example:
   geneva book print --output geneva-verified.pdf")]
     Print(PrintArguments),
+    /// Make the whole book an ebook, in EPUB 3
+    ///
+    /// It has the chapters that `geneva book print` has, with formulas in MathML and drawings in SVG. It needs no browser.
+    #[command(after_help = "\
+Example:
+  geneva book epub --output geneva-verified.epub")]
+    Epub(EpubArguments),
     /// Compile and run every Rust block in every chapter
     #[command(after_help = "\
 Example:
@@ -61,6 +69,7 @@ pub(crate) fn run(wanted: BookArguments, streams: &mut dyn OutputStreams) -> any
         None => build(&wanted.build, streams)?,
         Some(BookAction::Build(wanted)) => build(&wanted, streams)?,
         Some(BookAction::Print(wanted)) => print::run(&wanted, streams)?,
+        Some(BookAction::Epub(wanted)) => ebook::run(&wanted, streams)?,
         Some(BookAction::Test) => test(streams)?,
     }
     Ok(Outcome::AsRecorded)

@@ -14,6 +14,7 @@ mod completions;
 mod coverage;
 mod destination;
 mod differing;
+mod ebook;
 mod errata;
 mod escapement;
 mod fields;

@@ -24,7 +24,7 @@ pub(crate) struct PreprocessArguments {
 /// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
 pub(crate) enum PreprocessorQuestion {
-    /// Exit with 0: every renderer gets an answer, if only in words
+    /// Exit with 0: every renderer gets an answer
     Supports {
         /// mdBook's name for the renderer
         #[arg(allow_hyphen_values = true)]

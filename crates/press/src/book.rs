@@ -52,6 +52,8 @@ pub struct Book {
     pub examples: Examples,
     /// The text of `CITATION.cff`, which is among its data.
     pub citation_file: &'static str,
+    /// The text of its changelog, which says when a version was released and which verdicts it changed; empty for none.
+    pub changelog: &'static str,
 }
 
 /// The figures of a book that has none.

@@ -22,7 +22,7 @@ use crate::book::Book;
 use crate::cache::Shelf;
 use crate::edition::Edition;
 use crate::preprocessor::Press;
-use crate::{address, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken};
+use crate::{address, epub, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken};
 use site::Site;
 pub use site::abandon;
 
@@ -78,7 +78,9 @@ fn render(book: &Book, source: &mut MDBook, new: &Path, shelf: &Shelf) -> anyhow
     warnings::refuse(|| source.build())?;
     search::write(book, new, shelf)?;
     let edition = Edition::detect(&source.root, &book.imprint);
-    print::write(book, new, &edition, address::known(&book.imprint).as_ref(), shelf)?;
+    let address = address::known(&book.imprint);
+    print::write(book, new, &edition, address.as_ref())?;
+    epub::write(book, new, &edition, address.as_ref())?;
     finish(book, new, shelf)?;
     list::write(new)?;
     shelf.complete();

@@ -16,6 +16,7 @@ pub mod building;
 mod cache;
 pub mod citing;
 pub mod edition;
+pub mod epub;
 mod fingerprints;
 mod libraries;
 mod minify;
@@ -25,8 +26,10 @@ mod policy;
 pub mod print;
 pub mod search;
 mod spoken;
+mod still;
 pub mod synonyms;
 mod verify;
+mod xhtml;
 
 // A chapter.
 mod braces;
@@ -40,6 +43,7 @@ mod preprocessor;
 pub mod readings;
 
 // Data.
+pub mod changelog;
 pub mod data;
 pub mod field_list;
 pub mod fields;

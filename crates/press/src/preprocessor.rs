@@ -8,21 +8,22 @@ use crate::html::escape;
 use crate::ledger_pages::ledger;
 use crate::page_items::{self, PageItem};
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
-use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, record_files, verify};
-use anyhow::{bail, ensure};
+use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, record_files, still, verify};
+use anyhow::ensure;
 use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{MDBOOK_VERSION, Preprocessor, PreprocessorContext};
 use std::path::Path;
 
-/// The renderers for which a book can be made: pages, and tests of its programs.
+/// The renderers for which a book is made in its own way: pages, and tests of its programs.
 const PAGES: &str = "html";
 const TESTS: &str = "test";
 
 /// Turns a chapter of a book with formulas and placeholders into one that is all there.
 ///
 /// For pages, formulas become markup and placeholders give way to the ledger's numbers, tables and figures. For tests, the
-/// examples are told which crates they may use; the rest stays as it is.
+/// examples are told which crates they may use; the rest stays as it is. Any other renderer gets the chapters of the pages without
+/// what can be pressed or moved: folds are open, and programs shortened, as on paper.
 #[derive(Clone, Copy)]
 pub struct Press {
     book: &'static Book,
@@ -50,7 +51,7 @@ impl Preprocessor for Press {
     fn run(&self, context: &PreprocessorContext, mut chapters: Chapters) -> Result<Chapters> {
         let book = self.book;
         book.check(ENGINE_KEYS)?;
-        check_caller(book, context)?;
+        check_version(book, context)?;
         let folder = context.root.join(&context.config.book.src);
         if context.renderer == TESTS {
             let mut errors = Vec::new();
@@ -81,6 +82,7 @@ impl Preprocessor for Press {
                 Err(error) => errors.push(located(chapter, &error)),
             }
         });
+        let is_page = context.renderer == PAGES;
         let edition = Edition::detect(&context.root, &book.imprint);
         let items: Vec<_> = chapters
             .chapters()
@@ -103,7 +105,10 @@ impl Preprocessor for Press {
             let made = expanded(&shelf, &chapter.content, context, &items, &listed);
             match made {
                 Ok((content, led_to)) => {
-                    chapter.content = content + &beside + &footer;
+                    chapter.content = match is_page {
+                        true => content + &beside + &footer,
+                        false => still::markdown(book, &content),
+                    };
                     files.extend(led_to);
                 }
                 Err(error) => errors.push(located(chapter, &error)),
@@ -115,12 +120,14 @@ impl Preprocessor for Press {
             files.extend(record_files::of_edition(book, &edition, &shelf)?);
             files.extend(data::recall(&shelf, "details", &[], || Ok(ledger::files(book)?.into()))?);
         }
-        let mut contents = Vec::new();
-        chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
-        files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
-        files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
-        let mut contents = contents.into_iter();
-        chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
+        if is_page {
+            let mut contents = Vec::new();
+            chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
+            files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
+            files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
+            let mut contents = contents.into_iter();
+            chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
+        }
         data::write(&folder, &files)?;
         shelf.complete();
         Ok(chapters)
@@ -158,16 +165,10 @@ fn expanded(
     Ok((content, files.collect()))
 }
 
-/// Refuses a renderer for which the book isn't made, and an mdBook that may mean something else by what it says.
-fn check_caller(book: &Book, context: &PreprocessorContext) -> Result<()> {
+/// Refuses an mdBook that may mean something else by what it says.
+fn check_version(book: &Book, context: &PreprocessorContext) -> Result<()> {
     let program = book.imprint.program;
-    let PreprocessorContext { renderer, mdbook_version, .. } = context;
-    if ![PAGES, TESTS].contains(&&**renderer) {
-        bail!(
-            "this book is made for the renderer `{PAGES}`, not for `{renderer}`: formulas, figures and marks are HTML. Take \
-             `[output.{renderer}]` out of book.toml; for a PDF, run `{program} book print`"
-        );
-    }
+    let PreprocessorContext { mdbook_version, .. } = context;
     // Before 1.0, the second number changes when the format does.
     let format = |version: &str| version.splitn(3, '.').take(2).map(str::to_owned).collect::<Vec<_>>();
     ensure!(
@@ -244,19 +245,31 @@ mod tests {
     }
 
     #[test]
-    fn a_renderer_for_which_the_book_is_not_made_is_refused_with_a_way_out() {
-        for renderer in ["markdown", "epub", "pandoc", "linkcheck"] {
-            assert!(
-                Press::new(&BOOK).supports_renderer(renderer).expect("an answer"),
-                "{renderer} would be left alone in silence"
-            );
-            let error = asked("# Only\n", renderer, MDBOOK_VERSION).expect_err("no such renderer");
-            assert!(
-                error.contains(&format!("`[output.{renderer}]`")) && error.contains("sample book print"),
-                "{error}"
-            );
+    fn any_other_renderer_gets_everything_that_stands_still() {
+        let text = "# Only *one*\n\nTwice 21 is {{double:21}}, $x^2$, {{claim:leaflet.time}}.\n\n{{figure:circle}}\n\n{{table:rows; \
+                    Rows}}\n\n| a |\n|---|\n| {{ref:rows}} |\n\n```text\nlet a = b::<C>();\n```\n\n## The tests behind this \
+                    chapter\n\n```rust\n// One is one.\nassert_eq!(1, 1);\n```\n";
+        for renderer in ["markdown", "epub", "pandoc", "of my own"] {
+            assert!(Press::new(&BOOK).supports_renderer(renderer).expect("an answer"), "{renderer} would be left out");
+            let chapter = asked(text, renderer, MDBOOK_VERSION).expect("a chapter");
+            for part in [
+                "# Only *one*\n",
+                "Twice 21 is 42",
+                "<msup>",
+                "2.02",
+                "<svg></svg>",
+                "Table\u{a0}1",
+                "<span>2</span>",
+                "let a = b::<C>();",
+                "<summary>One is one.</summary>",
+            ] {
+                assert!(chapter.contains(part), "{renderer}: no `{part}` in {chapter}");
+            }
+            for part in ["{{", "<button", "popover", "<script", "assert_eq", "class=\"edition\"", "class=\"beside\""] {
+                assert!(!chapter.contains(part), "{renderer}: `{part}` in {chapter}");
+            }
         }
-        assert!(asked("# Only\n", PAGES, MDBOOK_VERSION).is_ok() && asked("# Only\n", TESTS, MDBOOK_VERSION).is_ok());
+        assert!(asked("# Only\n", TESTS, MDBOOK_VERSION).is_ok());
     }
 
     #[test]

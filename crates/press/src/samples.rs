@@ -153,4 +153,5 @@ pub(crate) static BOOK: Book = Book {
     ledger_crate: None,
     examples: Examples { package: "sample", crates: &[] },
     citation_file: "",
+    changelog: "",
 };

@@ -53,4 +53,5 @@ pub static BOOK: Book = Book {
     ledger_crate: Some(LedgerCrate { package: "geneva-example-bodies", folder: ".", command: "" }),
     examples: Examples { package: "geneva-example-bodies", crates: &[] },
     citation_file: "",
+    changelog: "",
 };
