@@ -11,7 +11,8 @@ use serde_json::Value;
 fn the_answers_are_those_of_the_closed_forms() {
     for (stations, angle, speed) in [("4", "-30", "10"), ("6", "12.5", "2"), ("3", "-29", "0.5"), ("12", "70", "4")] {
         let line = ["pin", "--crank-radius", "35", "--stations", stations, "--angle", angle, "--rad-s", speed];
-        let answer: Value = serde_json::from_str(&stdout(&[&line[..], &["--format", "json"]].concat())).expect("JSON");
+        let answer: Value =
+            serde_json::from_str(&stdout(&[&line[..], &["--format", "json"]].concat(), 0)).expect("JSON");
         let number = |text: &str| text.parse::<f64>().expect("a number");
         let ratio = 1.0 / (std::f64::consts::PI / number(stations)).sin();
         let crank = Turn::from_degrees(number(angle));
@@ -37,7 +38,7 @@ fn the_sheet_and_the_steps_are_pinned() {
 
 #[test]
 fn a_speed_in_radians_a_second_asks_the_same_of_a_wheel() {
-    let of = |speed: [&str; 2]| stdout(&[&["wheel", "--stations", "6", "--format", "json"], &speed[..]].concat());
+    let of = |speed: [&str; 2]| stdout(&[&["wheel", "--stations", "6", "--format", "json"], &speed[..]].concat(), 0);
     let [turns, radians] = [["--rpm", "60"], ["--rad-s", "6.283185307179586"]].map(|speed| {
         let answer: Value = serde_json::from_str(&of(speed)).expect("JSON");
         answer["index_time_s"].as_f64().or(answer["indexing_time_s"].as_f64()).expect("a time")
@@ -67,7 +68,7 @@ fn what_is_impossible_is_refused_with_what_to_give() {
 
 /// The lines of the steps that a command writes.
 fn steps_of(line: &[&str]) -> Vec<String> {
-    let page = stdout(&[line, &["--steps"]].concat());
+    let page = stdout(&[line, &["--steps"]].concat(), 0);
     let (_, steps) = page.split_once("Steps\n").expect("steps");
     // A pipe is as wide as a terminal: a line that was folded goes on without a capital or a symbol at its start.
     steps.split("\n\n").flat_map(|step| step.lines()).map(str::to_owned).collect()
