@@ -290,7 +290,10 @@ fn the_crank_follows_the_lever_and_the_lever_follows_the_crank() {
     let crank = |told: &Value| told[0].as_f64().expect("an angle");
     approx::assert_abs_diff_eq!(crank(&far), 18.0 + beta - 180.0, epsilon = 1e-4);
     assert_eq!([&far[1], &far[2], &far[3]], [&json!(18), &json!("0"), &json!("−5.123 rad/s²")]);
-    assert!(far[4].as_str().is_some_and(|hash| hash.contains("crank=&direction=&lever=18&branch=0&ground=0.28")), "{far}");
+    assert!(
+        far[4].as_str().is_some_and(|hash| hash.contains("crank=&direction=&lever=18&branch=0&ground=0.28")),
+        "{far}"
+    );
     of(
         &mut browser,
         "polygon",

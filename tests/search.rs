@@ -177,7 +177,7 @@ fn the_search_is_used_by_keyboard_alone_and_the_way_back_leads_to_the_results() 
     browser.command("Input.dispatchKeyEvent", enter);
     browser.arrive(first.rsplit('/').next().unwrap_or_default());
     browser.evaluate("until(() => document.readyState === 'complete' && CSS.highlights.get('searched')?.size > 0)");
-    browser.evaluate("{ setTimeout(() => history.back(), 0) }");
+    browser.evaluate("{ requestAnimationFrame(() => history.back()) }");
     browser.arrive("?search=tolerance");
     browser.evaluate("until(() => document.querySelectorAll('#mdbook-searchresults a').length > 2)");
 }

@@ -31,12 +31,13 @@ fn point(browser: &mut Browser, number: usize) {
 /// What is lit: the letters of the parts, the number of their drawings, and whether that is the nearest one that has the letter.
 const LIT: &str = "(letter => { const lit = [...document.querySelectorAll('svg .lit')]; const middle = of => { const box = \
      of.getBoundingClientRect(); return box.top + box.height / 2 }; const away = of => Math.abs(middle(of) - middle(letter)); \
-     const name = letter.dataset.letter; const having = [...document.querySelectorAll('main .fig svg')].filter(svg => \
-     svg.checkVisibility() && [...svg.querySelectorAll('[data-letter]')].some(of => of.dataset.letter === name)); \
+     const name = letter.dataset.letter; const all_having = [...document.querySelectorAll('main .fig svg')].filter(svg => \
+     [...svg.querySelectorAll('[data-letter]')].some(of => of.dataset.letter === name)); const having = \
+     all_having.filter(svg => svg.checkVisibility()); \
      const own = having.sort((one, other) => away(one) - away(other))[0]; const all = own && \
      [...own.querySelectorAll('[data-letter]')].filter(of => of.dataset.letter === name); return { name, lit: lit.map(of => \
      of.dataset.letter), wrong: lit.filter(of => of.ownerSVGElement !== own).length, missing: (all || []).filter(of => \
-     !of.matches('.lit')).length, shapes: own ? lit.filter(of => of.localName !== 'text').length : 1 } })";
+     !of.matches('.lit')).length, shapes: own ? lit.filter(of => of.localName !== 'text').length : Math.min(all_having.length, 1) } })";
 
 /// Touches each letter of the open page: at which letters something is wrong, and what.
 pub(super) fn touch(browser: &mut Browser, page: &str) -> Vec<(String, String)> {

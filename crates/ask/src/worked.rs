@@ -278,7 +278,7 @@ mod tests {
     #[test]
     fn a_speed_is_the_same_in_either_unit() {
         let speed = DriverSpeed::Rpm(60.0).radians_per_second();
-        assert_eq!(speed, 2.0 * PI);
+        approx::assert_relative_eq!(speed, 2.0 * PI, max_relative = 1e-15);
         approx::assert_relative_eq!(DriverSpeed::RadiansPerSecond(speed).rpm(), 60.0, max_relative = 1e-15);
         assert!(LengthUnit::parse("mile").is_err_and(|error| error.to_string().contains("mm, cm, m, in, ft")));
         assert!(LengthUnit::ALL.iter().all(|unit| LengthUnit::parse(unit.name()) == Ok(*unit)));

@@ -38,6 +38,7 @@ pub(crate) const SYNONYMS: &[Synonym] = &[
     synonym("re-run", &["check it yourself"]),
     synonym("rerun", &["check it yourself"]),
     synonym("reproduce", &["check it yourself"]),
+    synonym("homework", &["your numbers"]),
     synonym("citation", &["cite"]),
     synonym("reference", &["cite"]),
     synonym("pdf", &["on paper"]),

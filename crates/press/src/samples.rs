@@ -155,3 +155,8 @@ pub(crate) static BOOK: Book = Book {
     citation_file: "",
     changelog: "",
 };
+
+/// The file of the first chapter below the book's folder, that of the second, and a text of the second that leads to the first.
+pub(crate) const FIRST: &str = "src/pin.md";
+pub(crate) const SECOND: &str = "src/jazar.md";
+pub(crate) const LED: &str = "See [the first](pin.md). Text";

@@ -82,9 +82,8 @@ impl PinDesign {
             WorkedStep::new(
                 "The next question: the wheel’s angular acceleration",
                 [
-                    format!(
-                        "{{k}} = {{l}} / {{R}} = {k}, and {{q}} = {{r}}²/{{R}}² = {q}, both to six digits because powers follow"
-                    ),
+                    format!("{{k}} = {{l}} / {{R}} = {centres} / {radius} = {k}"),
+                    format!("{{q}} = {{r}}² / {{R}}² = {squared} / {radius}² = {q}"),
                     format!(
                         "{{φ̈}} = −{{k}} ({{k}}² − 1) sin {{θ}} · {{θ̇}}² / {{q}}² = −{k} · ({k}² − 1) · sin({theta}) · {driver}² / {q}² = \
                          {acceleration} rad/s²"

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::cache;
+use crate::samples::{FIRST, LED, SECOND};
 use std::collections::BTreeMap;
 
 /// All files of a built book, by their paths in it.
@@ -69,16 +70,16 @@ fn whatever_changes_the_book_is_the_one_that_is_built_from_scratch() {
     let mut before = compared(&root, "the first build");
     assert_eq!(compared(&root, "the second build"), before);
     for (file, from, to) in [
-        ("src/pin.md", "as in", "which is in"),
-        ("src/pin.md", "{{double:21}}", "{{double:22}}"),
-        ("src/pin.md", "{{cite:johnson}}", "{{cite:alon}}"),
-        ("src/pin.md", "$a+b$", "$a-b$"),
-        ("src/pin.md", "; Rows of", "; All rows of"),
-        ("src/pin.md", "{{figure:circle}}\n\n", ""),
-        ("src/pin.md", "| c | 1 |", "| d | 1 |"),
-        ("src/jazar.md", "Text", "See [the pin](pin.md). Text"),
-        ("src/jazar.md", "Text", "{{ref:rows}}. Text"),
-        ("src/jazar.md", "Text", "Text\n\n{{erratum:leaflet.speed}}\n\nText"),
+        (FIRST, "as in", "which is in"),
+        (FIRST, "{{double:21}}", "{{double:22}}"),
+        (FIRST, "{{cite:johnson}}", "{{cite:alon}}"),
+        (FIRST, "$a+b$", "$a-b$"),
+        (FIRST, "; Rows of", "; All rows of"),
+        (FIRST, "{{figure:circle}}\n\n", ""),
+        (FIRST, "| c | 1 |", "| d | 1 |"),
+        (SECOND, "Text", LED),
+        (SECOND, "Text", "{{ref:rows}}. Text"),
+        (SECOND, "Text", "Text\n\n{{erratum:leaflet.speed}}\n\nText"),
         ("src/SUMMARY.md", "Another chapter", "A second chapter"),
         ("records/times.csv", "2.02", "2.03"),
         ("theme/own.css", "red", "blue"),
@@ -86,7 +87,7 @@ fn whatever_changes_the_book_is_the_one_that_is_built_from_scratch() {
         ("theme/head.hbs", "Nobody", "Somebody"),
         ("book.toml", "A trial", "Another trial"),
         ("book.toml", "[output.html]", "[output.html]\ndefault-theme = \"navy\""),
-        ("src/pin.md", "{{table:rows", "{{figure:circle}}\n\n{{table:rows"),
+        (FIRST, "{{table:rows", "{{figure:circle}}\n\n{{table:rows"),
     ] {
         let path = root.path().join("book").join(file);
         if from.is_empty() {
@@ -124,11 +125,11 @@ fn a_kept_file_that_is_damaged_or_in_the_way_changes_nothing() {
 fn a_chapter_that_does_not_build_is_named_again_by_the_next_build() {
     let root = workspace_with_target();
     let whole = compared(&root, "the first build");
-    let page = root.path().join("book/src/pin.md");
+    let page = root.path().join("book").join(FIRST);
     change(&page, "{{double:21}}", "{{double:many}}");
     for _ in 0..2 {
         let error = build(&BOOK, root.path(), &root.path().join("kept")).expect_err("no number");
-        assert!(format!("{error:#}").contains("pin.md: line 3: "), "{error:#}");
+        assert!(format!("{error:#}").contains(&format!("{}: line 3: ", FIRST.trim_start_matches("src/"))), "{error:#}");
     }
     change(&page, "{{double:many}}", "{{double:21}}");
     assert!(compared(&root, "put right") == whole);
