@@ -356,7 +356,7 @@
 
         // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
         // In a lower window it shrinks while the page goes by, and stays as soon as there is room.
-        const shows = figure.querySelector('.shown'), picture = figure.querySelector('.drawing'), least = 180;
+        const shows = figure.querySelector('.shown'), picture = figure.querySelector('.drawing'), least = 160;
         let whole = 0, spare = 0, above = 0;
         const shrink = () => {
             const top = Number.parseFloat(getComputedStyle(shows).top) || 0;
