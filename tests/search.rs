@@ -181,3 +181,17 @@ fn the_search_is_used_by_keyboard_alone_and_the_way_back_leads_to_the_results() 
     browser.arrive("?search=tolerance");
     browser.evaluate("until(() => document.querySelectorAll('#mdbook-searchresults a').length > 2)");
 }
+
+#[test]
+fn every_synonym_leads_to_words_of_the_book() {
+    let files = crate::book_pages::files();
+    let index = files.iter().find(|(name, _)| name.starts_with("searchindex")).expect("an index").1;
+    let index = String::from_utf8_lossy(index);
+    for synonym in geneva_chapters::BOOK.synonyms {
+        assert!(
+            index.contains(&format!("[\"{}\",", synonym.typed)),
+            "`{}` leads to a word that no page has",
+            synonym.typed
+        );
+    }
+}

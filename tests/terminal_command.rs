@@ -34,6 +34,7 @@ const LINES: [&str; 45] = [
     "wheel --stations 6 --thickness 3",
     "wheel --stations 6 --format dxfs",
     "wheel --rpm",
+    "pin --crank-radius 40 --stations 6 --angle -20 --rad-s 8 --steps",
     "quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60",
     "quick-return --ground 0.3 --crank 0.1 --lever-angle 75 --rpm 60",
     "escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15",

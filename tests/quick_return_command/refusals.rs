@@ -150,7 +150,7 @@ fn one_angle_is_wanted_and_a_branch_only_of_a_lever() {
         (&[&both[..8], &["--branch", "near"]].concat(), &["--crank-angle", "--branch", "cannot be used"]),
         (&[&both[..8], &["--branch", "far"]].concat(), &["--crank-angle", "--branch", "cannot be used"]),
         (&[&both[..6], &["--branch", "near"]].concat(), &["--crank-angle", "--lever-angle", "required"]),
-        (&both[2..8], &["--ground", "<M>", "required"]),
+        (&both[2..8], &["--ground", "<LENGTH>", "required"]),
     ] {
         let said = refused(options);
         assert!(words.iter().all(|word| said.contains(word)), "{words:?}: {said}");

@@ -56,10 +56,21 @@ pub(crate) fn carried(value: f64) -> f64 {
     format!("{value:.behind$e}", behind = CARRIED - 1).parse().unwrap_or(value)
 }
 
-/// A number of a step: six significant digits and a true minus sign, or fewer digits if it has no more.
+/// A number of a step: six significant digits and a true minus sign, or fewer digits if it has no more; without a power of ten
+/// as far as a reader counts zeros.
 pub(crate) fn shown(value: f64) -> String {
-    shorter(value, to_digits(value, CARRIED))
+    let value = carried(value);
+    let typed = as_typed(value);
+    if value == 0.0 || !SIZES.contains(&value.abs()) || !typed.contains('e') && typed.len() < 8 {
+        return with_minus_sign(&shorter(typed, to_digits(value, CARRIED)));
+    }
+    let magnitude = libm::floor(libm::log10(value.abs())) as i32;
+    let decimals = usize::try_from(CARRIED as i32 - 1 - magnitude).unwrap_or(0);
+    with_minus_sign(&format!("{value:.decimals$}"))
 }
+
+/// Sizes of numbers that are written without a power of ten.
+const SIZES: std::ops::Range<f64> = 1e-7..1e9;
 
 /// A number as a factor or behind a minus sign: as by [`shown`], in brackets if it is negative.
 pub(crate) fn factor(value: f64) -> String {
@@ -72,9 +83,8 @@ pub(crate) fn in_degrees(degrees: f64) -> String {
     format!("{}°", shown(degrees))
 }
 
-/// The number as it could be typed, if that is shorter than as it is written.
-fn shorter(value: f64, written: String) -> String {
-    let typed = with_minus_sign(&as_typed(value));
+/// The shorter of two ways to write a number.
+fn shorter(typed: String, written: String) -> String {
     if typed.chars().count() < written.chars().count() { typed } else { written }
 }
 
