@@ -16,7 +16,7 @@ const LOADED: &str = "wheel --stations 6 --rpm 360 --crank-radius 25 --inertia 0
                       --pin-material steel --wheel-material phosphor-bronze --at -20";
 
 /// Command lines, answered and refused; in `@` is a folder with files.
-const LINES: [&str; 45] = [
+const LINES: [&str; 46] = [
     "claims --source pin",
     "claims --source wild",
     "errata --source jazar",

@@ -83,8 +83,20 @@ pub(crate) fn unit(settings: &Settings) -> Result<LengthUnit, String> {
     Ok(LengthUnit::ALL.get(settings.choice("unit")?).copied().unwrap_or(LengthUnit::Millimetre))
 }
 
+/// Crank radii between the axes up to which the wheel has so few slots that they can be drawn.
+const FARTHEST: f64 = 32.0;
+
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let question = question(settings)?;
+    if let AxisDistance::Length(length) = question.axes
+        && length > FARTHEST * question.crank_radius
+    {
+        return Err(format!(
+            "centre distance l {}: give at most {FARTHEST} crank radii, {}; the slots of a larger wheel cannot be drawn",
+            round_for_box(length),
+            round_for_box(FARTHEST * question.crank_radius)
+        ));
+    }
     let theta = question.origin.from_line_of_centres(question.angle);
     let reply = match PinDesign::new(&question) {
         Ok(design) => solved(&design, &question),
@@ -183,6 +195,7 @@ mod tests {
             ("stations=2", "slots N 2: give 3 to 100"),
             ("stations=4.5", "4.5"),
             ("speed=0", "speed of the driver 0 rad/s: give"),
+            ("radius=2&centres=100000", "give at most 32 crank radii, 64"),
         ] {
             let why = answer(query).expect_err("impossible");
             assert!(why.contains(words) && !why.contains("--"), "{query}: {why}");

@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn what_is_beyond_the_axis_is_an_arrowhead_at_its_edge() {
-        let off = |off: f64| one_agreement(&compared("own angle", off), "1 rad/s");
+        let off = |off: f64| one_agreement("agreement", &compared("own angle", off), "1 rad/s");
         for (off, side) in [(off(1e4), 1.0), (off(-1e4), -1.0)] {
             assert_sound(&off);
             assert!(off.caption.ends_with(BEYOND));
