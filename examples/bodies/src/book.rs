@@ -50,7 +50,7 @@ pub static BOOK: Book = Book {
     synonyms: &[],
     field_meanings: &[],
     modules: &[],
-    ledger_crate: Some(LedgerCrate { package: "geneva-example-bodies", folder: ".", command: "" }),
+    ledger_crate: Some(LedgerCrate { package: "geneva-example-bodies", folder: ".", command: "", account_command: "" }),
     examples: Examples { package: "geneva-example-bodies", crates: &[] },
     citation_file: "",
     changelog: "",

@@ -146,7 +146,7 @@ impl PinDesign {
         let mechanism = PinSlot::new(radius, centres)?;
         let theta = question.origin.from_line_of_centres(question.angle);
         let half = mechanism.engagement_half_angle().to_degrees();
-        if !(theta.abs() <= half + AT_THE_END) {
+        if theta.is_nan() || theta.abs() > half + AT_THE_END {
             return Err(outside(question, half));
         }
         let size = theta.abs().min(half);
