@@ -107,6 +107,7 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
     let slots = |number: u32| 360.0 / f64::from(number);
     let explained = |pins: u32| (with_pins(pins).len() * EXPLAINED.len()) as f64;
     vec![
+        ("about", "in the format EPUB 3", vec![]),
         ("pin", "one formula gives exactly 1/√6", vec![]),
         ("pin", "the axes are √2 R apart", vec![]),
         ("pin", "Four slots are 90° apart", vec![slots(4)]),

@@ -23,7 +23,7 @@ pub(crate) const FOLDER: &str = "book-cache";
 /// How many programs have a folder at most: those of both profiles, and two that an author goes back to.
 const PROGRAMS: usize = 4;
 /// The first bytes of a file, which change with its form.
-const FORM: &[u8] = b"geneva book cache 1\n";
+const FORM: &[u8] = b"book cache 1\n";
 /// Bytes of a digest.
 const DIGEST: usize = 32;
 /// After this time, a file on its way belongs to no build that is still running.

@@ -14,7 +14,7 @@ fn a_reader_can_check_each_claim_in_the_pages() {
         return;
     };
     for judged in LEDGER.verdicts() {
-        let recorded = format!("\"{}\":\"{}\"", judged.claim.id, judged.verdict);
+        let recorded = format!("\"{}\":\"{}\"", judged.claim.id, judged.recorded_plain().slug());
         assert!(module.contains(&recorded), "{recorded} is not on record in the page");
     }
     for page in ["falling.html", "swinging.html", "ledger.html"] {

@@ -37,6 +37,8 @@ pub(super) const LEANED_ON: &[&str] = &[
     "claims.of-one-line.statements",
     "rows.of-no-mechanism",
     "cells.by-the-program",
+    "example.as-run",
+    "example.right",
     "cells.by-the-heading",
     "cells.by-the-mechanisms",
     "joints.pin.least",
