@@ -39,6 +39,7 @@ pub(crate) const SYNONYMS: &[Synonym] = &[
     synonym("rerun", &["check it yourself"]),
     synonym("reproduce", &["check it yourself"]),
     synonym("homework", &["your numbers"]),
+    synonym("check my homework", &["your numbers"]),
     synonym("citation", &["cite"]),
     synonym("reference", &["cite"]),
     synonym("pdf", &["on paper"]),
