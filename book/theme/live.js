@@ -374,7 +374,7 @@
             const height = shows.offsetHeight, smallest = height - whole + least;
             // Controls below it need some room to be found in.
             const shrinks = whole > least && height + (isBeside ? 52 : 0.4 * clientHeight) > clientHeight
-                && smallest + (isBeside ? 52 : 250) <= clientHeight;
+                && smallest + (isBeside ? 52 : 300) <= clientHeight;
             const stays = shrinks || height + (isBeside ? 52 : 140) <= clientHeight;
             spare = shrinks ? whole - least : 0;
             figure.classList.toggle('stays', stays);
