@@ -135,11 +135,12 @@ fn document(
          open. The ledger of all claims, the coverage of the sources and the data are not printed, and of an example in Rust you \
          see only the line that says what it shows. Text and figures: {licence}.</p>\n</header>\n<nav class=\"contents\" \
          aria-label=\"Contents\">\n<h1 id=\"contents\">Contents</h1>\n<ol>\n{contents}</ol>\n</nav>\n<main>\n{chapters}</main>\n<footer \
-         class=\"edition\">{title}, {edition}.</footer>\n</div>\n</body>\n</html>\n",
+         class=\"edition\">{title}, {edition}.{archived}</footer>\n</div>\n</body>\n</html>\n",
         title = escape(imprint.title),
         subtitle = escape(imprint.subtitle),
         authors = escape(imprint.authors),
         edition = escape(&edition.words()),
+        archived = edition.swhid().map_or_else(String::new, |id| format!(" <code>{id}</code>.")),
         licence = escape(imprint.licence_words),
         style = STYLE.0,
     )
