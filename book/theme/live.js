@@ -72,7 +72,9 @@
             }
             say(why, true);
         };
+        // Steps are written where they are seen: not behind a closed fold, however often the figure moves.
         const worked = figure.querySelector('.worked');
+        let solution;
         // The symbols of a step in italics, with their indices: {v:P} is v with the index P.
         const line = text => {
             const paragraph = document.createElement('p');
@@ -84,12 +86,13 @@
             });
             return paragraph;
         };
-        const solve = steps => worked.querySelector('ol').replaceChildren(...steps.map(({ heading, lines }) => {
+        const solve = () => worked.open && solution && worked.querySelector('ol').replaceChildren(...solution.map(({ heading, lines }) => {
             const item = document.createElement('li');
             item.appendChild(document.createElement('strong')).append(heading);
             item.append(...lines.map(line));
             return item;
         }));
+        worked?.addEventListener('toggle', solve);
         const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps }) => {
             if (error !== undefined) {
                 return refuse(error);
@@ -107,7 +110,8 @@
             figure.querySelector('.says').textContent = caption;
             if (worked) {
                 worked.hidden = !steps.length;
-                solve(steps);
+                solution = steps;
+                solve();
             }
             // What runs goes on instead of waiting for the rest.
             again ||= Boolean(progress) && !playing;

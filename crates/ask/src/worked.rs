@@ -27,13 +27,22 @@ impl WorkedStep {
 
 /// A line in characters alone: `{v:P}` is `v_P`, and `{a:2:n}` is `a_2^n`.
 pub fn plain(line: &str) -> String {
+    let symbol = |symbol: &str, indices: &[&str]| {
+        symbol.to_owned()
+            + &indices.iter().zip(["_", "^"]).map(|(index, mark)| format!("{mark}{index}")).collect::<String>()
+    };
+    set_symbols(line, str::to_owned, symbol)
+}
+
+/// A line with its words and its symbols set by these two functions. A symbol comes with its indices: the lower one first, and then
+/// the upper one, as far as it has them.
+pub fn set_symbols(line: &str, words: impl Fn(&str) -> String, symbol: impl Fn(&str, &[&str]) -> String) -> String {
     let part = |(place, part): (usize, &str)| {
         if place % 2 == 0 {
-            return part.to_owned();
+            return words(part);
         }
-        let mut parts = part.split(':');
-        let symbol = parts.next().unwrap_or_default().to_owned();
-        symbol + &parts.zip(["_", "^"]).map(|(index, mark)| format!("{mark}{index}")).collect::<String>()
+        let parts: Vec<&str> = part.split(':').collect();
+        symbol(parts[0], &parts[1..])
     };
     line.split(['{', '}']).enumerate().map(part).collect()
 }
@@ -74,8 +83,12 @@ const SIZES: std::ops::Range<f64> = 1e-7..1e9;
 
 /// A number as a factor or behind a minus sign: as by [`shown`], in brackets if it is negative.
 pub(crate) fn factor(value: f64) -> String {
-    let written = shown(value);
-    if written.starts_with('−') { format!("({written})") } else { written }
+    bracketed(&shown(value))
+}
+
+/// A number as it is written, in brackets if it is negative.
+pub(crate) fn bracketed(written: &str) -> String {
+    if written.starts_with('−') { format!("({written})") } else { written.to_owned() }
 }
 
 /// An angle of a step in degrees, as by [`shown`], with the sign for degrees.
@@ -232,7 +245,7 @@ impl DriverSpeed {
 
     /// The speed in radians per second with the way there, in the notation of this module.
     pub(crate) fn line(self) -> String {
-        let speed = shown(carried(self.radians_per_second()));
+        let speed = shown(self.radians_per_second());
         match self {
             Self::Rpm(rpm) => format!("{{θ̇}} = 2π · {} rpm / (60 s/min) = {speed} rad/s", factor(rpm)),
             Self::RadiansPerSecond(_) => format!("{{θ̇}} = {speed} rad/s is given"),

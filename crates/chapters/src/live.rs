@@ -2,7 +2,7 @@
 
 use crate::lookup;
 use anyhow::{Context, anyhow};
-use geneva_ask::worked::WorkedStep;
+use geneva_ask::worked::{WorkedStep, set_symbols};
 use geneva_case1973::{Column, Hypothesis, Listing, Row, SixPin, rows_of};
 use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::table::{listing, rows};
@@ -166,16 +166,11 @@ fn steps(steps: &[WorkedStep]) -> String {
 
 /// A line of a step: its symbols in italics, with their indices.
 fn marked_up(line: &str) -> String {
-    let part = |(place, part): (usize, &str)| {
-        if place % 2 == 0 {
-            return escape(part);
-        }
-        let mut parts = part.split(':').map(escape);
-        let symbol = parts.next().unwrap_or_default();
-        let indices = parts.zip(["sub", "sup"]).map(|(index, element)| format!("<{element}>{index}</{element}>"));
-        format!("<i>{symbol}</i>{}", indices.collect::<String>())
+    let symbol = |symbol: &str, indices: &[&str]| {
+        let index = |(index, element): (&&str, &str)| format!("<{element}>{}</{element}>", escape(index));
+        format!("<i>{}</i>{}", escape(symbol), indices.iter().zip(["sub", "sup"]).map(index).collect::<String>())
     };
-    line.split(['{', '}']).enumerate().map(part).collect()
+    set_symbols(line, escape, symbol)
 }
 
 /// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.

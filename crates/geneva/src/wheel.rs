@@ -87,11 +87,11 @@ impl FromArgMatches for WheelOptions {
     }
 }
 
-/// An argument as an option. Of the sizes one is given, and both materials or none.
+/// An argument as an option. Of the sizes and of the speeds one is given, and both materials or none.
 fn option(argument: &Argument) -> Arg {
     let Argument { name, unit, place, acts_on, help } = *argument;
     let option = Arg::new(name).long(name).value_name(unit).help(help);
-    let others = |are_like_it: fn(&Argument) -> bool| {
+    let others = |are_like_it: &dyn Fn(&Argument) -> bool| {
         let others = ARGUMENTS.iter().filter(|other| other.name != name && are_like_it(other));
         others.map(|other| other.name).collect::<Vec<_>>()
     };
@@ -105,23 +105,18 @@ fn option(argument: &Argument) -> Arg {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
         }
         ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
-        ArgumentSlot::AboveZero(_) => {
-            let option = option.value_parser(typed::positive).allow_hyphen_values(true);
-            if name == "rad-s" { option.conflicts_with("rpm") } else { option }
-        }
+        ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
         ArgumentSlot::Material(_) => option
             .value_parser(materials())
-            .requires_all(others(|argument| matches!(argument.place, ArgumentSlot::Material(_)))),
+            .requires_all(others(&|argument| matches!(argument.place, ArgumentSlot::Material(_)))),
         ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
         }
     };
-    if acts_on.contains(&ActsOn::Size) {
-        option.conflicts_with_all(others(|argument| argument.acts_on.contains(&ActsOn::Size)))
-    } else {
-        option
-    }
+    // Of each of these, one is enough.
+    let one_of = [ActsOn::Size, ActsOn::Speed].into_iter().filter(|of| acts_on.contains(of));
+    one_of.fold(option, |option, of| option.conflicts_with_all(others(&|argument| argument.acts_on.contains(&of))))
 }
 
 /// One of the materials whose moduli are known, by its name.

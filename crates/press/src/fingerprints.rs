@@ -4,8 +4,8 @@
 //! afterwards names are put into these files, they are shortened, and the search is our own. So they are named
 //! again here.
 
+use crate::cache;
 use anyhow::{Context, ensure};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -85,8 +85,7 @@ fn parts(name: &str) -> Option<(&str, &str)> {
 /// The name of a file by its content; a name without a fingerprint stays as it is.
 fn renewed(name: &str, content: &[u8]) -> String {
     let Some((before, ending)) = parts(name) else { return name.to_owned() };
-    let digits: String = Sha256::digest(content).iter().take(DIGITS / 2).map(|byte| format!("{byte:02x}")).collect();
-    format!("{before}-{digits}.{ending}")
+    format!("{before}-{}.{ending}", &cache::digest(content)[..DIGITS])
 }
 
 fn name(path: &Path) -> String {

@@ -7,7 +7,9 @@ use super::instant::LeverInstant;
 use super::{LinkageAngle, QuickReturnDesign};
 use crate::Error;
 use crate::number_format::as_typed;
-use crate::worked::{AngleOrigin, LengthUnit, WorkedStep, carried, factor, in_degrees, shown, without_rounding};
+use crate::worked::{
+    AngleOrigin, LengthUnit, WorkedStep, bracketed, carried, factor, in_degrees, shown, without_rounding,
+};
 use geneva_figures::with_minus_sign;
 use geneva_kinematics::quick_return::{Branch, LeverMotion};
 
@@ -259,11 +261,6 @@ impl QuickReturnDesign {
             }
         }
     }
-}
-
-/// A negative angle in brackets, as it stands behind a function or a minus sign.
-fn bracketed(angle: &str) -> String {
-    if angle.starts_with('−') { format!("({angle})") } else { angle.to_owned() }
 }
 
 /// The sentence for a value above zero, for one below zero, and for zero.

@@ -18,7 +18,7 @@ pub use times::{Times, proposals};
 
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
-use ActsOn::{Motion, Parts, Size};
+use ActsOn::{Motion, Parts, Size, Speed};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
@@ -137,6 +137,8 @@ pub enum ActsOn {
     Parts,
     /// Motion and loads.
     Motion,
+    /// The speed of the driver: one such argument gives it.
+    Speed,
 }
 
 /// The arguments that the command line has, in its order.
@@ -235,14 +237,14 @@ pub const ARGUMENTS: [Argument; 22] = [
         "rpm",
         "R",
         ArgumentSlot::AboveZero(|question| &mut question.rpm),
-        &[Motion],
+        &[Motion, Speed],
         "Speed of the driver in turns per minute, above zero; adds times in s, and motion in rad/s, rad/s² and rad/s³",
     ),
     Argument::new(
         "rad-s",
         "W",
         ArgumentSlot::AboveZero(|question| &mut question.rad_s),
-        &[Motion],
+        &[Motion, Speed],
         "Speed of the driver in radians per second, above zero, instead of --rpm",
     ),
     Argument::new(

@@ -40,14 +40,17 @@ pub(super) fn agreement() -> anyhow::Result<Figure> {
 
 /// Printed against computed numbers of the mechanisms as they are.
 pub(super) fn own_angles() -> anyhow::Result<Figure> {
-    let compared = ComparedCells::new("own reset angles".to_owned(), rows::score(&Hypothesis::IDEAL)?);
-    Ok(runs::one_agreement("agreement-own-angles", &compared, "1 rad/s or 1 ms"))
+    one_agreement("agreement-own-angles", "own reset angles", &Hypothesis::IDEAL)
 }
 
 /// Printed against computed numbers of the program as listed.
 pub(super) fn quarter_turn() -> anyhow::Result<Figure> {
-    let compared = ComparedCells::new("reset after 90° for all".to_owned(), rows::score(&Hypothesis::AS_RUN)?);
-    Ok(runs::one_agreement("agreement-quarter-turn", &compared, "1 rad/s or 1 ms"))
+    one_agreement("agreement-quarter-turn", "reset after 90° for all", &Hypothesis::AS_RUN)
+}
+
+fn one_agreement(figure: &str, name: &str, hypothesis: &Hypothesis) -> anyhow::Result<Figure> {
+    let compared = ComparedCells::new(name.to_owned(), rows::score(hypothesis)?);
+    Ok(runs::one_agreement(figure, &compared, "1 rad/s or 1 ms"))
 }
 
 /// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.
