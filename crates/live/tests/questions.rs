@@ -196,7 +196,10 @@ fn a_speed_that_is_hardly_any_has_no_sign_where_it_is_rounded_to_zero() {
 
 #[test]
 fn an_unknown_figure_or_argument_is_named_with_those_there_are() {
-    assert!(answer("weel?stations=4").starts_with("{\"error\":\"no figure `weel`: there are wheel, design"));
+    let figures: Vec<&str> = LIVE.iter().map(|live| live.name).collect();
+    let text = answer("weel?stations=4");
+    let refusal = format!("{{\"error\":\"no figure `weel`: there are {}", figures.join(", "));
+    assert!(text.starts_with(&refusal), "{text}");
     let text = answer("wheel?stashuns=4");
     assert!(text.starts_with("{\"error\":\"no argument `stashuns`: there are crank, stations"), "{text}");
 }
