@@ -22,7 +22,9 @@ use crate::book::Book;
 use crate::cache::Shelf;
 use crate::edition::Edition;
 use crate::preprocessor::Press;
-use crate::{address, epub, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken};
+use crate::{
+    address, epub, feed, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken,
+};
 use site::Site;
 pub use site::abandon;
 
@@ -102,11 +104,13 @@ fn without_words_to_search(config: &mut Config) -> anyhow::Result<()> {
 /// a page its policy when it names all files as they are.
 fn finish(book: &Book, folder: &Path, shelf: &Shelf) -> anyhow::Result<()> {
     rewrite(folder, "css", &|text| Ok(minify::style(text)))?;
-    rewrite(folder, "js", &|text| Ok(minify::script(text)))?;
+    rewrite(folder, "js", &|text| Ok(minify::script(&with_start_at_the_top(text))))?;
     rewrite(folder, "html", &|text| Ok(with_running_head(text)))?;
     rewrite(folder, "html", &|text| {
         let text = spoken::with_named_heads(&phone_tables::labelled(text));
-        Ok(minify::page(&with_way_to_the_figure(&with_way_past_the_list(&text), book)))
+        let text = with_way_to_the_figure(&with_way_past_the_list(&text), book);
+        let text = feed::with_link_to_the_feed(&text, &book.imprint, book.changelog);
+        Ok(minify::page(&text))
     })?;
     fingerprints::renew(folder)?;
     rewrite(folder, "html", &|page| policy::guarded(page, book.modules, shelf))
@@ -119,6 +123,15 @@ fn with_way_past_the_list(page: &str) -> String {
         return page.to_owned();
     }
     page.replacen("<body>", "<body>\n<a class=\"skip\" href=\"#mdbook-content\">Skip to the text</a>", 1)
+}
+
+/// A script that brings the list of chapters to the chapter of the page by moving the list alone. mdBook asks for the link to be
+/// shown, and in some browsers the key Tab then begins behind this link.
+fn with_start_at_the_top(script: &str) -> String {
+    const SHOWN: &str = "activeSection.scrollIntoView({ block: 'center' });";
+    const MOVED: &str = "this.scrollTop += activeSection.getBoundingClientRect().top - this.getBoundingClientRect().top \
+                         - this.clientHeight / 2;";
+    script.replace(SHOWN, MOVED)
 }
 
 /// A page whose bar names the chapter, as the running head of a book does: mdBook writes the book's title there.

@@ -34,6 +34,7 @@ mod xhtml;
 // A chapter.
 mod braces;
 mod chapter_tests;
+mod feed;
 pub mod fences;
 pub mod maths;
 mod nowrap_options;

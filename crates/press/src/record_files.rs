@@ -6,7 +6,7 @@ use crate::data::{self, PageFile};
 use crate::edition::{Edition, SIGN};
 use crate::fields::{self, DataRow, FieldValue};
 use crate::records::{claim, entries, slip, slips_of_copies};
-use crate::{address, citing, field_list, works};
+use crate::{address, citing, feed, field_list, works};
 use geneva_evidence::Consequence;
 
 /// The file that says how the book is cited.
@@ -45,6 +45,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
         (field_list::FILE, fields::csv(meanings.first(), meanings.iter().cloned())?),
+        (feed::FILE, feed::atom(&book.imprint, book.changelog)),
         (CITATION, citing::cff_of_edition(book.citation_file, edition)),
     ];
     // A book that cites no work has no list of works, and so on.
