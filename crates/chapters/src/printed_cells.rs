@@ -8,6 +8,8 @@ use geneva_case1973::{Column, Row, slug};
 pub(crate) struct PrintedCell {
     /// Its run.
     pub row: &'static Row,
+    /// The claim of the printed number.
+    pub id: &'static str,
     /// What it is, in a word.
     pub quantity: &'static str,
     /// Its column in the tables.
@@ -31,7 +33,15 @@ pub(crate) fn of_rows(rows: &'static [Row]) -> anyhow::Result<Vec<PrintedCell>> 
     let cell = |(row, (column, quantity, end)): (&'static Row, (Column, &'static str, &str))| {
         let judged = judged(&format!("meyer.app-e.{}.{end}", row.slug()))?;
         let number = |number: Option<f64>| number.with_context(|| format!("{}: no such number", judged.claim.id));
-        Ok(PrintedCell { row, quantity, column, as_run: number(judged.computed)?, right: number(judged.right_value)? })
+        let id = judged.claim.id;
+        Ok(PrintedCell {
+            row,
+            id,
+            quantity,
+            column,
+            as_run: number(judged.computed)?,
+            right: number(judged.right_value)?,
+        })
     };
     cells.map(cell).collect()
 }

@@ -257,7 +257,7 @@ fn as_printed_run_and_right(
             format!("μ = {} <br>K = {}", cell.given(Column::Friction), cell.given(Column::Torque))
         })
         .column("Quantity", |(_, cell)| cell.quantity)
-        .column("printed", |(_, cell)| cell.printed())
+        .column("printed", |(_, cell)| format!("<a href=\"ledger.html#{}\">{}</a>", cell.id, cell.printed()))
         .column("as run", |(_, cell)| cell.to_places(cell.as_run))
         .column("right", |(right, cell)| cell.to_places(*right))
         .with_data(HEADS, |(right, cell)| {
