@@ -4,7 +4,7 @@ use super::*;
 use crate::meyer::slips::RESET_ANGLE;
 use geneva_evidence::Decimal;
 use geneva_evidence::agreement::joined;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
 pub(super) fn reset(
@@ -41,10 +41,13 @@ pub(super) fn reset(
         .corrected(corrected, RESET_ANGLE)
 }
 
-/// The angle after which the driver's angle is reset, as the characters say: the angle between two pins if they name that of each
-/// mechanism and nothing else than such angles and their halves, or else the first angle that they name, in radians or degrees.
-/// Without a number it is that of the line of the program.
+/// The angle after which the driver's angle is reset, as the characters say: an angle divided by the number of pins if they divide
+/// one by a letter, the angle between two pins if they name that of each mechanism and nothing else than such angles and their
+/// halves, or else the first angle that they name, in radians or degrees. Without a number it is that of the line of the program.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
+    if let Some(angle) = divided_by_pins(stated.characters()) {
+        return angle / f64::from(at.pins());
+    }
     let said = stated.decimals();
     let pitches = Mechanism::ALL.map(|at| at.driver_pitch_angle());
     let is = |said: &Decimal, angle: f64| said.is_rounding_of(angle) || said.is_rounding_of(angle.to_degrees());
@@ -53,12 +56,32 @@ fn modulus(at: &Mechanism, stated: Stated) -> f64 {
         let is_known = |said: &Decimal| pitches.iter().any(|pitch| is(said, *pitch) || is(said, pitch / 2.0));
         return if said.iter().all(is_known) { at.driver_pitch_angle() } else { f64::INFINITY };
     }
-    match said.first().map(Decimal::to_f64) {
-        // No angle of a turn in radians is greater.
-        Some(angle) if angle > TAU => angle.to_radians(),
-        Some(angle) => angle,
-        None => MEYER.printed_number("meyer.listing.quarter-turn"),
-    }
+    said.first().map_or_else(|| MEYER.printed_number("meyer.listing.quarter-turn"), |said| in_radians(said.to_f64()))
+}
+
+/// An angle of at most a turn, in radians or degrees, in radians.
+fn in_radians(angle: f64) -> f64 {
+    // A turn in radians, to four places.
+    if angle > TAU + 1e-4 { angle.to_radians() } else { angle }
+}
+
+/// The angle in radians that the characters divide by a letter, as in 2π/m, 6.2832/M or 360°/m.
+fn divided_by_pins(said: &str) -> Option<f64> {
+    let mut places = said.char_indices().filter(|(_, c)| *c == '/').map(|(at, _)| at);
+    places.find_map(|at| {
+        said[at + 1..].trim_start().chars().next().filter(|c| c.is_alphabetic())?;
+        let before = said[..at].trim_end().trim_end_matches('°');
+        let of_pi = ["π", "\\pi", "PI", "pi"].iter().find_map(|pi| before.strip_suffix(pi));
+        let factor = of_pi.unwrap_or(before).trim_end().trim_end_matches(['*', '·', '×']).trim_end();
+        let start = factor
+            .rfind(|c: char| !c.is_ascii_digit() && c != '.')
+            .map_or(0, |at| at + factor[at..].chars().next().map_or(0, char::len_utf8));
+        let number = factor[start..].parse::<f64>().ok();
+        match of_pi {
+            Some(_) => Some(number.unwrap_or(1.0) * PI),
+            None => number.map(in_radians),
+        }
+    })
 }
 
 /// Whether the reset angle runs from entry to exit and no farther, for each escapement with its modulus.
