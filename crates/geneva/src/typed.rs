@@ -249,7 +249,12 @@ impl CommandFormat {
     pub(crate) fn only_with(self, wanted: Self, option: &str, typed: Option<String>, what: &str) -> anyhow::Result<()> {
         match typed {
             Some(typed) if wanted != self => {
-                bail!("{option} {typed} applies only to {what}; give --format {} with it, or leave it out", self.name())
+                let typed = format!("{option} {typed}");
+                bail!(
+                    "{} applies only to {what}; give --format {} with it, or leave it out",
+                    typed.trim_end(),
+                    self.name()
+                )
             }
             _ => Ok(()),
         }
