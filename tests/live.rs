@@ -5,6 +5,7 @@ mod addresses;
 mod covered;
 pub(crate) mod module;
 mod presets;
+mod steps;
 
 use crate::browser::devtools::{Browser, Medium};
 use geneva_chapters::figures;
