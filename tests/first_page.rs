@@ -31,7 +31,7 @@ fn the_figure_of_the_mistake_begins_with_the_count_of_the_first_page() {
     open(&mut browser, "mistake.html");
     let shown = browser.evaluate("document.querySelector('[data-live=mistake] output[name=agree]').value");
     let (agree, all) = shown.as_str().and_then(|shown| shown.split_once(" of ")).expect("a count of all");
-    let words = format!("reproduces {agree} of these {all} numbers to within one unit");
+    let words = format!("reproduces {agree} of the {all} printed speeds and periods to within one unit");
     assert!(text.contains(&words), "the figure begins with {shown}, but the first page doesn't say “{words}”");
 }
 

@@ -129,8 +129,8 @@ fn with_way_past_the_list(page: &str) -> String {
 /// shown, and in some browsers the key Tab then begins behind this link.
 fn with_start_at_the_top(script: &str) -> String {
     const SHOWN: &str = "activeSection.scrollIntoView({ block: 'center' });";
-    const MOVED: &str = "this.scrollTop += activeSection.getBoundingClientRect().top - this.getBoundingClientRect().top \
-                         - this.clientHeight / 2;";
+    const MOVED: &str = "const [list, link] = [this, activeSection].map(of => of.getBoundingClientRect()); \
+                         this.scrollBy(0, link.top - list.top - list.height / 2);";
     script.replace(SHOWN, MOVED)
 }
 
