@@ -480,6 +480,15 @@ mod tests {
     }
 
     #[test]
+    fn a_drawing_that_moves_by_itself_has_a_box_that_stops_it() {
+        let still = "<svg><path d=\"M0 0\"/></svg>".to_owned();
+        assert_eq!(with_pause(still.clone()), still);
+        let moving = "<svg><style>@keyframes a{}</style></svg>".to_owned();
+        let boxed = with_pause(moving.clone());
+        assert!(boxed.starts_with(&moving) && boxed.matches("type=\"checkbox\"").count() == 1, "{boxed}");
+    }
+
+    #[test]
     fn braces_of_others_stay() {
         let text = "format!(\"{{}}\") {{#include x}} {{ unclosed";
         assert_eq!(expanded(text).expect("nothing to draw"), text);

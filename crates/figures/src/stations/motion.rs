@@ -59,8 +59,8 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         format!(
-            "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper drawing to \
-             stop it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
+            "Animated: one cycle of a wheel with {}, the driver at constant speed. To stop the upper drawing, \
+             tick the box or rest the pointer on it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
              each with its crank angle θ.",
             count_noun(wheel.stations(), "station"),
             frames.len()

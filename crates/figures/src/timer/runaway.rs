@@ -323,6 +323,22 @@ mod tests {
     }
 
     #[test]
+    fn the_drawing_turns_its_bodies_as_they_go() {
+        let svg = runaway().expect("drawn").svg;
+        let half = (LIFT / arm_length() / 2.0).to_degrees();
+        // Clockwise, as the page counts: the wheel always, the anchor while the entry pallet is lifted.
+        for (body, angles) in [("wheel", [0.0, 15.0, 30.0]), ("anchor", [-half, half, -half])] {
+            let [first, middle, last] =
+                angles.map(|angle| format!("transform:rotate({}deg)", format_trimmed(angle, 2)));
+            let keys = format!("@keyframes {NAME}-{body}{{0%{{{first}}}50%{{{middle}}}100%{{{last}}}}}");
+            assert!(svg.contains(&keys), "no {keys}");
+            let rest = angles[0] + 2.0 * AT_REST * (angles[1] - angles[0]);
+            let turned = format!("class=\"{NAME}-{body}\" transform=\"rotate({} ", format_trimmed(rest, 2));
+            assert!(svg.contains(&turned), "no {turned}");
+        }
+    }
+
+    #[test]
     fn after_a_cycle_everything_is_where_the_next_begins() {
         assert_eq!(swing(0.0), swing(1.0));
         for (tooth, next) in wheel(1.0).iter().zip(wheel(0.0).iter().skip(1)) {
