@@ -272,7 +272,7 @@ pub fn verge() -> Figure {
              it. Then a lower tooth meets the lower pallet, is pushed back a little, stops the foliot and pushes it back."
         ),
         "A verge with its foliot, seen from above and slowed down, with dimensions of our own choice. The crown wheel's upper \
-         teeth push the upper pallet to the right. Its lower teeth, drawn pale, push the lower pallet to the left. A pallet \
+         teeth push the upper pallet to the right. Its lower teeth, drawn faint, push the lower pallet to the left. A pallet \
          is filled while a tooth touches it. When they meet, the foliot still swings on and pushes the wheel back a little.",
     );
     let start = instants[0];
