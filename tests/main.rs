@@ -17,6 +17,7 @@ mod fonts;
 mod live;
 mod meanings;
 mod mimic_decks;
+mod moving_pictures;
 mod old_addresses;
 mod pin_over_the_engagement;
 mod printed;

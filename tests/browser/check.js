@@ -512,7 +512,10 @@ const geneva = (() => {
         for (let at = face; at !== svg; at = at.parentElement) {
             share *= getComputedStyle(at).opacity;
         }
-        return share > 0 ? [{ face, parts: [...mixed(fill).slice(0, 3), share], inverse: face.getScreenCTM().inverse() }] : [];
+        // What is seen from its edge has no width, and covers nothing.
+        const matrix = face.getScreenCTM();
+        const isSeen = share > 0 && matrix.a * matrix.d !== matrix.b * matrix.c;
+        return isSeen ? [{ face, parts: [...mixed(fill).slice(0, 3), share], inverse: matrix.inverse() }] : [];
     });
 
     /** The colour of the page behind an element: the nearest that covers all. */

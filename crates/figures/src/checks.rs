@@ -118,7 +118,7 @@ pub(crate) fn assert_drawn(figure: &Figure) {
     well_formed(figure);
     only_numbers(figure);
     let most = match figure.id.as_str() {
-        "wheel-motion" => HEAVIEST_MOVING,
+        "wheel-motion" | "timer-verge" => HEAVIEST_MOVING,
         "runs-hypotheses" => HEAVIEST_OF_ALL_RUNS,
         _ => HEAVIEST,
     };
@@ -228,6 +228,23 @@ pub(crate) fn depth(point: &Vector2<f64>, outline: &[Vector2<f64>]) -> f64 {
         (ax, ay) = (b.x, b.y);
     }
     if inside { near.sqrt() } else { -near.sqrt() }
+}
+
+/// How deep one of two closed outlines reaches into the other: the greatest depth of a point of either's boundary within the
+/// other, looked for at many points of each side; negative if they are apart.
+pub(crate) fn overlap(one: &[Vector2<f64>], other: &[Vector2<f64>]) -> f64 {
+    const POINTS: u32 = 24;
+    let deepest = |of: &[Vector2<f64>], within: &[Vector2<f64>]| {
+        let mut most = f64::NEG_INFINITY;
+        for (k, from) in of.iter().enumerate() {
+            let to = of[(k + 1) % of.len()];
+            for share in (0..POINTS).map(|k| f64::from(k) / f64::from(POINTS)) {
+                most = most.max(depth(&from.lerp(&to, share), within));
+            }
+        }
+        most
+    };
+    deepest(one, other).max(deepest(other, one))
 }
 
 /// The room that a text of ours takes, by a guess at its letters: its least and its greatest corner.

@@ -16,6 +16,7 @@ mod figure;
 mod series;
 
 mod chart;
+mod moving;
 mod number;
 mod parts;
 mod star;

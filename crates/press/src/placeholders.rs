@@ -153,7 +153,17 @@ fn table_of_name(book: &Book, name: &str) -> anyhow::Result<Table> {
 
 /// A drawing alone, without number and caption: a picture of a page that has no number.
 fn picture(book: &Book, name: &str) -> anyhow::Result<String> {
-    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", (book.figures)(name)?.drawing))
+    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", with_pause((book.figures)(name)?.drawing)))
+}
+
+/// A drawing, and below it a box by which a reader stops it if it moves by itself.
+///
+/// The style sheet shows the box where the drawing moves, and stops what a figure with a ticked box contains: WCAG 2.2, success criterion 2.2.2.
+fn with_pause(drawing: String) -> String {
+    if !drawing.contains("@keyframes ") {
+        return drawing;
+    }
+    drawing + "\n<label class=\"pause\"><input type=\"checkbox\" autocomplete=\"off\"> Pause</label>"
 }
 
 /// Every key that a chapter of this book may have: those of every book and its own.
@@ -329,7 +339,7 @@ pub fn placeholders<'a>(book: &Book, chapter: &'a str) -> Vec<Placeholder<'a>> {
 
 /// A figure as texts: what its class goes on with, and the figure.
 fn figure_parts(class: String, figure: PageFigure) -> Vec<String> {
-    vec![class, figure.drawing, figure.caption, figure.csv, figure.source.to_owned()]
+    vec![class, with_pause(figure.drawing), figure.caption, figure.csv, figure.source.to_owned()]
 }
 
 /// The texts that a shelf has for something that has so many.
@@ -467,6 +477,15 @@ mod tests {
 
     fn expanded(chapter: &str) -> anyhow::Result<String> {
         Ok(expand(chapter, PAGE, &page_items(chapter, PAGE))?.0)
+    }
+
+    #[test]
+    fn a_drawing_that_moves_by_itself_has_a_box_that_stops_it() {
+        let still = "<svg><path d=\"M0 0\"/></svg>".to_owned();
+        assert_eq!(with_pause(still.clone()), still);
+        let moving = "<svg><style>@keyframes a{}</style></svg>".to_owned();
+        let boxed = with_pause(moving.clone());
+        assert!(boxed.starts_with(&moving) && boxed.matches("type=\"checkbox\"").count() == 1, "{boxed}");
     }
 
     #[test]

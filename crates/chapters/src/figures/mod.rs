@@ -90,6 +90,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
     ("timer-torque", || Ok(geneva_figures::timer::torque())),
     ("timer-runaway", || Ok(geneva_figures::timer::runaway()?)),
+    ("timer-verge", || Ok(geneva_figures::timer::verge())),
     ("timer-friction", timer::friction),
     ("timer-sensitivity", timer::sensitivity),
     ("timer-settling", timer::settling),

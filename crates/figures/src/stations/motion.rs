@@ -4,9 +4,9 @@ use super::cycle::{Key, keys};
 use super::pose::{WheelMargins, WheelPose, count_noun};
 use crate::number::{degrees, format_trimmed};
 use crate::parts::WIDTH;
-use crate::svg::{Canvas, DrawingKind, Label, Path, Pixels, Shape, heading};
+use crate::svg::{Canvas, DrawingKind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, GRID};
-use crate::{Figure, Series, Words};
+use crate::{Figure, Series, Words, moving};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
@@ -42,7 +42,7 @@ pub fn motion(wheel: &Wheel) -> Figure {
     let rows = frames.len().div_ceil(COLUMNS);
     let mut canvas = Canvas::new(WIDTH, large.height + small.height * rows as f64);
     canvas.draw_markup(style(name, wheel, &keys));
-    moving(&mut canvas, &large, wheel, name);
+    draw_moving(&mut canvas, &large, wheel, name);
     for (k, frame) in frames.iter().enumerate() {
         let corner = Vector2::new((k % COLUMNS) as f64 / COLUMNS as f64 * WIDTH, (k / COLUMNS) as f64 * small.height);
         still(&mut canvas, &small, &(corner + Vector2::new(0.0, large.height)), k + 1, frame);
@@ -59,8 +59,8 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         format!(
-            "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper drawing to \
-             stop it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
+            "Animated: one cycle of a wheel with {}, the driver at constant speed. To stop the upper drawing, \
+             tick the box or rest the pointer on it. If your system asks for reduced motion, the drawing stands still. Below, the same cycle in {} positions, \
              each with its crank angle θ.",
             count_noun(wheel.stations(), "station"),
             frames.len()
@@ -77,7 +77,7 @@ pub fn turning(wheel: &Wheel) -> Figure {
     let large = WheelPose::new(wheel, WIDTH, LARGE);
     let mut canvas = Canvas::new(WIDTH, large.height);
     canvas.draw_markup(style(name, wheel, &keys));
-    moving(&mut canvas, &large, wheel, name);
+    draw_moving(&mut canvas, &large, wheel, name);
     let words = Words::new(
         name,
         format!("A Geneva wheel with {} slots, turning", wheel.stations()),
@@ -126,19 +126,19 @@ fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
     let (cycle, turn) = (format_trimmed(cycle, 6), format_trimmed(TURN, 6));
     let (stations, round) =
         (wheel.stations(), format_trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
-    format!(
-        "<style>@keyframes {name}-wheel{{{indexing}}}@keyframes \
-         {name}-round{{to{{transform:rotate(-360deg)}}}}@keyframes \
-         {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}@media screen and \
-         (prefers-reduced-motion:no-preference){{.{name}-wheel{{animation:{name}-wheel {cycle}s linear \
-         infinite}}.{name}-round{{animation:{name}-round {round}s steps({stations}) \
-         infinite}}.{name}-driver{{animation:{name}-driver {turn}s linear infinite}}.{name}:hover \
-         g{{animation-play-state:paused}}}}</style>"
-    )
+    let key_frames = format!(
+        "@keyframes {name}-wheel{{{indexing}}}@keyframes {name}-round{{to{{transform:rotate(-360deg)}}}}@keyframes \
+         {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}"
+    );
+    let rules = format!(
+        ".{name}-wheel{{animation:{name}-wheel {cycle}s linear infinite}}.{name}-round{{animation:{name}-round {round}s \
+         steps({stations}) infinite}}.{name}-driver{{animation:{name}-driver {turn}s linear infinite}}"
+    );
+    moving::style(name, &key_frames, &rules)
 }
 
 /// The large drawing: each body about its own axis, turned by an attribute where the style does not move it.
-fn moving(canvas: &mut Canvas, at: &WheelPose, wheel: &Wheel, name: &str) {
+fn draw_moving(canvas: &mut Canvas, at: &WheelPose, wheel: &Wheel, name: &str) {
     let theta = -AT_REST * wheel.engagement_half_angle();
     let phi = wheel.engaged(theta).map_or(0.0, |motion| motion.angle);
     let about = |point: &Pixels| {
@@ -148,10 +148,7 @@ fn moving(canvas: &mut Canvas, at: &WheelPose, wheel: &Wheel, name: &str) {
         format!("class=\"{name}-{body}\" transform=\"rotate({})\"", format_trimmed(angle.to_degrees(), 2))
     };
     let origin = Pixels::zeros();
-    canvas.group(&format!("class=\"{name}\" pointer-events=\"all\""), |canvas| {
-        let corner = |x: f64, y: f64| Vector2::new(x, y);
-        let field = Path::start(&corner(0.0, 0.0)).line_to(&corner(WIDTH, 0.0)).line_to(&corner(WIDTH, at.height));
-        canvas.draw(Shape::path(field.line_to(&corner(0.0, at.height)).close()));
+    moving::on_field(canvas, name, &Vector2::new(WIDTH, at.height), |canvas| {
         canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(DRIVER, 1.3).dashed("2 4"));
         canvas.group(&about(&at.axis), |canvas| {
             canvas.group(&turned("driver", theta), |canvas| at.draw_arms(canvas, &origin, 0.0));

@@ -62,10 +62,15 @@ impl Path {
 
     /// An outline through points, returning to the first.
     pub(crate) fn through(points: &[Pixels], decimals: usize) -> Self {
+        Self::along(points, decimals).close()
+    }
+
+    /// A line through points, from the first to the last.
+    pub(crate) fn along(points: &[Pixels], decimals: usize) -> Self {
         let next = |path: Self, point: &Pixels| {
             if path.is_empty() { path.again_at(point) } else { path.line_to(point) }
         };
-        points.iter().fold(Self::empty(decimals), next).close()
+        points.iter().fold(Self::empty(decimals), next)
     }
 
     /// Goes straight on to a point.

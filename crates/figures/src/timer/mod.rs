@@ -1,5 +1,5 @@
-//! The escapement as a timekeeper: what changes its rate, how hard its members are driven, and a runaway escapement beside
-//! it.
+//! The escapement as a timekeeper: what changes its rate, how hard its members are driven, and two other
+//! escapements without a spring: a runaway escapement and a verge with its foliot.
 
 mod friction;
 mod runaway;
@@ -9,6 +9,7 @@ mod strongest;
 #[cfg(test)]
 mod tests;
 mod torque;
+mod verge;
 
 pub use friction::friction;
 pub use runaway::runaway;
@@ -16,6 +17,7 @@ pub use sensitivity::sensitivity;
 pub use settling::settling;
 pub use strongest::strongest;
 pub use torque::torque;
+pub use verge::verge;
 
 use crate::FigureError;
 use crate::chart::{ChartAxis, LegendEntry, of_mechanism};

@@ -1,8 +1,9 @@
 //! A runaway escapement: a toothed wheel, a pallet with a weighted bar, no spring; and the speed that its blows leave.
 
 use crate::chart::{Chart, ChartAxis, LineStyle, Panel};
-use crate::number::significant;
-use crate::parts::{arc_arrow, fixed_pivot};
+use crate::moving::{self, turning_key, turning_rule};
+use crate::number::{format_trimmed, significant};
+use crate::parts::{WIDTH, arc_arrow, fixed_pivot};
 use crate::svg::{Canvas, Label, Path, Pixels, Shape, View};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
@@ -15,15 +16,20 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const TEETH: u32 = 12;
 const ROOT: f64 = 0.74;
 const TOOTH: f64 = 0.16;
-/// From one pallet to the other, in pitches; a pallet lies half of it to either side of the line of centres.
+/// From the middle of one pallet to that of the other, in pitches: two and a half, so that a tooth reaches either pallet as
+/// another leaves the other one. A pallet lies half of it to either side of the line of centres.
 const SPAN: f64 = 2.5;
-/// A pallet's face: how far a tooth slides along it and how far it lifts it, and how thick the pallet is above, in radii of
-/// the tips.
-const ALONG: f64 = 0.2;
+/// How far a swing moves a pallet, and how thick a pallet is above its face, in radii of the tips.
 const LIFT: f64 = 0.11;
 const THICK: f64 = 0.12;
-/// Part of its way along the face that the driving tooth has gone.
-const PHASE: f64 = 0.3;
+/// Part of a swing in which a tooth slides along a face. In the rest, the drop, no tooth touches a pallet, and both bodies go on.
+const TOUCHING: f64 = 0.94;
+/// Points of a face that are joined by straight lines.
+const FACE_POINTS: u32 = 7;
+/// Where the drawing stands if it does not move, as a part of the cycle.
+const AT_REST: f64 = 0.15;
+/// Seconds of a cycle, in which the wheel turns by one pitch.
+const CYCLE: f64 = 3.0;
 /// Half the bar that carries the weights, and their radius.
 const BAR: f64 = 1.0;
 const WEIGHT: f64 = 0.13;
@@ -37,6 +43,10 @@ const BLOWS: usize = 9;
 /// Every so many of the computed points are drawn.
 const EACH: usize = 20;
 
+/// The figure's name, and its parts that move.
+const NAME: &str = "timer-runaway";
+const PARTS: [&str; 4] = ["wheel", "anchor", "entry", "exit"];
+
 /// A point of the plane of the drawing, in radii of the tips.
 type Point = Vector2<f64>;
 
@@ -45,59 +55,66 @@ fn polar(radius: f64, angle: f64) -> Point {
     Point::new(turn.cos, turn.sin) * radius
 }
 
-/// The tips and the roots of the teeth, when one tooth has gone so far along the left pallet's face.
-fn wheel(phase: f64) -> Vec<[Point; 3]> {
-    let pitch = 2.0 * PI / f64::from(TEETH);
-    let first = entry() - phase * ALONG;
+fn turned(point: &Point, angle: f64) -> Point {
+    let turn = Turn::from_radians(angle);
+    Point::new(turn.cos * point.x - turn.sin * point.y, turn.sin * point.x + turn.cos * point.y)
+}
+
+/// The angle from tooth to tooth, in radians.
+fn pitch() -> f64 {
+    2.0 * PI / f64::from(TEETH)
+}
+
+/// Leading root, tip and trailing root of each tooth, when the wheel has turned by so many pitches, clockwise. At zero, the first
+/// tooth reaches the entry pallet; at one half, the third reaches the exit pallet.
+fn wheel(cycle: f64) -> Vec<[Point; 3]> {
+    let first = FRAC_PI_2 + (SPAN / 2.0 + 0.25 - cycle) * pitch();
     (0..TEETH)
         .map(|k| {
-            let tip = first - pitch * f64::from(k);
+            let tip = first - pitch() * f64::from(k);
             // The flank that drives is steep, the back is sloping.
             [polar(ROOT, tip + TOOTH / 2.0 + 0.1), polar(1.0, tip), polar(ROOT, tip - TOOTH / 2.0 + 0.1)]
         })
         .collect()
 }
 
-/// Where a tooth meets the left pallet: its angle on the circle of the tips.
-fn entry() -> f64 {
-    FRAC_PI_2 + SPAN * PI / f64::from(TEETH)
+/// The anchor's angle in radians, clockwise, after so many cycles from 0 to 1: the teeth throw it to and fro in proportion to
+/// the wheel's angle.
+fn swing(cycle: f64) -> f64 {
+    let half = LIFT / arm_length() / 2.0;
+    if cycle < 0.5 { (4.0 * cycle - 1.0) * half } else { (3.0 - 4.0 * cycle) * half }
 }
 
-/// The pallet's pivot, from which both lines to the pallets touch the circle of the tips.
+/// The anchor's pivot, from which both lines to the pallets touch the circle of the tips.
 fn pivot() -> Point {
-    Point::new(0.0, 1.0 / Turn::from_radians(SPAN * PI / f64::from(TEETH)).cos)
+    Point::new(0.0, 1.0 / Turn::from_radians(SPAN / 2.0 * pitch()).cos)
 }
 
-/// The corners of the left and of the right pallet, face first, when the left one's tooth has gone so far along its face.
-fn pallets(phase: f64) -> [[Point; 4]; 2] {
-    let arm = (pivot().norm_squared() - 1.0).sqrt();
-    // Positive: the left pallet is lifted and the right one dips.
-    let turned = -(phase - 0.5) * LIFT / arm;
-    [entry(), PI - entry()].map(|angle| {
-        let (place, outward) = (polar(1.0, angle), polar(1.0, angle));
-        let along = Point::new(outward.y, -outward.x);
-        let corner = |s: f64, n: f64| {
-            let from_pivot = place + along * s + outward * n - pivot();
-            let turn = Turn::from_radians(turned);
-            pivot()
-                + Point::new(
-                    turn.cos * from_pivot.x - turn.sin * from_pivot.y,
-                    turn.sin * from_pivot.x + turn.cos * from_pivot.y,
-                )
+/// From the pivot to the middle of a pallet.
+fn arm_length() -> f64 {
+    (pivot().norm_squared() - 1.0).sqrt()
+}
+
+/// The entry and the exit pallet in the middle of a swing: face first, from where a tooth meets it to where the tooth leaves it.
+///
+/// Each face is the path of the tip that drives it, as seen from the anchor, so the two touch all the way.
+fn pallets() -> [Vec<Point>; 2] {
+    [(0.0, 0, 1.0), (0.5, 2, -1.0)].map(|(from, tooth, side)| {
+        let seen = |k: u32| {
+            let cycle = from + 0.5 * TOUCHING * f64::from(k) / f64::from(FACE_POINTS - 1);
+            pivot() + turned(&(wheel(cycle)[tooth][1] - pivot()), swing(cycle))
         };
-        // The curvature of the circle: a tooth that has gone s lies s²/2 below its tangent.
-        [
-            corner(0.0, LIFT / 2.0),
-            corner(ALONG, -LIFT / 2.0 - ALONG * ALONG / 2.0),
-            corner(ALONG, LIFT / 2.0 + THICK),
-            corner(0.0, LIFT / 2.0 + THICK),
-        ]
+        let face: Vec<Point> = (0..FACE_POINTS).map(seen).collect();
+        let outward = polar(1.0, FRAC_PI_2 + side * SPAN / 2.0 * pitch());
+        let back = |point: &Point| point + outward * (1.0 + LIFT / 2.0 + THICK - point.dot(&outward));
+        let backs = [back(&face[face.len() - 1]), back(&face[0])];
+        face.into_iter().chain(backs).collect()
     })
 }
 
-/// A runaway escapement, to a scale of our own, and under it the wheel's speed from rest, with a torque and with twice that.
+/// A runaway escapement in motion, to a scale of our own, and under it the wheel's speed from rest, with a torque and with twice that.
 ///
-/// Series, a row for each drawn point: blows since the start, and the speed with both torques, over the root of torque times
+/// It moves as the model of the panel does in the steady motion: from blow to blow its speed grows evenly with time. Series, a row for each drawn point: blows since the start, and the speed with both torques, over the root of torque times
 /// angle from blow to blow over the wheel's inertia.
 ///
 /// # Errors
@@ -131,21 +148,22 @@ pub fn runaway() -> Result<Figure, FigureError> {
         .name_near(tops(&twice), FRAC_PI_2, Label::words("twice the torque").in_colour(RELATIVE))
         .name_near(tops(&once), -FRAC_PI_2, Label::words("torque ").and_symbol("K").in_colour(DRIVER));
     let words = Words::new(
-        "timer-runaway",
+        NAME,
         "A runaway escapement, and the speed of its wheel",
         format!(
             "Above, a wheel with {TEETH} teeth that turns clockwise. Over it an anchor swings about its own pivot, with a \
-             weight at either end of a bar and no spring. A tooth pushes its left pallet away from the wheel, while the right \
-             pallet moves in between two teeth. Below, two saw-toothed curves of the wheel's speed: it rises from rest, drops \
+             weight at either end of a bar and no spring. A tooth pushes the anchor's left pallet away from the wheel, while \
+             the right pallet moves in between two teeth. Then another tooth pushes the right pallet away, and the anchor \
+             swings back. Below, two saw-toothed curves of the wheel's speed: it rises from rest, drops \
              at each blow, and repeats itself after a few blows, about a mean of {} with the torque K and {} with twice the \
              torque.",
             significant(slow, 3),
             significant(fast, 3)
         ),
         format!(
-            "A runaway escapement, drawn with dimensions of our own choice. The teeth throw the pallets to and fro, \
-             and nothing but the inertia of the weighted bar resists them, because there is no balance spring. Below \
-             is our model of it, in which each blow takes a fixed part of the energy (the pallet's inertia, reduced to \
+            "A runaway escapement, slowed down, with dimensions of our own choice. The teeth throw the pallets to and fro, \
+             and nothing but the inertia of the weighted bar resists them, because there is no balance spring. A pallet is \
+             filled while a tooth pushes it. Below is our model of it, in which each blow takes a fixed part of the energy (the pallet's inertia, reduced to \
              the wheel, is {PALLET} of the wheel's). In the steady motion each blow takes the energy that the torque \
              has supplied since the last blow, so twice the torque makes the mean speed (dotted) √2 times as great."
         ),
@@ -153,102 +171,193 @@ pub fn runaway() -> Result<Figure, FigureError> {
     let columns = [("blows", "1"), ("speed K", "1"), ("speed 2K", "1")];
     let rows = once.iter().zip(&twice).map(|(one, two)| [one.0, one.1, two.1]);
     let series = Series::new(columns, rows);
-    Ok(Chart::new([panel]).figure_below(words, series, ABOVE, draw))
+    let ease = Ease::new(model.speed_retention());
+    Ok(Chart::new([panel]).figure_below(words, series, ABOVE, |canvas| draw(canvas, ease)))
+}
+
+/// How a wheel goes from blow to blow under a constant torque: its angle `linear` t + `square` t², both from 0 to 1.
+#[derive(Clone, Copy)]
+struct Ease {
+    linear: f64,
+    square: f64,
+}
+
+impl Ease {
+    /// From this part of its final speed on.
+    fn new(first: f64) -> Self {
+        Self { linear: 2.0 * first / (1.0 + first), square: (1.0 - first) / (1.0 + first) }
+    }
+
+    /// When the wheel has gone this part of its way.
+    fn time(self, way: f64) -> f64 {
+        ((self.linear * self.linear + 4.0 * self.square * way).sqrt() - self.linear) / (2.0 * self.square)
+    }
+
+    /// As CSS writes it: the cubic curve whose control points lie at a third and two thirds of the time is this one exactly.
+    fn timing(self) -> String {
+        let (first, second) = (self.linear / 3.0, (2.0 * self.linear + self.square) / 3.0);
+        format!("cubic-bezier(.33333,{},.66667,{})", format_trimmed(first, 4), format_trimmed(second, 4))
+    }
+}
+
+/// The rules that move wheel and anchor, and fill the pallet that is pushed.
+fn style(ease: Ease, centre: &Pixels, hub: &Pixels) -> String {
+    let [wheel, anchor, entry, exit] = PARTS.map(|part| format!("{NAME}-{part}"));
+    let wheel_keys: String = [0.0, 0.5, 1.0].map(|cycle| turning_key(cycle, cycle * pitch())).concat();
+    let anchor_keys: String = [0.0, 0.5, 1.0].map(|cycle| turning_key(cycle, swing(cycle))).concat();
+    let touched = 0.5 * ease.time(TOUCHING);
+    let key_frames = format!(
+        "@keyframes {wheel}{{{wheel_keys}}}@keyframes {anchor}{{{anchor_keys}}}{}{}",
+        moving::shown_while(&entry, [0.0, touched]),
+        moving::shown_while(&exit, [0.5, 0.5 + touched])
+    );
+    let timing = format!("{}s {}", format_trimmed(CYCLE, 2), ease.timing());
+    let rules = [
+        turning_rule(&wheel, centre, &timing),
+        turning_rule(&anchor, hub, &timing),
+        moving::step_rule(&entry, CYCLE),
+        moving::step_rule(&exit, CYCLE),
+    ];
+    moving::style(NAME, &key_frames, &rules.concat())
 }
 
 /// The mechanism.
-fn draw(canvas: &mut Canvas) {
+fn draw(canvas: &mut Canvas, ease: Ease) {
     let view = View { origin: Pixels::new(320.0, 268.0), scale: SCALE };
     let place = |point: &Point| view.place(point);
-    let outline: Vec<Pixels> =
-        wheel(PHASE).iter().flat_map(|tooth| tooth.iter().map(place).collect::<Vec<_>>()).collect();
-    canvas.draw(Shape::path(Path::through(&outline, 1)).fill(FILL).stroke(DRIVER, 2.5).class("toothed-wheel"));
-    let centre = place(&Point::zeros());
-    let hub = place(&pivot());
-    let arm = (pivot().norm_squared() - 1.0).sqrt();
-    let lean = -(PHASE - 0.5) * LIFT / arm;
-    // The bar with its weights, behind the pallets.
-    let ends = [PI, 0.0].map(|side| place(&(pivot() + polar(BAR, side + lean))));
-    canvas.draw(Shape::line(&ends[0], &ends[1]).stroke(FOLLOWER, 5.0).class("bar"));
-    for end in &ends {
-        canvas.draw(Shape::circle(end, WEIGHT * SCALE).fill(FILL).stroke(FOLLOWER, 2.5).class("weight"));
-    }
-    for corners in pallets(PHASE) {
-        let back = (corners[2] + corners[3]) / 2.0;
-        canvas.draw(
-            Shape::line(&hub, &place(&back)).stroke(FOLLOWER, 9.0).attribute("stroke-linecap", "round").class("arm"),
-        );
-        let outline: Vec<Pixels> = corners.iter().map(place).collect();
-        let shape = Shape::path(Path::through(&outline, 1)).fill(PAPER).stroke(FOLLOWER, 2.5);
-        canvas.draw(shape.attribute("stroke-linejoin", "round").class("pallet"));
-    }
+    let (centre, hub) = (place(&Point::zeros()), place(&pivot()));
+    canvas.draw_markup(style(ease, &centre, &hub));
+    let [wheel_class, anchor_class, entry_class, exit_class] = PARTS.map(|part| format!("{NAME}-{part}"));
+    moving::on_field(canvas, NAME, &Pixels::new(WIDTH, ABOVE), |canvas| {
+        canvas.group(&moving::turned(&wheel_class, &centre, AT_REST * pitch()), |canvas| {
+            let teeth = wheel(0.0);
+            let outline: Vec<Pixels> = teeth.iter().flatten().map(place).collect();
+            canvas.draw(Shape::path(Path::through(&outline, 1)).fill(FILL).stroke(DRIVER, 2.5).class("toothed-wheel"));
+        });
+        canvas.group(&moving::turned(&anchor_class, &hub, swing(AT_REST)), |canvas| {
+            // The bar with its weights, behind the pallets.
+            let ends = [-BAR, BAR].map(|end| place(&(pivot() + Point::new(end, 0.0))));
+            canvas.draw(Shape::line(&ends[0], &ends[1]).stroke(FOLLOWER, 5.0).class("bar"));
+            for end in &ends {
+                canvas.draw(Shape::circle(end, WEIGHT * SCALE).fill(FILL).stroke(FOLLOWER, 2.5).class("weight"));
+            }
+            for (corners, (class, is_pushed)) in pallets().iter().zip([(&entry_class, true), (&exit_class, false)]) {
+                let back = (corners[corners.len() - 2] + corners[corners.len() - 1]) / 2.0;
+                let arm = Shape::line(&hub, &place(&back)).stroke(FOLLOWER, 9.0);
+                canvas.draw(arm.attribute("stroke-linecap", "round").class("arm"));
+                let outline: Vec<Pixels> = corners.iter().map(place).collect();
+                moving::draw_pushed(canvas, &Path::through(&outline, 1), "pallet", class, is_pushed);
+            }
+        });
+    });
     fixed_pivot(canvas, &centre, 1.0);
     canvas.draw(Shape::circle(&hub, 9.0).fill(PAPER).stroke(INK, 2.0).class("pivot"));
     arc_arrow(canvas, &centre, 0.5 * SCALE, 2.5, 0.7, DRIVER, 2.5);
-    arc_arrow(canvas, &hub, 0.24 * SCALE, FRAC_PI_2 + 0.9, FRAC_PI_2 - 0.9, FOLLOWER, 2.5);
+    for end in [0.9, -0.9] {
+        arc_arrow(canvas, &hub, 0.24 * SCALE, FRAC_PI_2, FRAC_PI_2 + end, FOLLOWER, 2.5);
+    }
     let right = Pixels::new(1.0, 0.0);
-    let beside = |point: Pixels, label: Label, canvas: &mut Canvas| canvas.label(&point, &right, 8.0, &label);
-    let up = Pixels::new(0.0, -1.0);
-    canvas.label(
-        &(centre + Pixels::new(0.0, -0.5 * SCALE + 16.0)),
-        &-up,
-        12.0,
-        &Label::words("torque ").and_symbol("K").in_colour(DRIVER),
-    );
-    let weight = ends[1] + right * (WEIGHT * SCALE);
-    beside(weight, Label::words("weighted bar").in_colour(FOLLOWER), canvas);
-    let [left, exit] = pallets(PHASE);
-    canvas.label(&place(&left[3]), &-right, 12.0, &Label::words("driven pallet").in_colour(FOLLOWER));
-    beside(place(&exit[2]), Label::words("next to be hit").in_colour(FOLLOWER), canvas);
+    let torque = Label::words("torque ").and_symbol("K").in_colour(DRIVER);
+    canvas.label(&(centre + Pixels::new(0.0, -0.5 * SCALE + 16.0)), &Pixels::new(0.0, 1.0), 12.0, &torque);
+    let named = |text: &str| Label::words(text).in_colour(FOLLOWER);
+    canvas.label(&(hub + right * ((BAR + WEIGHT) * SCALE)), &right, 10.0, &named("weighted bar"));
+    for (corners, (side, name)) in pallets().iter().zip([(-right, "entry pallet"), (right, "exit pallet")]) {
+        let outer = if side.x < 0.0 { corners[corners.len() - 1] } else { corners[corners.len() - 2] };
+        canvas.label(&place(&outer), &side, 16.0, &named(name));
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{ParsedDrawing, assert_sound};
+    use crate::checks::{ParsedDrawing, assert_sound, depth, overlap};
 
-    /// Whether a point lies inside of a polygon whose corners go round one way.
-    fn inside(point: &Point, corners: &[Point]) -> bool {
-        let mut crossings = 0;
-        for (k, from) in corners.iter().enumerate() {
-            let to = corners[(k + 1) % corners.len()];
-            if (from.y > point.y) != (to.y > point.y)
-                && point.x < from.x + (point.y - from.y) / (to.y - from.y) * (to.x - from.x)
-            {
-                crossings += 1;
-            }
-        }
-        crossings % 2 == 1
+    /// Instants of a cycle that are looked at.
+    const INSTANTS: u32 = 240;
+    /// How deep a tooth may reach into a pallet, and how far it may be from a face that it pushes, in radii of the tips: less
+    /// than a sixth of a pixel.
+    const WITHIN: f64 = 0.001;
+    const APART: f64 = 0.0005;
+
+    fn instants() -> impl Iterator<Item = f64> {
+        (0..INSTANTS).map(|k| f64::from(k) / f64::from(INSTANTS))
+    }
+
+    /// Both pallets after a part of the cycle.
+    fn pallets_at(cycle: f64) -> [Vec<Point>; 2] {
+        pallets()
+            .map(|corners| corners.iter().map(|corner| pivot() + turned(&(corner - pivot()), -swing(cycle))).collect())
     }
 
     #[test]
-    fn one_tooth_pushes_the_left_pallet_and_no_tooth_cuts_into_either() {
-        for phase in [0.0, 0.3, 0.6, 1.0] {
-            let (teeth, [left, right]) = (wheel(phase), pallets(phase));
-            // The driving tip lies on the face: a little outward is inside of the pallet, a little inward is not.
-            let tip = teeth[0][1];
-            let face = left[1] - left[0];
-            let off = face.perp(&(tip - left[0])) / face.norm();
-            assert!(off.abs() < 0.015, "{phase}: the tip is {off} off the face");
-            for tooth in &teeth {
-                for pallet in [left, right] {
-                    for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                        for side in [[0, 1], [1, 2]] {
-                            let point = tooth[side[0]].lerp(&tooth[side[1]], share) * 0.985;
-                            assert!(!inside(&point, &pallet), "{phase}: {point}");
-                        }
-                    }
-                    assert!(pallet.iter().all(|corner| !inside(corner, tooth)), "{phase}");
+    fn no_tooth_cuts_into_a_pallet_at_any_time() {
+        for cycle in instants() {
+            let pallets = pallets_at(cycle);
+            for (k, tooth) in wheel(cycle).iter().enumerate() {
+                for (pallet, name) in pallets.iter().zip(["entry", "exit"]) {
+                    let within = overlap(tooth, pallet);
+                    assert!(within < WITHIN, "{cycle}: tooth {k} is {within} within the {name} pallet");
                 }
             }
         }
     }
 
     #[test]
-    fn the_right_pallet_goes_in_while_the_left_one_is_lifted() {
-        let depth = |phase: f64| pallets(phase).map(|corners| corners[1].norm());
-        let ([left, right], [later_left, later_right]) = (depth(0.1), depth(0.9));
-        assert!(later_left > left + 0.05 && later_right < right - 0.05);
+    fn one_tooth_after_another_slides_along_a_face_and_pushes_it() {
+        for cycle in instants() {
+            let (swing_part, side) = if cycle < 0.5 { (2.0 * cycle, 0) } else { (2.0 * cycle - 1.0, 1) };
+            let tip = wheel(cycle)[2 * side][1];
+            let pallets = pallets_at(cycle);
+            let gap = depth(&tip, &pallets[side]).abs();
+            if swing_part <= TOUCHING {
+                assert!(gap < APART, "{cycle}: the tip is {gap} off the face");
+            } else if swing_part > TOUCHING + 0.02 {
+                assert!(gap > APART, "{cycle}: the tooth has not left the face");
+            }
+            // It pushes: had the anchor stood still a moment ago, the tip would now be within the pallet.
+            if swing_part > 0.05 && swing_part < TOUCHING {
+                let within = depth(&tip, &pallets_at(cycle - 0.01)[side]);
+                assert!(within > APART, "{cycle}: the tip is {within} within the pallet of a moment ago");
+            }
+        }
+    }
+
+    #[test]
+    fn the_drawing_turns_its_bodies_as_they_go() {
+        let svg = runaway().expect("drawn").svg;
+        let half = (LIFT / arm_length() / 2.0).to_degrees();
+        // Clockwise, as the page counts: the wheel always, the anchor while the entry pallet is lifted.
+        for (body, angles) in [("wheel", [0.0, 15.0, 30.0]), ("anchor", [-half, half, -half])] {
+            let [first, middle, last] =
+                angles.map(|angle| format!("transform:rotate({}deg)", format_trimmed(angle, 2)));
+            let keys = format!("@keyframes {NAME}-{body}{{0%{{{first}}}50%{{{middle}}}100%{{{last}}}}}");
+            assert!(svg.contains(&keys), "no {keys}");
+            let rest = angles[0] + 2.0 * AT_REST * (angles[1] - angles[0]);
+            let turned = format!("class=\"{NAME}-{body}\" transform=\"rotate({} ", format_trimmed(rest, 2));
+            assert!(svg.contains(&turned), "no {turned}");
+        }
+    }
+
+    #[test]
+    fn after_a_cycle_everything_is_where_the_next_begins() {
+        assert_eq!(swing(0.0), swing(1.0));
+        for (tooth, next) in wheel(1.0).iter().zip(wheel(0.0).iter().skip(1)) {
+            assert!(tooth.iter().zip(next).all(|(a, b)| (a - b).norm() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn the_curve_of_the_style_is_the_motion_from_blow_to_blow() {
+        let ease = Ease::new(0.7);
+        // Even acceleration: the speed at the end over the speed at the beginning.
+        assert!((ease.linear / (ease.linear + 2.0 * ease.square) - 0.7).abs() < 1e-12);
+        let [first, second] = [ease.linear / 3.0, (2.0 * ease.linear + ease.square) / 3.0];
+        for t in [0.0, 0.2, 0.5, 0.9, 1.0] {
+            let way = ease.linear * t + ease.square * t * t;
+            // The parameter of the curve is the time, for its control points are evenly spaced.
+            let curve = 3.0 * first * t * (1.0 - t).powi(2) + 3.0 * second * t * t * (1.0 - t) + t.powi(3);
+            assert!((curve - way).abs() < 1e-12 && (ease.time(way) - t).abs() < 1e-12, "{t}");
+        }
     }
 
     #[test]
