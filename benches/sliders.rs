@@ -1,8 +1,8 @@
 //! How long a reader waits for a picture: from the move of a slider of a live figure until the new picture is on the screen.
 //!
-//! `cargo bench -p geneva-suite --bench sliders -- BOOK OTHER_BOOK` opens
-//! Chromium. In each figure it moves one slider by 40 steps, in a desktop's window and in a phone's. With two books they take
-//! turns, step by step, so that what else the machine does hits both alike.
+//! `cargo bench -p geneva-suite --bench sliders --profile dev -- BOOK OTHER_BOOK` opens the pages of built books, such as
+//! `target/book`, in Chromium. In each figure it moves one slider by 40 steps, in a desktop's window and in a phone's. With two
+//! books they take turns, step by step, so that what else the machine does hits both alike.
 //!
 //! A step begins with the event `input` and ends with the second frame that begins after the drawing is in the page: the
 //! callback of the first one still runs before the browser lays out and paints, and when the second one's runs, the picture
