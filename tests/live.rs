@@ -383,6 +383,29 @@ fn what_plays_can_be_paused_and_makes_steps_for_who_wants_less_motion() {
 }
 
 #[test]
+fn what_may_jam_stops_says_why_and_plays_no_more_until_it_may_turn() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    let features = json!({ "features": [{ "name": "prefers-reduced-motion", "value": "no-preference" }] });
+    browser.command("Emulation.setEmulatedMedia", features);
+    open(&mut browser, "escapement", "");
+    let shown = of(
+        &mut browser,
+        "escapement",
+        "await (async () => { const play = g.querySelector('[data-do=play]'), share = g.elements.share; \
+         const turns = async () => { const before = share.value; await until(() => share.value !== before); return true }; \
+         f.scrollIntoView({ behavior: 'instant' }); play.click(); await turns(); \
+         [...g.querySelectorAll('[data-set]')].find(of => of.textContent.includes('may jam')).click(); await settled(); \
+         const message = f.querySelector('.message').textContent, stopped = play.textContent, before = share.value; \
+         play.click(); await new Promise(requestAnimationFrame); const still = play.textContent === 'Play' && share.value === before; \
+         g.querySelector('[data-do=reset]').click(); await settled(); play.click(); await turns(); \
+         const again = play.textContent; play.click(); await settled(); return [stopped, still, again, message] })()",
+    );
+    assert_eq!([&shown[0], &shown[1], &shown[2]], [&json!("Play"), &json!(true), &json!("Pause")], "{shown}");
+    assert!(shown[3].as_str().is_some_and(|why| why.contains("may jam there, so nothing plays")), "{shown}");
+}
+
+#[test]
 fn pages_without_a_figure_that_moves_load_nothing_of_it() {
     if !moves() {
         return;

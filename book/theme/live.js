@@ -39,7 +39,7 @@
         const followers = new Set(inputs.filter(follows));
         const isBeside = input => !follows(input) && box(input) && Number(box(input).value) !== Number(input.value);
         const exact = new Map(inputs.filter(isBeside).map(input => [input, shown(input)]));
-        let heard = [], busy = false, again = false, playing = false, seen = true, last = 0;
+        let heard = [], jammed = false, busy = false, again = false, playing = false, seen = true, last = 0;
 
         const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;
         const settings = () => new URLSearchParams(inputs.map(input => [input.name, value(input)]));
@@ -93,7 +93,7 @@
             return item;
         }));
         worked?.addEventListener('toggle', solve);
-        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps }) => {
+        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams }) => {
             if (error !== undefined) {
                 return refuse(error);
             }
@@ -113,6 +113,10 @@
                 solution = steps;
                 solve();
             }
+            jammed = jams;
+            if (jammed) {
+                stop();
+            }
             // What runs goes on instead of waiting for the rest.
             again ||= Boolean(progress) && !playing;
         };
@@ -124,12 +128,15 @@
                 return say(`The figure cannot be moved here: ${error.message}.`, true);
             }
             while (again) {
-                await new Promise(requestAnimationFrame);
                 again = false;
                 try {
                     show(JSON.parse(await ask(question())));
                 } catch (error) {
                     refuse(`The figure has no answer for this setting: ${error.message}.`);
+                }
+                // A first question does not wait for a frame; those that follow it are asked once in each.
+                if (again) {
+                    await new Promise(requestAnimationFrame);
                 }
             }
         };
@@ -293,7 +300,7 @@
         };
         const actions = {
             hear,
-            play: () => playing ? stop() : play(true),
+            play: () => playing || jammed ? stop() : play(true),
             back: () => advance(-player.dataset.play / 10),
             forth: () => advance(player.dataset.play / 10),
             reset: () => set(first),

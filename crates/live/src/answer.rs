@@ -22,6 +22,8 @@ pub struct LiveReply {
     pub progress: Option<Progress>,
     /// The solution step by step with the numbers of the setting, if the figure solves a problem.
     pub steps: Vec<WorkedStep>,
+    /// Whether the mechanism may jam at this setting: then nothing turns, and what plays stops.
+    pub jams: bool,
 }
 
 /// A number that a live figure shows, with its text.
@@ -71,12 +73,12 @@ impl LiveReply {
     /// A drawing and its numbers.
     pub fn new(figure: Figure, numbers: impl IntoIterator<Item = LiveNumber>) -> Self {
         let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
-        Self { figure, numbers, further, followers, message: None, progress: None, steps: Vec::new() }
+        Self { figure, numbers, further, followers, message: None, progress: None, steps: Vec::new(), jams: false }
     }
 
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
     /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`; `steps`, a
-    /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`].
+    /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`]; `jams`, true or false.
     pub fn to_json(&self) -> String {
         let number = |LiveNumber { name, value, text }: &LiveNumber| {
             let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
@@ -92,13 +94,14 @@ impl LiveReply {
             .progress
             .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
         format!(
-            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":[{}]}}",
+            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":[{}],\"jams\":{}}}",
             self.numbers.iter().map(number).collect::<Vec<_>>().join(","),
             self.followers.iter().map(follower).collect::<Vec<_>>().join(","),
             self.message.as_deref().map_or("null".to_owned(), string),
             string(&self.figure.caption),
             string(self.figure.svg.trim_end()),
             self.steps.iter().map(step).collect::<Vec<_>>().join(","),
+            self.jams,
         )
     }
 }

@@ -69,7 +69,8 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
             let figure = escapement::mechanism(&mechanism, -angle).map_err(|error| error.to_string())?;
             let message = Some(format!(
                 "friction μ {}: from {limit:.4} on, the equation of motion has no single solution {:.1}° from the line of \
-                 centres, where the drawing shows it. Give less friction, or a driver with more inertia.",
+                 centres, where the drawing shows it. A real one may jam there, so nothing plays. Give less friction, or a \
+                 driver with more inertia.",
                 round_for_box(asked),
                 angle.to_degrees()
             ));
@@ -77,7 +78,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
                 "The escapement with its driver at the angle where it may jam: with so much friction, its equation of \
                            motion has no single solution there."
                     .to_owned();
-            return Ok(LiveReply { message, ..LiveReply::new(Figure { caption, ..figure }, [critical]) });
+            return Ok(LiveReply { message, jams: true, ..LiveReply::new(Figure { caption, ..figure }, [critical]) });
         }
         other => other.map_err(words)?,
     };
