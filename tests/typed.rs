@@ -205,7 +205,7 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
         ("mistake", "the driver's angle after every 90°", vec![reset]),
         ("mistake", "The reset at 90° is correct for four pins", vec![four]),
         ("mistake", "Six pins are 60° apart, and three pins 120°", vec![six, three]),
-        ("mistake", "With 90° for all three mechanisms", vec![reset]),
+        ("mistake", "resets all three mechanisms after 90°", vec![reset]),
         ("mistake", "A difference of 10 means odds of twenty thousand to one", vec![libm::round(libm::log(2e4))]),
         ("mistake", "between 90° and the correct angles", vec![reset]),
         ("never-printed", "reset the driver's angle after 90°", vec![reset]),
@@ -259,7 +259,7 @@ fn phrases() -> Vec<(&'static str, &'static str, Vec<f64>)> {
             "the program as listed means No. 10, and the best combination means No. 8.",
             vec![number(Hypothesis::AS_RUN), number(Hypothesis::WITHOUT_LAG)],
         ),
-        ("runs", "but No. 8 has the exact sign", vec![number(Hypothesis::WITHOUT_LAG)]),
+        ("runs", "but only No. 8 has the exact sign", vec![number(Hypothesis::WITHOUT_LAG)]),
         ("runs", "the best combination, No. 8,", vec![number(Hypothesis::WITHOUT_LAG)]),
         ("runs", "with another reset, No. 3 or 4 is best", best(|of| of.reset != Reset::QuarterTurn)),
         (
