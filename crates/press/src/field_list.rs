@@ -133,7 +133,9 @@ pub const OF_AN_ENTRY: &[FieldMeaning] = &[
 ];
 
 /// Every JSON file, and the fields around the list of its rows: path, types and meaning.
-const OF_A_FILE: [(&str, &str, &str); 7] = [
+const OF_A_FILE: [(&str, &str, &str); 9] = [
+    ("$schema", "text", "The JSON Schema of the file, which stands beside it."),
+    ("format", "text", "The version of the format. It changes when a field goes away or changes what it means."),
     ("title", "text", "The project."),
     ("version", "text", "The version of the project that wrote the file."),
     (
@@ -224,16 +226,27 @@ fn own_meaning(book: &Book, file: &str, path: &str) -> Option<&'static str> {
 /// The fields of such rows, with what each says in this book, and one row to each of the ledger's to see of what type they
 /// are.
 pub fn described(book: &Book, file: &str) -> anyhow::Result<(Vec<FieldMeaning>, Vec<DataRow>)> {
-    let ledger = book.ledger;
-    let found = DESCRIBED.iter().find(|(name, ..)| *name == file);
-    let (.., fields) = found.ok_or_else(|| unknown("file that is described", file, DESCRIBED.iter().map(|of| of.0)))?;
-    let in_this_book = |(path, meaning): &FieldMeaning| (*path, own_meaning(book, file, path).unwrap_or(meaning));
+    let (ledger, fields) = (book.ledger, meanings(book, file)?);
     let rows = match file {
         "claims" => ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged)).collect(),
         "errata" => ledger.slips().iter().map(slip).collect(),
         _ => entries(ledger)?,
     };
-    Ok((fields.iter().map(in_this_book).collect(), rows))
+    Ok((fields, rows))
+}
+
+/// The fields around the rows of every JSON file, with what each says in this book.
+pub(crate) fn around(book: &Book) -> impl Iterator<Item = FieldMeaning> {
+    let fields = OF_A_FILE.iter().filter(|(path, ..)| !path.contains(' '));
+    fields.map(|(path, _, meaning)| (*path, own_meaning(book, EVERY_JSON, path).unwrap_or(meaning)))
+}
+
+/// The fields of the rows that are described under a name, with what each says in this book.
+pub(crate) fn meanings(book: &Book, file: &str) -> anyhow::Result<Vec<FieldMeaning>> {
+    let found = DESCRIBED.iter().find(|(name, ..)| *name == file);
+    let (.., fields) = found.ok_or_else(|| unknown("file that is described", file, DESCRIBED.iter().map(|of| of.0)))?;
+    let in_this_book = |(path, meaning): &FieldMeaning| (*path, own_meaning(book, file, path).unwrap_or(meaning));
+    Ok(fields.iter().map(in_this_book).collect())
 }
 
 /// Of what types the values at a path are, in words.

@@ -50,6 +50,7 @@ pub mod field_list;
 pub mod fields;
 pub mod record_files;
 pub mod records;
+pub mod schema;
 
 // What stands for a placeholder.
 pub mod ledger_pages;

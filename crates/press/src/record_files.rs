@@ -6,7 +6,7 @@ use crate::data::{self, PageFile};
 use crate::edition::{Edition, SIGN};
 use crate::fields::{self, DataRow, FieldValue};
 use crate::records::{claim, entries, slip, slips_of_copies};
-use crate::{address, citing, feed, field_list, works};
+use crate::{address, citing, feed, field_list, schema, works};
 use geneva_evidence::Consequence;
 
 /// The file that says how the book is cited.
@@ -19,15 +19,15 @@ pub(crate) fn of_edition(book: &Book, edition: &Edition, shelf: &Shelf) -> anyho
     let [from, to] = [edition_lines(&any)?, edition_lines(edition)?];
     let own = PageFile::text_file(CITATION, citing::cff_of_edition(book.citation_file, edition));
     let files = data::recall(shelf, "records", &[], || {
-        let files = files(book, &any)?.into_iter().filter(|(name, _)| *name != CITATION);
-        Ok(files.map(|(name, text)| PageFile::text_file(name, text)).collect())
+        let files = files(book, &any)?.into_iter().filter(|(name, _)| name != CITATION);
+        Ok(files.map(|(name, text)| PageFile::text_file(&name, text)).collect())
     })?;
     let files = files.into_iter().map(|file| file.with_text(|text| text.replacen(&from, &to, 1)));
     Ok(files.chain([own].into_iter().filter(|file| !file.text().is_empty())).collect())
 }
 
 /// The files of the records of this edition: their names and texts.
-pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str, String)>> {
+pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(String, String)>> {
     let ledger = book.ledger;
     let of_sources = ledger.slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
     let copies: Vec<_> = slips_of_copies(ledger).map(slip).collect();
@@ -36,7 +36,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
     let meanings = field_list::rows(book)?;
     let claims = ledger.verdicts().iter().copied().map(|judged| claim(ledger, judged));
     let versioned = |what, rows: &mut dyn Iterator<Item = DataRow>| versioned(book, what, edition, rows);
-    let mut files = vec![
+    let files = [
         ("claims.json", versioned("claims", &mut claims.into_iter())?),
         ("errata.json", versioned("errata", &mut of_sources.map(slip))?),
         ("copies.json", versioned("copies", &mut copies.iter().cloned())?),
@@ -46,11 +46,11 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(&'static str
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
         (field_list::FILE, fields::csv(meanings.first(), meanings.iter().cloned())?),
         (feed::FILE, feed::atom(&book.imprint, book.changelog)),
-        (CITATION, citing::cff_of_edition(book.citation_file, edition)),
     ];
+    let citation = (CITATION.to_owned(), citing::cff_of_edition(book.citation_file, edition));
+    let named = files.into_iter().map(|(name, text)| (name.to_owned(), text));
     // A book that cites no work has no list of works, and so on.
-    files.retain(|(_, text)| !text.is_empty());
-    Ok(files)
+    Ok(named.chain(schema::files(book)?).chain([citation]).filter(|(_, text)| !text.is_empty()).collect())
 }
 
 /// Rows in a file that says what it belongs to, in which edition of the project.
@@ -62,7 +62,10 @@ fn versioned(
 ) -> anyhow::Result<String> {
     let imprint = &book.imprint;
     let [commit, changed] = edition_fields(edition);
+    let file = schema::FILES.iter().find(|(_, key, _)| *key == what).map_or(what, |(file, ..)| file);
     fields::json(&DataRow(vec![
+        ("$schema", schema::name(file).into()),
+        ("format", schema::FORMAT.into()),
         ("title", imprint.title.into()),
         ("version", imprint.version.into()),
         commit,

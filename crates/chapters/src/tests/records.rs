@@ -33,8 +33,12 @@ fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
     let mut seen = 0;
     let edition = Edition { commit: Some("abcdef0".to_owned()), is_changed: true, ..NONE };
     for (name, text) in files(&BOOK, &edition).expect("files") {
-        let Some(of) = name.strip_suffix(".json") else { continue };
+        let Some(of) = name.strip_suffix(".json").filter(|of| !of.ends_with(".schema")) else { continue };
         let whole: Json = serde_json::from_str(&text).expect("JSON");
+        let schemas = geneva_press::schema::files(&BOOK).expect("schemas");
+        let schema = schemas.iter().find(|(name, _)| *name == whole["$schema"]).expect("a schema of this name");
+        let schema: Json = serde_json::from_str(&schema.1).expect("JSON");
+        assert_eq!(geneva_press::schema::faults(&whole, &schema), Vec::<String>::new(), "{name}");
         assert_eq!(whole["version"], BOOK.imprint.version, "{name}");
         assert_eq!(whole["title"], BOOK.imprint.title, "{name}");
         let address = address::known(&BOOK.imprint).map(|address| address.book);
