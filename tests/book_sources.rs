@@ -3,7 +3,9 @@
 use geneva_chapters::{BOOK, computed, figures, questions, readme};
 use geneva_documents::LEDGER;
 use geneva_evidence::{Consequence, Decimal, TracedSlip, Verdict, numeric_tokens};
+use geneva_press::codecheck::codecheck;
 use geneva_press::pages::{Page, chapters_to_test};
+use geneva_press::ro_crate::data_files;
 use geneva_press::{address, fences, works};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
@@ -45,6 +47,8 @@ fn what_the_list_of_pages_writes_is_written() {
     let readme =
         readme::generate_readme(&BOOK, &readme, address::settled(&BOOK.imprint).as_ref()).expect("the README anew");
     files.push(("README.md".to_owned(), readme));
+    let data = data_files(crate::book_pages::book()).expect("the data of the book");
+    files.push(("codecheck.yml".to_owned(), codecheck(&BOOK.imprint, "target/book/data", &data)));
     files.retain(|(file, text)| !stood_written(file, text));
     let changed: Vec<_> = files.iter().map(|(file, _)| file.as_str()).collect();
     assert!(

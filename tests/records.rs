@@ -163,3 +163,28 @@ fn every_address_of_an_earlier_edition_leads_on_without_scripts_too() {
     }
     browser.run_scripts(true);
 }
+
+#[test]
+fn the_list_of_the_data_has_every_file_once_and_each_says_what_it_is() {
+    let folder = crate::book_pages::book().join("data");
+    let list = std::fs::read_to_string(folder.join("ro-crate-metadata.json")).expect("the list");
+    let list: serde_json::Value = serde_json::from_str(&list).expect("JSON");
+    let entities = list["@graph"].as_array().expect("entities");
+    let root = entities.iter().find(|of| of["@id"] == "./").expect("the whole");
+    let ids = |of: &serde_json::Value| of["@id"].as_str().expect("a name").to_owned();
+    let parts: Vec<String> = root["hasPart"].as_array().expect("parts").iter().map(ids).collect();
+    let files: Vec<String> = entities.iter().filter(|of| of["@type"] == "File").map(ids).collect();
+    assert_eq!(parts, files);
+    let names = std::fs::read_dir(&folder).expect("data").map(|entry| entry.expect("a file").file_name());
+    let data = names.filter_map(|name| name.into_string().ok()).filter(|name| {
+        [".csv", ".json", ".atom", ".cff"].iter().any(|end| name.ends_with(end)) && !name.contains("-metadata.json")
+    });
+    let mut data: Vec<String> = data.collect();
+    data.sort_unstable();
+    assert_eq!(parts, data);
+    // What is behind a figure or a table says so.
+    let of_pages = ["copies.csv", "coverage.csv", "works.csv", "fields.csv"];
+    for of in entities.iter().filter(|of| ids(of).ends_with(".csv") && !of_pages.contains(&ids(of).as_str())) {
+        assert!(of["description"].as_str().is_some_and(|words| words.len() > 20), "{}: no caption", ids(of));
+    }
+}

@@ -23,7 +23,8 @@ use crate::cache::Shelf;
 use crate::edition::Edition;
 use crate::preprocessor::Press;
 use crate::{
-    address, epub, feed, fingerprints, libraries, minify, modules, phone_tables, policy, print, search, spoken,
+    address, epub, feed, fingerprints, libraries, minify, modules, phone_tables, policy, print, ro_crate, search,
+    spoken,
 };
 use site::Site;
 pub use site::abandon;
@@ -84,6 +85,7 @@ fn render(book: &Book, source: &mut MDBook, new: &Path, shelf: &Shelf) -> anyhow
     print::write(book, new, &edition, address.as_ref())?;
     epub::write(book, new, &edition, address.as_ref())?;
     finish(book, new, shelf)?;
+    ro_crate::write(book, new, &edition)?;
     list::write(new)?;
     shelf.complete();
     Ok(())

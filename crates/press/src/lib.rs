@@ -45,11 +45,13 @@ pub mod readings;
 
 // Data.
 pub mod changelog;
+pub mod codecheck;
 pub mod data;
 pub mod field_list;
 pub mod fields;
 pub mod record_files;
 pub mod records;
+pub mod ro_crate;
 pub mod schema;
 
 // What stands for a placeholder.
