@@ -27,7 +27,6 @@ const OTHERS: [(&str, &str); 14] = [
     ("cargo install --path crates/geneva", "it compiles a program that the tests have compiled"),
     ("cargo nextest run -p geneva-documents", "it needs a program that we do not install"),
     ("cargo package --workspace --no-verify", "what was tried once, in a decision"),
-    ("cargo run --release", "it compiles everything again and then does what `cargo run` does"),
     ("find corpus -name '*.cnxml'", "of the system"),
     ("grep '\"document\"'", "of the system"),
     ("git diff snapshots", "git's own"),
@@ -231,6 +230,7 @@ fn misnamed(line: &str) -> Option<String> {
             "--bench" => targets.push(("bench", "benches", rest.next().unwrap_or_default())),
             "--skip" => filters.push(rest.next().unwrap_or_default()),
             "--record" if root().join(rest.next().unwrap_or_default()).is_file() => {}
+            "--profile" if matches!(rest.next(), Some("dev" | "release")) => {}
             "-D" if rest.next() == Some("warnings") => {}
             "--workspace" | "--doc" | "--all-targets" | "--no-fail-fast" | "--nocapture" | "--" => {}
             word if word.starts_with('-') => return Some(format!("the option {word} is in no list")),
