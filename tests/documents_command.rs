@@ -20,7 +20,7 @@ const PROGRAMS: [&str; 9] = ["bash", "cargo", "geneva", "git", "mdbook", "npm", 
 const ACCEPTS: &str = "INSTA_UPDATE=always cargo test --no-fail-fast";
 
 /// Commands that are tried nowhere, with the reason.
-const OTHERS: [(&str, &str); 14] = [
+const OTHERS: [(&str, &str); 13] = [
     ("cargo insta", "the name of a tool"),
     ("cargo insta review", "it asks questions"),
     ("cargo install --path crates/proofread", "it compiles a program that the tests have compiled"),
