@@ -1,60 +1,6 @@
 //! Claims of a document, two routes to each of them, and the verdicts that follow.
 //!
-//! A [`Claim`] is one thing that a document says in one place: a stable id, the printed characters, two routes to the
-//! same result that share no code, and the verdict that is on record. [`judge`] derives the verdict. A claim agrees with its
-//! record if the derived verdict is the recorded one and nothing contradicts it. A [`Document`] is the list of its claims, with
-//! what is needed to read them; a [`Ledger`] is several documents with all verdicts.
-//!
-//! ```
-//! use geneva_evidence::{Cache, Claim, Document, Evidence, Ledger, Locator, Verdict};
-//!
-//! /// A leaflet on falling bodies: g = 9.81 m/s², and a fall of 20 m takes 2.02 s.
-//! static LEAFLET: Document = Document {
-//!     slug: "leaflet",
-//!     title: "leaflet",
-//!     citation: "A leaflet on falling bodies",
-//!     inventory: None,
-//!     claims,
-//!     answers: &["leaflet.time"],
-//!     given: || vec!["leaflet.gravity".to_owned()],
-//!     conclusions: &[],
-//!     symbols: &[],
-//!     units: &[("time", "s"), ("acceleration", "m/s²")],
-//!     test: "",
-//!     cache: Cache::new(),
-//! };
-//!
-//! fn claims() -> Vec<Claim> {
-//!     let here = Locator::new(&LEAFLET, "sentence 2");
-//!     let gravity = || LEAFLET.printed_number("leaflet.gravity");
-//!     vec![
-//!         here.value("leaflet.gravity", "9.81", "m/s²", "acceleration of a falling body")
-//!             .first_route(Evidence::CLOSED_FORM, || 9.806_65)
-//!             .second_route(Evidence::LIMIT_CASE, || 9.806_65),
-//!         here.value("leaflet.time", "2.02", "s", "time of a fall of 20 m")
-//!             .first_route(Evidence::CLOSED_FORM, move || (2.0 * 20.0 / gravity()).sqrt())
-//!             // The time at which the height fallen through is 20 m, by halving an interval.
-//!             .second_route(Evidence::LIMIT_CASE, move || {
-//!                 let halved = |[early, late]: [f64; 2], _| {
-//!                     let time = (early + late) / 2.0;
-//!                     if gravity() * time * time / 2.0 < 20.0 { [time, late] } else { [early, time] }
-//!                 };
-//!                 (0..60).fold([0.0, 10.0], halved)[1]
-//!             }),
-//!     ]
-//! }
-//!
-//! static LEDGER: Ledger = Ledger::new(&[&LEAFLET], &[Evidence::CLOSED_FORM, Evidence::LIMIT_CASE]);
-//!
-//! let judged = LEDGER.verdict("leaflet.time").expect("a claim of the leaflet");
-//! assert_eq!(judged.verdict, Verdict::Reproduced);
-//! assert!(judged.matches_record());
-//! // Would a wrong digit, a wrong route or another unit be noticed?
-//! geneva_evidence::testing::check(&LEDGER);
-//! ```
-//!
-//! This crate knows no subject: what the claims are about, which kinds of evidence a ledger uses and how exactly they must
-//! agree is the ledger's own.
+#![doc = include_str!("../README.md")]
 
 mod account;
 pub mod agreement;
