@@ -168,10 +168,10 @@ fn every_address_of_an_earlier_edition_leads_on_without_scripts_too() {
 fn the_list_of_the_data_has_every_file_once_and_each_says_what_it_is() {
     let folder = crate::book_pages::book().join("data");
     let list = std::fs::read_to_string(folder.join("ro-crate-metadata.json")).expect("the list");
-    let list: serde_json::Value = serde_json::from_str(&list).expect("JSON");
+    let list: Value = serde_json::from_str(&list).expect("JSON");
     let entities = list["@graph"].as_array().expect("entities");
     let root = entities.iter().find(|of| of["@id"] == "./").expect("the whole");
-    let ids = |of: &serde_json::Value| of["@id"].as_str().expect("a name").to_owned();
+    let ids = |of: &Value| of["@id"].as_str().expect("a name").to_owned();
     let parts: Vec<String> = root["hasPart"].as_array().expect("parts").iter().map(ids).collect();
     let files: Vec<String> = entities.iter().filter(|of| of["@type"] == "File").map(ids).collect();
     assert_eq!(parts, files);
