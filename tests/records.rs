@@ -166,7 +166,7 @@ fn every_address_of_an_earlier_edition_leads_on_without_scripts_too() {
 
 #[test]
 fn the_list_of_the_data_has_every_file_once_and_each_says_what_it_is() {
-    let folder = crate::book_pages::book().join("data");
+    let folder = book().join("data");
     let list = std::fs::read_to_string(folder.join("ro-crate-metadata.json")).expect("the list");
     let list: Value = serde_json::from_str(&list).expect("JSON");
     let entities = list["@graph"].as_array().expect("entities");
