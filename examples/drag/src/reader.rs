@@ -40,9 +40,15 @@ pub(crate) fn is_bounded(relation: &str, states: &[Moment]) -> Option<bool> {
 
 /// The characters with names that the engine reads: a letter for the viscosity, arrows for unit vectors.
 fn spelt(equation: &str) -> String {
-    [(r"\eta", "η "), (r"\hat{i}", r"\vec{i}"), (r"\hat{j}", r"\vec{j}"), (r"\vec{v}(t)", r"\vec{v}"), (r"\vec{r}(t)", r"\vec{r}")]
-        .into_iter()
-        .fold(equation.to_owned(), |tex, (from, to)| tex.replace(from, to))
+    [
+        (r"\eta", "η "),
+        (r"\hat{i}", r"\vec{i}"),
+        (r"\hat{j}", r"\vec{j}"),
+        (r"\vec{v}(t)", r"\vec{v}"),
+        (r"\vec{r}(t)", r"\vec{r}"),
+    ]
+    .into_iter()
+    .fold(equation.to_owned(), |tex, (from, to)| tex.replace(from, to))
 }
 
 /// A state to which letters are added for the parts that are evaluated.
@@ -59,7 +65,7 @@ impl Plain {
             let start = side.find(r"\left.")?;
             let body = side.get(start + r"\left.".len()..at)?;
             let (limits, rest) = limits(&side[at + r"\right|".len()..])?;
-            let letter = dashed(body)?;
+            let letter = dashed(body, limits)?;
             let [low, high] = self.ends(limits)?;
             let value = self.at(body, letter, high)? - self.at(body, letter, low)?;
             return Some(format!("{} {} {rest}", &side[..start], self.named(value)));
@@ -67,7 +73,7 @@ impl Plain {
         if let Some(start) = side.find(r"\int") {
             let (limits, rest) = limits(&side[start + r"\int".len()..])?;
             let [low, high] = self.ends(limits)?;
-            let letter = dashed(rest)?;
+            let letter = dashed(rest, limits)?;
             let step = format!("d{letter}'");
             if rest.matches(&step).count() != 1 || rest.contains(r"\int") {
                 return None;
@@ -138,10 +144,11 @@ fn one(text: &str) -> Option<(&str, &str)> {
     }
 }
 
-/// The one letter with a dash in a formula.
-fn dashed(formula: &str) -> Option<char> {
+/// The one letter with a dash in a formula. It runs up to the same letter without a dash: any other would say the same, but it would
+/// not be the section's way of writing.
+fn dashed(formula: &str, [_, high]: [&str; 2]) -> Option<char> {
     let mut found = formula.match_indices('\'').filter_map(|(at, _)| formula[..at].chars().next_back());
-    let letter = found.next().filter(char::is_ascii_alphabetic)?;
+    let letter = found.next().filter(|letter| high.chars().eq([*letter]))?;
     found.all(|other| other == letter).then_some(letter)
 }
 
@@ -176,7 +183,7 @@ fn argument(text: &str, from: usize) -> Option<(String, usize)> {
     if length > 0 {
         return Some((text[start..start + length].to_owned(), start + length));
     }
-    group(text, start).filter(|(_, end)| text[start..*end].chars().all(|c| c.is_ascii()) && !text[start..].starts_with('\\'))
+    group(text, start).filter(|(_, end)| text[start..*end].is_ascii() && !text[start..].starts_with('\\'))
 }
 
 /// The characters with a letter for each small step, such as dt, that is not part of a rate.
@@ -187,7 +194,8 @@ fn steps_named(formula: &str) -> String {
         let mut from = 0;
         while let Some(at) = named[from..].find(&step).map(|at| from + at) {
             let is_word = named[..at].ends_with(|c: char| c.is_ascii_alphabetic() || c == '\\');
-            let is_rate = named[at..].starts_with(&format!("{step}}}{{dt}}")) || named[..at].ends_with("}{") && named[at..].starts_with("dt}");
+            let is_rate = named[at..].starts_with(&format!("{step}}}{{dt}}"))
+                || named[..at].ends_with("}{") && named[at..].starts_with("dt}");
             let to = if is_word || is_rate { step.clone() } else { format!("D_{letter} ") };
             named.replace_range(at..at + step.len(), &to);
             from = at + to.len();

@@ -58,7 +58,9 @@ pub(crate) fn law(
 ) -> Claim {
     at(line)
         .equation(id, printed, meaning)
-        .evaluated(states.kinds[0], |tex| Finding::of_reading(reader::holds(tex, &states.first, |ends, curve| gauss(ends, curve))))
+        .evaluated(states.kinds[0], |tex| {
+            Finding::of_reading(reader::holds(tex, &states.first, |ends, curve| gauss(ends, curve)))
+        })
         .read(states.kinds[1], |tex| reader::holds(tex, &states.second, |ends, curve| simpson(ends, curve)))
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn halved(interval: [f64; 2], is_before: impl Fn(f64) -> bool) -> f64
         let middle = (early + late) / 2.0;
         if is_before(middle) { [middle, late] } else { [early, middle] }
     };
-    let [early, late] = (0..100).fold(interval, half);
+    let [early, late] = (0..60).fold(interval, half);
     (early + late) / 2.0
 }
 

@@ -2,9 +2,9 @@
 
 use crate::kinds::{BALANCE, ENERGY, IN_STEPS, UNITS};
 use crate::letters::POWERS;
+use crate::reader;
 use crate::section::{GRAVITY, at, printed, turned};
 use crate::steps::{gauss, halved, line, moved, simpson, solved};
-use crate::reader;
 use geneva_evidence::{Claim, Consequence, Evidence, Finding, Origin, Slip, Verdict, equal_to};
 
 /// The lift with the speed in round numbers.
@@ -63,7 +63,10 @@ fn cars() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, |stated| {
                 let least = crate::steps::pull_to_middle([1.0, 30.0, 50.0]) / GRAVITY;
-                Finding::new(least > stated.pick(1.0, 2.0), format!("to turn the velocity takes {least:.2} of the weight"))
+                Finding::new(
+                    least > stated.pick(1.0, 2.0),
+                    format!("to turn the velocity takes {least:.2} of the weight"),
+                )
             })
             .interpreted_as("A coefficient above 1.0, the one of line 404, is unreasonable")
             .but_not("it is above two"),
@@ -75,7 +78,8 @@ const WOMAN: f64 = 75.0;
 
 fn lift() -> Vec<Claim> {
     // The force that brings her to a speed in 2.00 s, moved in steps of time.
-    let force = |speed: f64| halved([0.0, 5000.0], move |force| line(0.0, 2.00, |_| force / WOMAN - GRAVITY)[0] < speed);
+    let force =
+        |speed: f64| halved([0.0, 5000.0], move |force| line(0.0, 2.00, |_| force / WOMAN - GRAVITY)[0] < speed);
     vec![
         at("line 412")
             .value("drag.scale", "1860", "N", "force on the scale")
@@ -89,7 +93,9 @@ fn lift() -> Vec<Claim> {
             .value("drag.scale-pounds", "418", "lb", "weight in pounds of that force")
             .first_route(UNITS, || 1860.0 / (0.453_592_37 * 9.806_65))
             // A pound of force is a slug's foot by the square of a second; a slug has 32.174 pounds.
-            .second_route(Evidence::OTHER_PLACE_IN_SOURCE, || printed("drag.scale") / (0.453_592_37 * (9.806_65 / 0.3048)) / 0.3048),
+            .second_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
+                printed("drag.scale") / (0.453_592_37 * (9.806_65 / 0.3048)) / 0.3048
+            }),
         at("line 412")
             .value("drag.usual-scale", "904", "N", "force on the scale in a usual lift")
             .first_route(UNITS, || WOMAN * (GRAVITY + 10.0 * 1609.344 / 3600.0 / 2.00))
@@ -144,14 +150,20 @@ fn strings() -> Vec<Claim> {
                 let [sine, cosine] = turned(30.0);
                 let gain = (60.0 * cosine - 4.00 * GRAVITY) / (3.0 * 4.00);
                 let pressed = 2.0 * 4.00 * GRAVITY - 60.0 * sine;
-                Finding::new(gain > 0.0 && stated.pick(pressed > 0.0, pressed < 0.0), format!("it moves with {gain:.2} m/s²"))
+                Finding::new(
+                    gain > 0.0 && stated.pick(pressed > 0.0, pressed < 0.0),
+                    format!("it moves with {gain:.2} m/s²"),
+                )
             })
             .second_route(BALANCE, |stated| {
                 let [sine, cosine] = turned(30.0);
                 // Acceleration, tension and the force of the table.
                 let rows = [[8.00, 1.0, 0.0], [4.00, -1.0, 0.0], [0.0, 0.0, 1.0]];
                 let [gain, _, pressed] = solved(rows, [60.0 * cosine, -4.00 * GRAVITY, 8.00 * GRAVITY - 60.0 * sine]);
-                Finding::new(gain > 0.0 && stated.pick(pressed > 0.0, pressed < 0.0), format!("the table bears {pressed:.0} N"))
+                Finding::new(
+                    gain > 0.0 && stated.pick(pressed > 0.0, pressed < 0.0),
+                    format!("the table bears {pressed:.0} N"),
+                )
             })
             .but_not("the block moves and is lifted off the table"),
         at("line 446")
@@ -168,7 +180,10 @@ fn strings() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, |stated| {
                 let [mass] = moved([20.0 + 90.0], stated.pick(30.0, 15.0), |_, _| [-3.00]);
-                Finding::new((mass - 20.0).abs() < 1e-9, format!("moved in steps of time, the probe then has {mass:.0} kg"))
+                Finding::new(
+                    (mass - 20.0).abs() < 1e-9,
+                    format!("moved in steps of time, the probe then has {mass:.0} kg"),
+                )
             })
             .but_not("it lasts for half of that time"),
     ]
@@ -185,7 +200,11 @@ fn slopes() -> Vec<Claim> {
                 solved([[-1.0, 0.0], [1.0, 1.0]], [along - 26.0, along])[1]
             }),
         at("line 464")
-            .statement("drag.child", "34 N up the slope, and the child slides down at constant speed", "force on a sliding child")
+            .statement(
+                "drag.child",
+                "34 N up the slope, and the child slides down at constant speed",
+                "force on a sliding child",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let along = 6.0 * GRAVITY * turned(35.0)[0];
                 Finding::new(stated.number() <= along, format!("the weight along the slope is {along:.2} N"))
@@ -193,7 +212,10 @@ fn slopes() -> Vec<Claim> {
             .second_route(IN_STEPS, |stated| {
                 let force = stated.number();
                 let speed = line(1.0, 60.0, |_| GRAVITY * turned(35.0)[0] - force / 6.0)[0];
-                Finding::new(speed >= 1.0, format!("without friction, a child who slides down at 1 m/s has {speed:.2} m/s a minute later"))
+                Finding::new(
+                    speed >= 1.0,
+                    format!("without friction, a child who slides down at 1 m/s has {speed:.2} m/s a minute later"),
+                )
             })
             .corrected("at most 33.7 N up the slope, and the child slides down at constant speed", CHILD),
     ]
@@ -212,7 +234,11 @@ fn barges() -> Vec<Claim> {
             .first_route(Evidence::CLOSED_FORM, || 10.0 + 3.00 * (20.0 - 18.0) / 5.00)
             .second_route(BALANCE, move || towed([[2.00, 8.00], [3.00, 10.0]])[1]),
         at("line 481")
-            .example("drag.barges-turned", "in the other order the barges gain speed alike", "barges in the other order")
+            .example(
+                "drag.barges-turned",
+                "in the other order the barges gain speed alike",
+                "barges in the other order",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let both = (20.0 - 10.0 - 8.00) / stated.pick(5.00, 3.00);
                 Finding::new((both - 0.40_f64).abs() < 1e-9, "force and mass of both together are the same")
@@ -232,18 +258,23 @@ fn vectors() -> Vec<Claim> {
     let both = |line, id, printed, meaning| {
         at(line)
             .equation(id, printed, meaning)
-            .evaluated(POWERS.kinds[0], |tex| Finding::of_reading(reader::holds(tex, &POWERS.first, |ends, curve| gauss(ends, curve))))
+            .evaluated(POWERS.kinds[0], |tex| {
+                Finding::of_reading(reader::holds(tex, &POWERS.first, |ends, curve| gauss(ends, curve)))
+            })
             .read(POWERS.kinds[1], |tex| reader::holds(tex, &POWERS.second, |ends, curve| simpson(ends, curve)))
     };
     // From the velocity and the force, over 3.0 s.
-    let end = || moved([4.0, 0.0], 3.0, |_, _| [2.0 / 2.0, 4.0 / 2.0]);
+    const OBJECT: f64 = 2.0;
+    let end = || moved([4.0, 0.0], 3.0, |_, _| [2.0, 4.0].map(|force| force / OBJECT));
     vec![
         at("line 489")
             .equation("drag.force-of-place", "m (6 p t + 2 q)", "force on a body whose place is given")
             .evaluated(POWERS.kinds[0], move |tex| {
                 Finding::of_reading(reader::holds(&force(tex), &POWERS.first, |ends, curve| gauss(ends, curve)))
             })
-            .read(POWERS.kinds[1], move |tex| reader::holds(&again(tex), &POWERS.second, |ends, curve| simpson(ends, curve))),
+            .read(POWERS.kinds[1], move |tex| {
+                reader::holds(&again(tex), &POWERS.second, |ends, curve| simpson(ends, curve))
+            }),
         both(
             "line 502",
             "drag.car-velocity",
@@ -258,7 +289,7 @@ fn vectors() -> Vec<Claim> {
         ),
         at("line 514")
             .value("drag.object-speed", "9.2", "m/s", "speed of an object after 3.0 s")
-            .first_route(Evidence::VECTORS, || libm::hypot(4.0 + 2.0 / 2.0 * 3.0, 4.0 / 2.0 * 3.0))
+            .first_route(Evidence::VECTORS, || libm::hypot(4.0 + 2.0 * 3.0 / OBJECT, 4.0 * 3.0 / OBJECT))
             .second_route(ENERGY, move || {
                 // The work of the force on its way, besides the energy at the beginning.
                 let [speed, other] = end();

@@ -89,14 +89,30 @@ fn integrals() -> Vec<Claim> {
             "integral with its limits",
             &FALL,
         ),
-        law("line 192", "drag.logarithms", r"-\frac{m}{b} [\ln(g - \frac{b}{m} v) - \ln g] = t", "time by the speed", &FALL),
+        law(
+            "line 192",
+            "drag.logarithms",
+            r"-\frac{m}{b} [\ln(g - \frac{b}{m} v) - \ln g] = t",
+            "time by the speed",
+            &FALL,
+        ),
         law("line 193", "drag.quotient", r"\ln A - \ln B = \ln(A/B)", "logarithm of a quotient", &LOGARITHM),
         law("line 193", "drag.inverse", r"\ln(A/B) = x", "logarithm that is called x", &LOGARITHM),
         law("line 193", "drag.exponential", r"e^x = A/B", "exponential of the logarithm", &LOGARITHM),
-        law("line 194", "drag.remaining", r"\frac{g - (b v/m)}{g} = e^{-b t/m}", "what is left of the acceleration", &FALL),
+        law(
+            "line 194",
+            "drag.remaining",
+            r"\frac{g - (b v/m)}{g} = e^{-b t/m}",
+            "what is left of the acceleration",
+            &FALL,
+        ),
         law("line 196", "drag.speed", r"v = \frac{m g}{b} (1 - e^{-b t/m})", "speed by the time", &FALL),
         at("line 197")
-            .statement("drag.long-time", "After a long time the speed is the terminal velocity mg/b", "speed after a long time")
+            .statement(
+                "drag.long-time",
+                "After a long time the speed is the terminal velocity mg/b",
+                "speed after a long time",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let [mass, factor] = [1.7, 0.6];
                 let speed = mass * GRAVITY / factor * -libm::expm1(-factor * 200.0 / mass);
@@ -119,17 +135,42 @@ fn integrals() -> Vec<Claim> {
             "integral over the way and over the time",
             &FALL,
         ),
-        law("line 203", "drag.way", r"y = \frac{m g}{b} t + \frac{m^2 g}{b^2} (e^{-b t/m} - 1)", "way by the time", &FALL),
+        law(
+            "line 203",
+            "drag.way",
+            r"y = \frac{m g}{b} t + \frac{m^2 g}{b^2} (e^{-b t/m} - 1)",
+            "way by the time",
+            &FALL,
+        ),
     ]
 }
 
 fn boat() -> Vec<Claim> {
     vec![
         law("line 210", "drag.boat-motion", r"m \frac{dv}{dt} = -b v", "equation of motion of the boat", &BOAT),
-        law("line 212", "drag.boat-separated", r"\frac{dv}{v} = -\frac{b}{m} dt", "speed and time of the boat apart", &BOAT),
-        law("line 214", "drag.boat-integral", r"\int_0^v \frac{dv'}{v'} = -\frac{b}{m} \int_0^t dt'", "integral over the boat's speed", &BOAT)
-            .corrected(r"\int_{v_0}^v \frac{dv'}{v'} = -\frac{b}{m} \int_0^t dt'", LOWER_LIMIT),
-        law("line 216", "drag.boat-logarithm", r"\ln\frac{v}{v_0} = -\frac{b}{m} t", "logarithm of the boat's speed", &BOAT),
+        law(
+            "line 212",
+            "drag.boat-separated",
+            r"\frac{dv}{v} = -\frac{b}{m} dt",
+            "speed and time of the boat apart",
+            &BOAT,
+        ),
+        law(
+            "line 214",
+            "drag.boat-integral",
+            r"\int_0^v \frac{dv'}{v'} = -\frac{b}{m} \int_0^t dt'",
+            "integral over the boat's speed",
+            &BOAT,
+        )
+        .corrected(r"\int_{v_0}^v \frac{dv'}{v'} = -\frac{b}{m} \int_0^t dt'", LOWER_LIMIT)
+        .in_places(2),
+        law(
+            "line 216",
+            "drag.boat-logarithm",
+            r"\ln\frac{v}{v_0} = -\frac{b}{m} t",
+            "logarithm of the boat's speed",
+            &BOAT,
+        ),
         law("line 218", "drag.boat-speed", r"v = v_0 e^{-b t/m}", "speed of the boat by the time", &BOAT),
         law("line 220", "drag.boat-velocity", r"\frac{dx}{dt} = v_0 e^{-b t/m}", "velocity of the boat", &BOAT),
         law("line 222", "drag.boat-step", r"dx = v_0 e^{-b t/m} dt", "small step of the boat's way", &BOAT),
@@ -160,7 +201,11 @@ fn boat() -> Vec<Claim> {
             .but_not("at the beginning it is already so"),
         law("line 228", "drag.boat-limit", r"x_{\max} = \frac{m v_0}{b}", "way of the boat in the end", &BOAT),
         at("line 229")
-            .statement("drag.boat-infinite", "The boat takes infinitely long to get there", "time to the boat's last place")
+            .statement(
+                "drag.boat-infinite",
+                "The boat takes infinitely long to get there",
+                "time to the boat's last place",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let before = [1.0, 10.0, 30.0].iter().all(|time| -libm::expm1(-time) < 1.0);
                 Finding::new(stated.pick(before, !before), "at every time, an exponential is missing")
@@ -193,8 +238,20 @@ fn example() -> Vec<Claim> {
             "speeds of the boat",
             &SLOWED,
         ),
-        law("line 235", "drag.slowed-logarithm", r"\ln 0.25 = -\ln 4.0 = -\frac{b}{m} (10 \,\text{s})", "logarithm of the boat's speeds", &SLOWED),
-        law("line 237", "drag.slowed-rate", r"\frac{b}{m} = \frac{1}{10} \ln 4.0 \,\text{s}^{-1}", "rate of the boat", &SLOWED),
+        law(
+            "line 235",
+            "drag.slowed-logarithm",
+            r"\ln 0.25 = -\ln 4.0 = -\frac{b}{m} (10 \,\text{s})",
+            "logarithm of the boat's speeds",
+            &SLOWED,
+        ),
+        law(
+            "line 237",
+            "drag.slowed-rate",
+            r"\frac{b}{m} = \frac{1}{10} \ln 4.0 \,\text{s}^{-1}",
+            "rate of the boat",
+            &SLOWED,
+        ),
         at("line 237")
             .value("drag.boat-rate", "0.14", "s⁻¹", "rate of slowing of the boat")
             .first_route(Evidence::CLOSED_FORM, || libm::log(4.0) / 10.0)
@@ -210,7 +267,10 @@ fn example() -> Vec<Claim> {
             .statement("drag.limiting", "The terminal velocity is the limiting velocity", "two names of a speed")
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let limit = 2.0 * GRAVITY * -libm::expm1(stated.pick(-300.0, -1.0));
-                Finding::new((limit / (GRAVITY / 0.5) - 1.0).abs() < 1e-12, "the speed after a long time, and the balance of forces")
+                Finding::new(
+                    (limit / (GRAVITY / 0.5) - 1.0).abs() < 1e-12,
+                    "the speed after a long time, and the balance of forces",
+                )
             })
             .second_route(IN_STEPS, |stated| {
                 let limit = line(0.0, stated.pick(200.0, 2.0), |speed| GRAVITY - 0.5 * speed)[0];
@@ -231,7 +291,11 @@ fn example() -> Vec<Claim> {
 fn summary() -> Vec<Claim> {
     vec![
         at("line 259")
-            .statement("drag.summary-stokes", "In water, a bacterium's drag is by the law of Stokes", "drag of a bacterium")
+            .statement(
+                "drag.summary-stokes",
+                "In water, a bacterium's drag is by the law of Stokes",
+                "drag of a bacterium",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 // Size and speed of line 161.
                 let size = stated.pick(1e-6, 1.0);
@@ -255,10 +319,15 @@ fn key_equations() -> Vec<Claim> {
             .statement("drag.key-words", "half C rho A v squared; 6 pi r eta v", "numbers in the key equations")
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let numbers = stated.numbers();
-                Finding::new(numbers == [stated.pick(1.0, 2.0) / 2.0, 2.0 + 4.0], "friction is four parts of six, and pressure two")
+                Finding::new(
+                    numbers == [stated.pick(1.0, 2.0) / 2.0, 2.0 + 4.0],
+                    "friction is four parts of six, and pressure two",
+                )
             })
             .second_route(Evidence::OTHER_PLACE_IN_SOURCE, |stated| {
-                let [half, two] = SECTION.printed_integers("drag.law")[..2] else { return Finding::new(false, "no fraction") };
+                let [half, two] = SECTION.printed_integers("drag.law")[..2] else {
+                    return Finding::new(false, "no fraction");
+                };
                 let six = SECTION.printed_integers("drag.stokes").first().copied().unwrap_or_default();
                 let numbers = [stated.pick(f64::from(half), 2.0) / f64::from(two), f64::from(six)];
                 Finding::new(stated.numbers() == numbers, "lines 23 and 158")
@@ -270,7 +339,13 @@ fn key_equations() -> Vec<Claim> {
             .read(FRICTION.kinds[1], |tex| reader::is_bounded(tex, &FRICTION.second)),
         law("line 276", "drag.kinetic-friction", r"f_k = \mu_k N", "friction of a sliding body", &FRICTION),
         law("line 280", "drag.centripetal-speed", r"F_c = m \frac{v^2}{r}", "centripetal force by the speed", &CIRCLE),
-        law("line 280", "drag.centripetal-turning", r"F_c = m r \omega^2", "centripetal force by the angular speed", &CIRCLE),
+        law(
+            "line 280",
+            "drag.centripetal-turning",
+            r"F_c = m r \omega^2",
+            "centripetal force by the angular speed",
+            &CIRCLE,
+        ),
         law("line 284", "drag.banked", r"\tan\theta = \frac{v^2}{r g}", "angle of a banked curve", &CIRCLE),
         law("line 288", "drag.law-again", r"F_D = \frac{1}{2} C \rho A v^2", "drag force, in the list", &DRAG),
     ]

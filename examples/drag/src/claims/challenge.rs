@@ -64,7 +64,11 @@ fn turns() -> Vec<Claim> {
             .interpreted_as("Nearly level is less than 10°")
             .but_not("it hangs less than 1° below the level"),
         at("line 696")
-            .figure("drag.centrifuge-forces", "the arm's force up and to the left, weight down, net force left", "forces in a centrifuge")
+            .figure(
+                "drag.centrifuge-forces",
+                "the arm's force up and to the left, weight down, net force left",
+                "forces in a centrifuge",
+            )
             .first_route(Evidence::VECTORS, |stated| {
                 let [arm, weight] = [[-10.0, stated.pick(1.0, -1.0)], [0.0, -1.0]];
                 Finding::new(arm[1] + weight[1] == 0.0 && arm[0] + weight[0] < 0.0, "the sum of the arrows is level")
@@ -84,7 +88,7 @@ fn turns() -> Vec<Claim> {
                 line(speed, speed / (0.500 * GRAVITY), |_| -0.500 * GRAVITY)[1]
             }),
         at("line 711")
-            .example("drag.bank", "the bank angle is one that an airplane flies", "bank angle of an airplane")
+            .example("drag.bank", "an airplane can fly the bank angle", "bank angle of an airplane")
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let angle = libm::atan(200.0 * TAU / 240.0 / GRAVITY).to_degrees();
                 Finding::new(angle < stated.pick(45.0, 20.0), format!("it is {angle:.0}°"))
@@ -167,14 +171,21 @@ fn resistance() -> Vec<Claim> {
             .first_route(BALANCE, || 40.0 / 2.0)
             .second_route(IN_STEPS, || limiting(4000.0, |speed| (40.0 - 2.0 * speed) / 200.0)),
         at("line 743")
-            .statement("drag.glossary", "at the terminal velocity, weight is balanced by drag", "terminal velocity in the glossary")
+            .statement(
+                "drag.glossary",
+                "at the terminal velocity, weight is balanced by drag",
+                "terminal velocity in the glossary",
+            )
             .first_route(BALANCE, |stated| {
                 let drag = stated.pick(1.0, 0.9) * 75.0 * GRAVITY;
                 Finding::new((75.0 * GRAVITY - drag).abs() < 1e-9, "with no net force the velocity stays")
             })
             .second_route(IN_STEPS, |stated| {
                 let speed = limiting(60.0, |speed| GRAVITY - 0.5 * speed);
-                Finding::new((0.5 * speed - stated.pick(1.0, 0.9) * GRAVITY).abs() < 1e-9, "a body moved in steps of time")
+                Finding::new(
+                    (0.5 * speed - stated.pick(1.0, 0.9) * GRAVITY).abs() < 1e-9,
+                    "a body moved in steps of time",
+                )
             })
             .interpreted_as("The buoyancy is left out, as line 119 says for air")
             .but_not("nine tenths of the weight are balanced by drag"),

@@ -4,7 +4,7 @@ use crate::kinds::{ENERGY, IN_STEPS, UNITS};
 use crate::letters::{DRAG, force_by_energy, force_by_parcels};
 use crate::section::{at, is_near, law, printed};
 use crate::steps::{halved, line, simpson};
-use geneva_evidence::{Claim, Dimension, Evidence, Finding};
+use geneva_evidence::{Claim, Dimension, Evidence, Finding, Verdict};
 use std::f64::consts::PI;
 
 /// A force by the exponent of the speed in it, seen in three times the speed.
@@ -72,18 +72,27 @@ fn opening() -> Vec<Claim> {
             .second_route(IN_STEPS, |stated| {
                 let changed = [[2.0, 1.0, 1.0, 1.0], [1.0, 2.0, 1.0, 1.0], [1.0, 1.0, 2.0, 1.0], [1.0, 1.0, 1.0, 2.0]];
                 let depends = changed.iter().all(|body| force_by_parcels(*body) > force_by_parcels([1.0; 4]));
-                Finding::new(stated.pick(depends, !depends), "each of the four changes the push on the parcels of fluid")
+                Finding::new(
+                    stated.pick(depends, !depends),
+                    "each of the four changes the push on the parcels of fluid",
+                )
             })
             .but_not("drag depends on none of them"),
         at("line 21")
             .statement("drag.square", "F_D is proportional to v^2", "drag and speed of large objects")
             .first_route(ENERGY, |stated| {
                 let raised = exponent(|speed| force_by_energy(body_of(speed)));
-                Finding::new(is_near(stated.number(), stated.pick(raised, 1.0)), "the energy of the fluid met in a second")
+                Finding::new(
+                    is_near(stated.number(), stated.pick(raised, 1.0)),
+                    "the energy of the fluid met in a second",
+                )
             })
             .second_route(IN_STEPS, |stated| {
                 let raised = exponent(|speed| force_by_parcels(body_of(speed)));
-                Finding::new(is_near(stated.number(), stated.pick(raised, 1.0)), "the push on the parcels met in a second")
+                Finding::new(
+                    is_near(stated.number(), stated.pick(raised, 1.0)),
+                    "the push on the parcels met in a second",
+                )
             })
             .but_not("the drag of large objects is as the speed"),
         law("line 23", "drag.law", r"F_D = \frac{1}{2} C \rho A v^2", "drag force", &DRAG),
@@ -93,15 +102,24 @@ fn opening() -> Vec<Claim> {
                 let volume = Dimension::LENGTH * Dimension::LENGTH * Dimension::LENGTH;
                 let mass = Dimension::FORCE * Dimension::TIME / Dimension::SPEED;
                 // From the law, in which the drag coefficient has no dimension.
-                let density = Dimension::FORCE / (Dimension::LENGTH * Dimension::LENGTH) / (Dimension::SPEED * Dimension::SPEED);
+                let density =
+                    Dimension::FORCE / (Dimension::LENGTH * Dimension::LENGTH) / (Dimension::SPEED * Dimension::SPEED);
                 let right = density == mass / volume;
-                Finding::new(stated.pick(right, density == volume / mass), "the dimension of the density in the drag law")
+                Finding::new(
+                    stated.pick(right, density == volume / mass),
+                    "the dimension of the density in the drag law",
+                )
             })
             .second_route(UNITS, |stated| {
-                // A kilogram in a cubic metre is a gram in a cubic decimetre.
-                let grams_in_litre = 1000.0 / (10.0_f64 * 10.0 * 10.0);
-                let right = is_near(grams_in_litre, 1.0);
-                Finding::new(stated.pick(right, !right), "a kilogram in a cubic metre is a gram in a litre")
+                // The mass of a cubic metre, and of a cubic centimetre, each over its volume.
+                let centimetre: f64 = 0.01;
+                let cube = centimetre * centimetre * centimetre;
+                let [mass, volume] = [1.21 * cube, cube];
+                let right = is_near(mass / volume, 1.21);
+                Finding::new(
+                    stated.pick(right, is_near(volume / mass, 1.21)),
+                    "a cubic metre and a cubic centimetre of the same air",
+                )
             })
             .but_not("density is volume per unit mass"),
         law("line 25", "drag.general", "F_D = b v^n", "drag force with any exponent", &DRAG),
@@ -110,22 +128,35 @@ fn opening() -> Vec<Claim> {
             .statement("drag.fast-exponent", "n is 2 at high speed in air", "exponent of the speed for fast objects")
             .first_route(ENERGY, |stated| {
                 let raised = exponent(|speed| force_by_energy(body_of(30.0 * speed)));
-                Finding::new(is_near(stated.number(), stated.pick(raised, 1.0)), "the energy of the air met in a second")
+                Finding::new(
+                    is_near(stated.number(), stated.pick(raised, 1.0)),
+                    "the energy of the air met in a second",
+                )
             })
             .second_route(IN_STEPS, |stated| {
                 let raised = exponent(|speed| force_by_parcels(body_of(30.0 * speed)));
-                Finding::new(is_near(stated.number(), stated.pick(raised, 1.0)), "the push on the parcels met in a second")
+                Finding::new(
+                    is_near(stated.number(), stated.pick(raised, 1.0)),
+                    "the push on the parcels met in a second",
+                )
             })
             .but_not("at high speed in air the exponent is that of slow particles"),
         at("line 25")
-            .statement("drag.slow-exponent", "n is 1 for small particles at low speed", "exponent of the speed for slow particles")
+            .statement(
+                "drag.slow-exponent",
+                "n is 1 for small particles at low speed",
+                "exponent of the speed for slow particles",
+            )
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let raised = exponent(|speed| 6.0 * PI * speed);
                 Finding::new(is_near(stated.number(), stated.pick(raised, 2.0)), "by the law of Stokes")
             })
             .second_route(IN_STEPS, |stated| {
                 let raised = exponent(creeping);
-                Finding::new(is_near(stated.number(), stated.pick(raised, 2.0)), "pressure and friction over the rings of a sphere")
+                Finding::new(
+                    is_near(stated.number(), stated.pick(raised, 2.0)),
+                    "pressure and friction over the rings of a sphere",
+                )
             })
             .but_not("for small particles at low speed the exponent is that of large objects"),
     ]
@@ -207,12 +238,18 @@ fn coefficients() -> Vec<Claim> {
                  gives nothing",
             ),
         at("line 45")
-            .value("drag.slow-miles", "45", "mi/h", "speed in miles per hour that is about 70 km/h")
-            .first_route(UNITS, || 70.0 / 1.609_344)
+            .statement("drag.slow-miles", "45 mi/h", "speed in miles per hour that is about 70 km/h")
+            .first_route(UNITS, |stated| {
+                let speed = stated.pick(70.0, 80.0) / 1.609_344;
+                Finding::new(stated.number() == in_fives(speed), format!("it is {speed:.1} mi/h"))
+            })
             // Inch, foot, yard, mile.
-            .second_route(Evidence::LIMIT_CASE, || 70.0 * 1e5 / 2.54 / 12.0 / 3.0 / 1760.0)
-            .with_resolution(|| 2.5)
-            .interpreted_as("The section says about, and all of its speeds on roads are in steps of five"),
+            .second_route(Evidence::LIMIT_CASE, |stated| {
+                let speed = stated.pick(70.0, 80.0) * 1e5 / 2.54 / 12.0 / 3.0 / 1760.0;
+                Finding::new(stated.number() == in_fives(speed), format!("by inches, it is {speed:.1} mi/h"))
+            })
+            .interpreted_as("The section says about, and all of its speeds on roads are in steps of five")
+            .but_not("the speed of 80 km/h is meant"),
         at("line 45")
             .value("drag.fast-miles", "50", "mi/h", "speed in miles per hour that is about 80 km/h")
             .first_route(UNITS, || 80.0 / 1.609_344)
@@ -222,8 +259,14 @@ fn coefficients() -> Vec<Claim> {
             .first_route(UNITS, || 55.0 * 1.609_344)
             .second_route(Evidence::LIMIT_CASE, || 55.0 * 1760.0 * 3.0 * 12.0 * 2.54 / 1e5)
             .with_resolution(|| 2.5)
-            .interpreted_as("The section says about, and all of its speeds on roads are in steps of five"),
+            .interpreted_as("The section says about, and all of its speeds on roads are in steps of five")
+            .expecting(Verdict::ReadOff),
     ]
+}
+
+/// A number rounded to a multiple of five.
+fn in_fives(number: f64) -> f64 {
+    5.0 * libm::round(number / 5.0)
 }
 
 /// The rows of the table: the claim, the object and the drag coefficient. Of those without routes nothing else in the section follows.
@@ -288,17 +331,27 @@ fn table() -> Vec<Claim> {
         let cell = at(line).value(id, coefficient, "", meaning);
         claims.push(match id {
             "drag.table-feet" => cell
-                .first_route(Evidence::OTHER_PLACE_IN_SOURCE, || 2.0 * 75.0 * 9.80 / (1.21 * 0.18 * printed("drag.headfirst").powi(2)))
+                .first_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
+                    2.0 * 75.0 * 9.80 / (1.21 * 0.18 * printed("drag.headfirst").powi(2))
+                })
                 .second_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
                     2.0 * 80.0 * 9.80 / 1.21 / 0.140 / printed("drag.head-speed") / printed("drag.head-speed")
                 })
                 .interpreted_as("A skydiver who falls upright has the same drag head first and feet first"),
             "drag.table-horizontal" => cell
-                .first_route(Evidence::OTHER_PLACE_IN_SOURCE, || 2.0 * 85.0 * 9.80 / (1.21 * 0.70 * printed("drag.spread-eagle").powi(2)))
+                .first_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
+                    2.0 * 85.0 * 9.80 / (1.21 * 0.70 * printed("drag.spread-eagle").powi(2))
+                })
                 .second_route(Evidence::OTHER_PLACE_IN_SOURCE, || {
-                    2.0 * 50.0 * 9.80 / 1.21 / 0.70 / printed("drag.light-spread-eagle") / printed("drag.light-spread-eagle")
+                    2.0 * 50.0 * 9.80
+                        / 1.21
+                        / 0.70
+                        / printed("drag.light-spread-eagle")
+                        / printed("drag.light-spread-eagle")
                 }),
-            _ => cell.missing("It is measured, and the section names no measurement, no speed and nothing else that follows from it"),
+            _ => cell.missing(
+                "It is measured, and the section names no measurement, no speed and nothing else that follows from it",
+            ),
         });
     }
     claims

@@ -96,9 +96,13 @@ fn crates() -> Vec<Claim> {
             })
             .second_route(BALANCE, |stated| {
                 let [sine, cosine] = turned(35.0);
-                let [normal, friction] = solved([[cosine, sine], [-sine, cosine]], [30.0 * GRAVITY - 25.0 * sine, -25.0 * cosine]);
+                let [normal, friction] =
+                    solved([[cosine, sine], [-sine, cosine]], [30.0 * GRAVITY - 25.0 * sine, -25.0 * cosine]);
                 let coefficient = friction / normal;
-                Finding::new(coefficient > stated.pick(0.0, 0.7), format!("friction and normal force are as {coefficient:.2}"))
+                Finding::new(
+                    coefficient > stated.pick(0.0, 0.7),
+                    format!("friction and normal force are as {coefficient:.2}"),
+                )
             })
             .but_not("its coefficient is above 0.7, that of the slope"),
         at("line 558")
@@ -155,7 +159,10 @@ fn crates() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, |stated| {
                 let force = steady_force(stated.pick(-1.0, 1.0));
-                Finding::new(rounds(stated, &[(force, 2)]), format!("a crate moved in steps of time needs {force:.0} N"))
+                Finding::new(
+                    rounds(stated, &[(force, 2)]),
+                    format!("a crate moved in steps of time needs {force:.0} N"),
+                )
             })
             .interpreted_as("The zero at the end does not count")
             .but_not("470 N"),
@@ -177,7 +184,7 @@ fn roads() -> Vec<Claim> {
             })
             .corrected("0.787", ROAD),
         at("line 578")
-            .example("drag.sled", "the sled gains speed under the force of the first question", "forces on a sled")
+            .example("drag.sled", "the sled gains speed under the force of question (a)", "forces on a sled")
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let [sine, cosine] = turned(30.0);
                 let gain = (33.0 * cosine - stated.pick(0.20, 0.30) * (15.0 * GRAVITY - 33.0 * sine)) / 15.0;
@@ -200,18 +207,28 @@ fn circles() -> Vec<Claim> {
     let pull = || BALL[0] * BALL[1] * BALL[1] / BALL[2];
     vec![
         at("line 583")
-            .statement("drag.ball-place", "at 12.5 cm from the middle of the circle (r = 12.5 cm)", "third place of the ball")
+            .statement(
+                "drag.ball-place",
+                "at 12.5 cm from the middle of the circle (r = 12.5 cm)",
+                "third place of the ball",
+            )
             .first_route(Evidence::VECTORS, |stated| {
                 let distance = |turn: f64| libm::hypot(25.0 * libm::cos(turn * TAU), 25.0 * libm::sin(turn * TAU));
                 let numbers = stated.numbers();
                 let there = |number: &f64| [0.0, 0.1, 0.37].iter().any(|turn| is_near(distance(*turn), *number));
-                Finding::new(numbers.len() == 2 && numbers.iter().all(there), "each place of the circle is 25.0 cm from its middle")
+                Finding::new(
+                    numbers.len() == 2 && numbers.iter().all(there),
+                    "each place of the circle is 25.0 cm from its middle",
+                )
             })
             .second_route(Evidence::OTHER_PLACE_IN_SOURCE, |stated| {
                 let radius = 100.0 * BALL[0] * BALL[1] * BALL[1] / printed("drag.ball-side");
                 let numbers = stated.numbers();
                 let fits = |number: &f64| (number - radius).abs() < 1e-9;
-                Finding::new(numbers.len() == 2 && numbers.iter().all(fits), "the printed tension there belongs to 25.0 cm")
+                Finding::new(
+                    numbers.len() == 2 && numbers.iter().all(fits),
+                    "the printed tension there belongs to 25.0 cm",
+                )
             })
             .corrected("at 25.0 cm from the middle of the circle (r = 25.0 cm)", OFF_THE_CIRCLE),
         at("line 585")
@@ -230,7 +247,9 @@ fn circles() -> Vec<Claim> {
         at("line 597")
             .value("drag.cyclist", "13", "m/s", "speed of the stunt cyclist, at least")
             .first_route(Evidence::CLOSED_FORM, || (12.0 * GRAVITY / 0.68).sqrt())
-            .second_route(IN_STEPS, || halved([1.0, 50.0], |speed| 0.68 * pull_to_middle([1.0, speed, 12.0]) < GRAVITY)),
+            .second_route(IN_STEPS, || {
+                halved([1.0, 50.0], |speed| 0.68 * pull_to_middle([1.0, speed, 12.0]) < GRAVITY)
+            }),
         at("line 602")
             .example("drag.spring", "the turned spring has a stretch that it can bear", "spring that turns")
             .first_route(Evidence::CLOSED_FORM, |stated| {
@@ -243,7 +262,10 @@ fn circles() -> Vec<Claim> {
                 let stiffness = 0.25 * GRAVITY / 0.050;
                 let needed = |stretch: f64| pull_to_middle([0.25, 2.0 * TAU * (0.040 + stretch), 0.040 + stretch]);
                 let stretch = 100.0 * halved([0.0, 2.0], |stretch| stiffness * stretch < needed(stretch));
-                Finding::new(stretch > 0.0 && stretch < stated.pick(100.0, 10.0), format!("its pull turns the body at {stretch:.1} cm"))
+                Finding::new(
+                    stretch > 0.0 && stretch < stated.pick(100.0, 10.0),
+                    format!("its pull turns the body at {stretch:.1} cm"),
+                )
             })
             .interpreted_as("It can bear less than a metre")
             .but_not("its stretch is less than 10 cm"),
@@ -280,7 +302,10 @@ fn circles() -> Vec<Claim> {
                 let [sine, cosine] = turned(stated.pick(30.0, 60.0));
                 // Lift and the force to the middle: level and upright.
                 let force = solved([[sine, -1.0], [cosine, 0.0]], [0.0, 2.50e3 * GRAVITY])[0];
-                Finding::new(is_to_three_digits(stated.characters(), force), format!("its upright part bears the weight with {force:.0} N"))
+                Finding::new(
+                    is_to_three_digits(stated.characters(), force),
+                    format!("its upright part bears the weight with {force:.0} N"),
+                )
             })
             .interpreted_as("The two zeros at the end do not count")
             .but_not("49,000 N"),
@@ -306,7 +331,10 @@ fn circles() -> Vec<Claim> {
                 let [x, y, ..] = moved([2.0, 0.0, 0.0, 6.0], 0.5, |_, [x, y, u, w]| [u, w, -9.0 * x, -9.0 * y]);
                 let on_circle = (libm::hypot(x, y) - 2.0).abs() < 1e-9;
                 let said = if stated.characters().contains("Aω") { 2.0 * 3.0 } else { 2.0 };
-                Finding::new(on_circle && is_near(said, 6.0), "a body on a circle of 2 m that turns by 3 rad/s has 6 m/s")
+                Finding::new(
+                    on_circle && is_near(said, 6.0),
+                    "a body on a circle of 2 m that turns by 3 rad/s has 6 m/s",
+                )
             })
             .corrected("the speed is the constant Aω", INDEX),
         law("line 626", "drag.turning-pull", r"a_c = r \omega^2", "acceleration to the middle", &CIRCLE),
@@ -357,7 +385,13 @@ fn blocks() -> Vec<Claim> {
                 Finding::new(power < 0.0, "friction takes power from what moves to the left")
             })
             .but_not("F and the friction to the left"),
-        law("line 656", "drag.blocks-acceleration", r"a = \frac{F}{4} - \mu_k g", "acceleration of two blocks", &PULLED),
+        law(
+            "line 656",
+            "drag.blocks-acceleration",
+            r"a = \frac{F}{4} - \mu_k g",
+            "acceleration of two blocks",
+            &PULLED,
+        ),
         at("line 672")
             .value("drag.truck-way", "11", "m", "way of the truck in 3.0 s")
             .first_route(Evidence::CLOSED_FORM, || 0.24 * GRAVITY * 3.0 * 3.0 / 2.0)
@@ -373,10 +407,8 @@ fn blocks() -> Vec<Claim> {
             .second_route(BALANCE, |stated| {
                 let [left, right] = [turned(37.0), turned(53.0)];
                 let friction = stated.pick(0.30, 0.60);
-                let forces = [
-                    -10.0 * GRAVITY * (left[0] + friction * left[1]),
-                    15.0 * GRAVITY * (right[0] - 0.16 * right[1]),
-                ];
+                let forces =
+                    [-10.0 * GRAVITY * (left[0] + friction * left[1]), 15.0 * GRAVITY * (right[0] - 0.16 * right[1])];
                 let [gain, tension] = solved([[10.0, -1.0], [15.0, 1.0]], forces);
                 Finding::new(gain > 0.0 && tension > 0.0, format!("the string bears {tension:.0} N"))
             })

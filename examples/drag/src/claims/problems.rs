@@ -48,7 +48,11 @@ fn skydivers() -> Vec<Claim> {
             .first_route(UNITS, || 3.6 * terminal(DIVER))
             .second_route(IN_STEPS, || terminal_in_steps(DIVER) * 3600.0 / 1000.0),
         at("line 338")
-            .example("drag.pair", "both skydivers fall most of the way at their terminal velocities", "fall of two skydivers")
+            .example(
+                "drag.pair",
+                "the skydivers fall most of the way at their terminal velocities",
+                "fall of two skydivers",
+            )
             .first_route(ENERGY, |stated| {
                 // Half of the way down, energy and work of the drag give the speed.
                 let part = |mass: f64| {
@@ -60,13 +64,16 @@ fn skydivers() -> Vec<Claim> {
             })
             .second_route(IN_STEPS, |stated| {
                 let part = |mass: f64| {
-                    let fall = |time| line(0.0, time, |speed| GRAVITY - force_by_parcels([0.70, AIR, 0.140, speed]) / mass);
+                    let fall =
+                        |time| line(0.0, time, |speed| GRAVITY - force_by_parcels([0.70, AIR, 0.140, speed]) / mass);
                     let time = halved([10.0, 100.0], |time| fall(time)[1] < 3000.0);
                     fall(time)[0] / terminal([mass, 0.70, 0.140])
                 };
                 Finding::new(part(90.0) > stated.pick(0.99, 0.9999), "the heavier one moved in steps of time")
             })
-            .interpreted_as("Their area is that of line 331, and most of the way is half of it, within one per cent of the speed")
+            .interpreted_as(
+                "Their area is that of line 331, and most of the way is half of it, within one per cent of the speed",
+            )
             .but_not("they do so within a ten thousandth of the speed"),
         at("line 345")
             .value("drag.squirrel-speed", "11.8", "m/s", "speed of a squirrel after a long fall")
@@ -89,7 +96,11 @@ fn cars() -> Vec<Claim> {
                         the spread-out skydiver; if it is, the coefficient of the table is not needed";
     vec![
         at("line 349")
-            .statement("drag.engine-force", "At constant speed, the engine's force is drag plus rolling resistance", "forces on a car")
+            .statement(
+                "drag.engine-force",
+                "At constant speed, the engine's force is drag plus rolling resistance",
+                "forces on a car",
+            )
             .first_route(BALANCE, |stated| {
                 let [drag, rolling] = [force_by_energy([0.28, AIR, 2.2, 20.0]), 150.0];
                 let gain = stated.pick(drag + rolling, drag) - drag - rolling;
@@ -129,7 +140,10 @@ fn drops() -> Vec<Claim> {
                 let shadow = |radius: f64| simpson([0.0, PI], |angle| 2.0 * (radius * libm::sin(angle)).powi(2));
                 let raised = libm::log(shadow(3.0) / shadow(1.0)) / libm::log(3.0);
                 let is_disc = (shadow(1.0) - PI).abs() < 1e-9;
-                Finding::new(is_disc && (stated.number() - stated.pick(raised, 3.0)).abs() < 1e-9, "the shadow of a sphere")
+                Finding::new(
+                    is_disc && (stated.number() - stated.pick(raised, 3.0)).abs() < 1e-9,
+                    "the shadow of a sphere",
+                )
             })
             .interpreted_as("It is the area that faces the air, not that of the drop's surface")
             .but_not("its area is as the cube of the radius"),
@@ -142,9 +156,14 @@ fn drops() -> Vec<Claim> {
             .second_route(IN_STEPS, move |stated| {
                 let free = line(0.0, (2.0 * 5000.0 / GRAVITY).sqrt(), |_| GRAVITY)[0];
                 let ratio = free / terminal_in_steps(drop(0.002));
-                Finding::new(ratio > stated.pick(10.0, 100.0), format!("two drops moved in steps of time, {ratio:.0} times as fast"))
+                Finding::new(
+                    ratio > stated.pick(10.0, 100.0),
+                    format!("two drops moved in steps of time, {ratio:.0} times as fast"),
+                )
             })
-            .interpreted_as("A great difference is a factor of ten, and the drag coefficient is that of a sphere in the table")
+            .interpreted_as(
+                "A great difference is a factor of ten, and the drag coefficient is that of a sphere in the table",
+            )
             .but_not("it makes a factor of a hundred"),
         law("line 370", "drag.stokes-again", r"F_s = 6 \pi r \eta v", "law of Stokes, in the solution", &SPHERE),
         law("line 370", "drag.viscosity-law", r"\eta = \frac{F_s}{6 \pi r v}", "viscosity", &SPHERE),
@@ -162,7 +181,10 @@ fn drops() -> Vec<Claim> {
                 let theirs = 3.0e5 / (70.0 * 130.0);
                 // A kilogram by metre and second in grams by centimetre and second.
                 let unit = 1000.0 / 100.0_f64.powi(stated.pick(1, 2));
-                Finding::new(is_near(ours * unit, theirs), "one viscosity in metres and kilograms, and in centimetres and grams")
+                Finding::new(
+                    is_near(ours * unit, theirs),
+                    "one viscosity in metres and kilograms, and in centimetres and grams",
+                )
             })
             .but_not("the unit is kg/m²"),
     ]
@@ -222,7 +244,7 @@ fn sinking() -> Vec<Claim> {
             })
             .interpreted_as("The buoyancy of the oil is left out, as everywhere in the section; the density of the oil is not given"),
         at("line 388")
-            .example("drag.half-factor", "the lighter skydiver's b is less than that of line 250", "factors of two skydivers")
+            .example("drag.half-factor", "the lighter skydiver's b is less than that of the heavier skydiver", "factors of two skydivers")
             .first_route(Evidence::CLOSED_FORM, |stated| {
                 let ratio = 50.0 * GRAVITY / (60.0 * 60.0) / (100.0 * GRAVITY / (60.0 * 60.0));
                 Finding::new(stated.pick(ratio < 1.0, ratio > 1.0), "at the same terminal speed it is as the mass")

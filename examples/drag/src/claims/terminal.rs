@@ -1,9 +1,11 @@
 //! Terminal velocity, with the worked example, and the law of Stokes.
 
 use crate::kinds::{BALANCE, ENERGY, IN_STEPS, UNITS};
-use crate::letters::{SPHERE, TERMINAL, force_by_energy, force_by_parcels};
+use crate::letters::{AIR_FALL, SPHERE, TERMINAL, force_by_energy, force_by_parcels};
+use crate::reader;
 use crate::section::{AIR, GRAVITY, at, is_near, law, printed, rounds};
-use crate::steps::{halved, limiting, line, simpson};
+use crate::steps::{gauss, halved, limiting, line, simpson};
+use geneva_evidence::tex::Moment;
 use geneva_evidence::{Claim, Consequence, Evidence, Finding, Origin, Slip};
 use std::f64::consts::PI;
 
@@ -60,11 +62,16 @@ fn falling() -> Vec<Claim> {
             .second_route(IN_STEPS, |stated| {
                 // What the buoyancy changes in the fall.
                 let fall = |buoyancy: f64| {
-                    line(0.0, 30.0, |speed| GRAVITY * (1.0 - buoyancy) - force_by_parcels([0.7, AIR, 0.18, speed]) / 75.0)[1]
+                    line(0.0, 30.0, |speed| {
+                        GRAVITY * (1.0 - buoyancy) - force_by_parcels([0.7, AIR, 0.18, speed]) / 75.0
+                    })[1]
                 };
                 let matters = (fall(0.0) / fall(AIR / 1000.0) - 1.0).abs() > stated.pick(0.01, 1e-4);
                 let felt = 2 + u32::from(matters);
-                Finding::new(stated.count() == felt, "without the buoyancy of the air a fall of half a minute is as long")
+                Finding::new(
+                    stated.count() == felt,
+                    "without the buoyancy of the air a fall of half a minute is as long",
+                )
             })
             .interpreted_as("A force counts if it is at least a hundredth of the weight")
             .but_not("a force of a thousandth of the weight counts too"),
@@ -75,14 +82,20 @@ fn falling() -> Vec<Claim> {
                 let [_, coefficient, area] = HEADFIRST;
                 let drag = |part: f64| force_by_energy([coefficient, AIR, area, part * limit]) / (75.0 * GRAVITY);
                 let grows = drag(0.5) < drag(0.9) && drag(0.9) < drag(1.0);
-                Finding::new(grows && is_near(drag(1.0), stated.pick(1.0, 2.0)), "the power of drag and weight at the terminal speed")
+                Finding::new(
+                    grows && is_near(drag(1.0), stated.pick(1.0, 2.0)),
+                    "the power of drag and weight at the terminal speed",
+                )
             })
             .second_route(IN_STEPS, |stated| {
                 let [mass, coefficient, area] = HEADFIRST;
                 let drag = |speed| force_by_parcels([coefficient, AIR, area, speed]) / (mass * GRAVITY);
                 let at = |time| drag(line(0.0, time, |speed| GRAVITY * (1.0 - drag(speed)))[0]);
                 let grows = at(5.0) < at(10.0) && at(10.0) < at(20.0);
-                Finding::new(grows && (at(300.0) - stated.pick(1.0, 2.0)).abs() < 1e-9, "a skydiver moved in steps of time")
+                Finding::new(
+                    grows && (at(300.0) - stated.pick(1.0, 2.0)).abs() < 1e-9,
+                    "a skydiver moved in steps of time",
+                )
             })
             .but_not("the drag grows until it is twice the weight"),
         at("line 119")
@@ -98,7 +111,10 @@ fn falling() -> Vec<Claim> {
                     return Finding::new(false, "there are no two numbers");
                 };
                 let gain = line(40.0, 1.0, |_| force / 75.0)[0] - 40.0;
-                Finding::new((gain - stated.pick(acceleration, acceleration + 1.0)).abs() < 1e-9 && force == 0.0, "a body keeps its speed")
+                Finding::new(
+                    (gain - stated.pick(acceleration, acceleration + 1.0)).abs() < 1e-9 && force == 0.0,
+                    "a body keeps its speed",
+                )
             })
             .but_not("with no net force, the acceleration is one"),
         at("line 119")
@@ -113,11 +129,26 @@ fn falling() -> Vec<Claim> {
             })
             .interpreted_as("Both have the same area and the same drag coefficient")
             .but_not("a heavier skydiver goes as fast or slower"),
-        law("line 121", "drag.net-force", r"F_{\text{net}} = m g - F_D = m a = 0", "forces at the terminal speed", &TERMINAL),
+        net_force(),
         law("line 123", "drag.weight-is-drag", "m g = F_D", "weight at the terminal speed", &TERMINAL),
         law("line 125", "drag.weight-law", r"m g = \frac{1}{2} C \rho A v_T^2", "weight and terminal speed", &TERMINAL),
         law("line 127", "drag.terminal-law", r"v_T = \sqrt{\frac{2 m g}{\rho C A}}", "terminal speed", &TERMINAL),
     ]
+}
+
+/// The chain of forces: its sides are equal at any speed, and vanish at the terminal speed.
+fn net_force() -> Claim {
+    let holds = |tex: &str, [falling, terminal]: [&[Moment]; 2]| {
+        let (moving, _) = tex.rsplit_once('=')?;
+        Some(
+            reader::holds(moving, falling, |ends, curve| gauss(ends, curve))?
+                && reader::holds(tex, terminal, |ends, curve| gauss(ends, curve))?,
+        )
+    };
+    at("line 121")
+        .equation("drag.net-force", r"F_{\text{net}} = m g - F_D = m a = 0", "forces at the terminal speed")
+        .evaluated(ENERGY, move |tex| Finding::of_reading(holds(tex, [&AIR_FALL.first, &TERMINAL.first])))
+        .read(IN_STEPS, move |tex| holds(tex, [&AIR_FALL.second, &TERMINAL.second]))
 }
 
 fn skydivers() -> Vec<Claim> {
@@ -143,7 +174,7 @@ fn skydivers() -> Vec<Claim> {
              150 km/h",
         ),
         at("line 130")
-            .statement("drag.least-area", "Head first, area and drag are least", "drag of two positions")
+            .statement("drag.least-area", "In the headfirst position, area and drag are least", "drag of two positions")
             .first_route(ENERGY, |stated| {
                 let less = force_by_energy([0.70, AIR, 0.18, 50.0]) < force_by_energy([1.0, AIR, 0.70, 50.0]);
                 Finding::new(stated.pick(less, !less), "the air that a skydiver meets at the same speed")
@@ -400,7 +431,10 @@ fn lake() -> Vec<Claim> {
             .second_route(IN_STEPS, |stated| {
                 let drag = |id| force_by_parcels([printed(id), AIR, 0.1, 10.0]);
                 let less = drag("drag.table-airfoil") < drag("drag.table-plate");
-                Finding::new(stated.pick(less, !less), "the push of an airfoil and of a plate on the air that they meet")
+                Finding::new(
+                    stated.pick(less, !less),
+                    "the push of an airfoil and of a plate on the air that they meet",
+                )
             })
             .but_not("a streamlined shape has more drag"),
     ]
