@@ -40,7 +40,7 @@ const PAN: Slip = Slip {
     id: "",
     reason: "The pan is the long side of the triangle, so the coefficient is 5.0 over the root of 23.5² - 5.0², which is 0.218. The printed \
              digits are its first ones, and those of 5.0 over 23.5.",
-    witness: "A piece of bacon on a pan raised so far slides with any coefficient below 0.2177.",
+    witness: "A piece of bacon on a pan raised so far begins to slide with a coefficient of 0.2178.",
     origin: Origin::Unknown,
     consequence: Consequence::Result,
     changes: "The coefficient is 0.22.",
