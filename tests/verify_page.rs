@@ -241,7 +241,10 @@ fn a_note_and_a_row_of_the_ledger_open_the_check_and_other_characters_change_it(
         open(&mut browser, page);
         let shown = of(&mut browser, &format!("await (async () => {{ {touch} }})(), await {check}"));
         let (first, other) = (&shown[0], &shown[1]);
-        assert!(first[0].as_str().is_some_and(|told| told.starts_with("✓ right, as recorded. Derived")), "{shown}");
+        assert!(
+            first[0].as_str().is_some_and(|told| told.starts_with("✓ The same as recorded: right. Derived")),
+            "{shown}"
+        );
         assert!(first[1]["Near miss"].as_str().is_some_and(|told| told.ends_with("both routes refuse it")), "{shown}");
         assert!(first[1]["First route"] != first[1]["Second route"] && first[1]["Record"] == "as recorded", "{shown}");
         let told = "✗ Refused: the verdict changes from right to wrong.";

@@ -80,9 +80,19 @@
             const paragraph = document.createElement('p');
             text.split(/[{}]/).forEach((part, place) => {
                 const [symbol, ...indices] = place % 2 ? part.split(':') : [part];
-                const put = (element, words) => paragraph.appendChild(document.createElement(element)).append(words);
+                const put = (element, words) => {
+                    const at = paragraph.appendChild(document.createElement(element));
+                    at.append(words);
+                    at.classList.toggle('dotted', /[\u0307\u0308]/.test(words));
+                };
                 place % 2 ? put('i', symbol) : paragraph.append(symbol);
-                indices.forEach((index, level) => put(['sub', 'sup'][level], index));
+                // Who copies the steps gets v_P, and not vP.
+                indices.forEach((index, level) => {
+                    put('span', '_^'[level]);
+                    paragraph.lastChild.className = 'unseen';
+                    paragraph.lastChild.ariaHidden = true;
+                    put(['sub', 'sup'][level], index);
+                });
             });
             return paragraph;
         };

@@ -12,7 +12,9 @@ fn written(name: &str, query: &str) -> Vec<String> {
     let reply = live.answer(&LiveArguments::parse(query).expect("a query")).expect("an answer");
     let shown = |line: &str| {
         let parts = line.split(['{', '}']).enumerate();
-        parts.map(|(at, part)| if at % 2 == 1 { part.replace(':', "") } else { part.to_owned() }).collect::<String>()
+        // Between a letter and its index stands what a copy has there.
+        let indexed = |part: &str| part.replacen(':', "_", 1).replacen(':', "^", 1);
+        parts.map(|(at, part)| if at % 2 == 1 { indexed(part) } else { part.to_owned() }).collect::<String>()
     };
     let step = |step: &geneva_ask::worked::WorkedStep| {
         let text = step.heading.to_owned() + &step.lines.iter().map(|line| shown(line)).collect::<String>();

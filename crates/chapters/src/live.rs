@@ -167,8 +167,16 @@ fn steps(steps: &[WorkedStep]) -> String {
 /// A line of a step: its symbols in italics, with their indices.
 fn marked_up(line: &str) -> String {
     let symbol = |symbol: &str, indices: &[&str]| {
-        let index = |(index, element): (&&str, &str)| format!("<{element}>{}</{element}>", escape(index));
-        format!("<i>{}</i>{}", escape(symbol), indices.iter().zip(["sub", "sup"]).map(index).collect::<String>())
+        // Who copies the steps gets v_P, and not vP.
+        let index = |(index, (element, mark)): (&&str, (&str, &str))| {
+            format!("<span class=\"unseen\" aria-hidden=\"true\">{mark}</span><{element}>{}</{element}>", escape(index))
+        };
+        let dotted = if symbol.contains(['\u{307}', '\u{308}']) { " class=\"dotted\"" } else { "" };
+        format!(
+            "<i{dotted}>{}</i>{}",
+            escape(symbol),
+            indices.iter().zip([("sub", "_"), ("sup", "^")]).map(index).collect::<String>()
+        )
     };
     set_symbols(line, escape, symbol)
 }

@@ -72,24 +72,26 @@
         );
         let printed, last = 0, busy = 0;
         const isAccepted = verdict => ['right', 'right as read'].includes(verdict);
-        const taken = (verdict, outcome) => {
+        const taken = (verdict, outcome, lines) => {
             if (outcome === 'unread') {
                 return 'These characters change nothing: the check of this claim doesn’t read them.';
             }
             if (outcome === 'unreadable') {
-                return '✗ These characters can’t be read, so they are neither right nor wrong.';
+                return '? These characters can’t be read, so they are neither right nor wrong.';
             }
-            const change = verdict === recorded(id) ? `the verdict stays ${verdict}` : `the verdict changes from ${recorded(id)} to ${verdict}`;
-            return `${isAccepted(verdict) ? '✓ Accepted' : '✗ Refused'}: ${change}.`;
+            const change = verdict === recorded(id) ? `still ${verdict}` : `the verdict changes from ${recorded(id)} to ${verdict}`;
+            // What a number is no rounding of, and what it is one of instead.
+            const digits = lines.find(([label]) => label === 'Found')?.[1].match(/These digits.*/)?.[0] ?? '';
+            return `${isAccepted(verdict) ? '✓ Accepted' : '✗ Refused'}: ${change}. ${digits}`.trimEnd();
         };
         const show = ({ verdict, outcome, holds, why, lines }, spoilt, took) => {
             let words;
             if (spoilt) {
-                words = taken(verdict, outcome);
+                words = taken(verdict, outcome, lines);
             } else if (!asBuilt(id, verdict)) {
                 words = `✗ The verdict is ${verdict}, but this book was built with ${recorded(id)}.`;
             } else {
-                words = holds ? `✓ ${verdict}, as recorded.` : `✗ ${verdict} as recorded, but: ${why}.`;
+                words = holds ? `✓ The same as recorded: ${verdict}.` : `✗ ${verdict} as recorded, but: ${why}.`;
             }
             status.textContent = `${words} Derived in your browser in ${duration(took)}.`;
             box.classList.toggle('differs', words[0] === '✗');
