@@ -14,6 +14,7 @@ mod pipes_command;
 mod quick_return_command;
 mod sweep_command;
 mod terminal_command;
+mod values_command;
 mod wheel_command;
 
 use geneva_cli::CommandOutput;
