@@ -229,6 +229,8 @@ fn every_command_explains_itself_with_an_example() {
         ("help-escapement", &["escapement", "--help"]),
         ("help-sweep", &["sweep", "--help"]),
         ("help-proofread", &["proofread", "--help"]),
+        ("help-record", &["record", "--help"]),
+        ("help-check", &["check", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-print", &["book", "print", "--help"]),

@@ -42,7 +42,9 @@ fn a_changed_digit_of_the_paper_is_found() {
     fs::write(&paper, text.replace("2.1532", "2.1523")).expect("written");
     let said = stdout(&["check", shown(folder.path())], 1);
     assert!(
-        said.contains("paper.tex:30:14: stale: printed 2.1523 s, period_60 is 2.153242351783843 s now; write 2.1532 s"),
+        said.contains(
+            "paper.tex:30:15: stale: printed 2.1523 s, period_60 is 2.153242351783843 s now; write 2.1532 s; the second"
+        ),
         "{said}"
     );
     let page: Value =

@@ -27,6 +27,8 @@ pub(crate) struct ValueIndex<'v> {
     groups: Vec<UnitGroup<'v>>,
     /// For each printed unit the groups that go with it, with the factor from their unit.
     fitting: HashMap<String, Vec<(usize, f64)>>,
+    /// Pairs of a number and a value that were compared so far.
+    pub compared: usize,
 }
 
 /// A proposal for a number.
@@ -51,7 +53,7 @@ impl<'v> ValueIndex<'v> {
         for group in &mut groups {
             group.sorted.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
         }
-        Self { values, groups, fitting: HashMap::new() }
+        Self { values, groups, fitting: HashMap::new(), compared: 0 }
     }
 
     /// What the number is tied to, as far as its digits and its form tell.
@@ -89,10 +91,12 @@ impl<'v> ValueIndex<'v> {
         let fitting = self.fitting(&number.unit);
         let per_cent = (number.unit == "%").then(|| rational(100, 1));
         let mut found: Vec<(usize, Option<&'static str>)> = Vec::new();
+        let mut compared = 0;
         for (group, by) in fitting {
             let UnitGroup { unit, sorted } = &self.groups[group];
             let mut search = |by: f64, factor: Option<&Rational>| {
-                for at in self.near(sorted, number, by) {
+                for at in near(sorted, number, by) {
+                    compared += 1;
                     if compare(number, &values.all()[at], factor) == Comparison::Right {
                         found.push((at, factor.map(|_| PER_CENT)));
                     }
@@ -105,6 +109,7 @@ impl<'v> ValueIndex<'v> {
                 search(100.0, Some(factor));
             }
         }
+        self.compared += compared;
         found.sort_by_key(|(at, _)| *at);
         found.dedup_by_key(|(at, _)| *at);
         found.truncate(MOST_CANDIDATES);
@@ -129,16 +134,16 @@ impl<'v> ValueIndex<'v> {
         self.fitting.insert(unit.to_owned(), found.clone());
         found
     }
+}
 
-    /// The values of a group that are about as large as a number, if they count `by` in its unit.
-    fn near(&self, sorted: &[(f64, usize)], number: &PrintedNumber, by: f64) -> Vec<usize> {
-        let scale = ten_to(number.exponent) / by;
-        let (centre, half) = (number.decimal.to_f64() * scale, number.decimal.unit_in_last_place().approximate() / 2.0);
-        let reach = (half * scale).abs() + centre.abs() * 1e-12;
-        let start = sorted.partition_point(|(value, _)| *value < centre - reach);
-        let end = sorted[start..].iter().take(MOST_COMPARED).take_while(|(value, _)| *value <= centre + reach);
-        end.map(|(_, at)| *at).collect()
-    }
+/// The values of a group that are about as large as a number, if they count `by` in its unit.
+fn near(sorted: &[(f64, usize)], number: &PrintedNumber, by: f64) -> Vec<usize> {
+    let scale = ten_to(number.exponent) / by;
+    let (centre, half) = (number.decimal.to_f64() * scale, number.decimal.unit_in_last_place().approximate() / 2.0);
+    let reach = (half * scale).abs() + centre.abs() * 1e-12;
+    let start = sorted.partition_point(|(value, _)| *value < centre - reach);
+    let end = sorted[start..].iter().take(MOST_COMPARED).take_while(|(value, _)| *value <= centre + reach);
+    end.map(|(_, at)| *at).collect()
 }
 
 /// Ten to a power, to all digits of a float.

@@ -33,6 +33,8 @@ pub struct RecordReport {
     pub is_changed: bool,
     /// Numbers of the texts.
     pub numbers: usize,
+    /// Pairs of a number and a value that were compared exactly, to propose values.
+    pub compared: usize,
     /// New entries.
     pub added: usize,
     /// Entries whose number was found in other words or with other digits, and is described anew.
@@ -160,6 +162,7 @@ pub fn record(request: &RecordRequest) -> Result<RecordReport, String> {
         }
         *all = merged;
     }
+    report.compared = index.compared;
     for entry in &project.record.entries {
         let name = match &entry.tie {
             Tie::Value { .. } => "value",

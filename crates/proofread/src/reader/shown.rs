@@ -117,7 +117,7 @@ impl ShownText {
 ///
 /// let page = "<p title=\"2\">It is 2&nbsp;<b>m</b>.</p>";
 /// let shown = reader::shown_text(page, TextFormat::Html)?;
-/// assert_eq!(shown.text().trim(), "It is 2\u{a0}m.");
+/// assert_eq!(shown.text().trim(), "It is 2 m.");
 /// let at = shown.text().find('m').expect("a unit");
 /// assert_eq!(&page[shown.span_in_file(Span::new(at, at + 1)).range()], "m");
 /// assert_eq!(shown.left_out(reader::LeftOut::Argument), 1);
