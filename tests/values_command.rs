@@ -85,7 +85,7 @@ fn what_cannot_be_read_is_told_with_its_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let said = refused(&["check", shown(folder.path())]);
     assert!(said.contains("numbers.toml") && said.contains("give a record that `geneva record` wrote"), "{said}");
-    fs::write(folder.path().join("a.md"), "It is 1.25.\n").expect("written");
+    fs::write(folder.path().join("a.md"), "It is 31.75.\n").expect("written");
     let said = refused(&["record", shown(folder.path())]);
     assert!(said.contains("there is no values.json, values.csv or values.toml"), "{said}");
     fs::write(folder.path().join("values.json"), "{\"drag\": NaN}").expect("written");

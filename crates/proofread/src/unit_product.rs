@@ -23,7 +23,7 @@ pub fn unit_named(text: &str) -> Option<MeasurementUnit> {
         let (name, power, behind) = factor(rest)?;
         let one = unit(name)?;
         let power = if divides { -power } else { power };
-        product.factor *= one.factor.powi(power);
+        product.factor *= libm::pow(one.factor, f64::from(power));
         product.dimension = product.dimension.with_factor(one.dimension, f64::from(power));
         let trimmed = behind.trim_start_matches([' ', '·', '⋅', '*']);
         divides = trimmed.starts_with('/');

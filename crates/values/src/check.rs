@@ -4,7 +4,7 @@ use crate::comparison::{Comparison, as_printed, compare, neighbours_passed, roun
 use crate::numbered_text::PrintedNumber;
 use crate::places::{Placement, place};
 use crate::project::{Project, ProjectText};
-use crate::record_file::{Entry, Tie};
+use crate::record_file::{NumberEntry, Tie};
 use crate::values::{ComputedValue, Values};
 use geneva_evidence::{PlainVerdict, nearest_name};
 use geneva_exact::Rational;
@@ -110,7 +110,7 @@ pub struct NumberFinding {
 
 /// All that a check found.
 #[derive(Clone, Debug, Default)]
-pub struct CheckReport {
+pub struct NumbersReport {
     /// The numbers in the order of the texts, then the entries without one.
     pub findings: Vec<NumberFinding>,
     /// How many texts were read.
@@ -123,7 +123,7 @@ pub struct CheckReport {
     pub left_out: BTreeMap<LeftOut, usize>,
 }
 
-impl CheckReport {
+impl NumbersReport {
     /// How many findings there are of a kind.
     pub fn count(&self, kind: FindingKind) -> usize {
         self.findings.iter().filter(|finding| finding.kind == kind).count()
@@ -140,18 +140,19 @@ impl CheckReport {
 /// # Errors
 ///
 /// A file cannot be read. The message names it, and what to give instead.
-pub fn check(record: &Path, is_staged: bool) -> Result<CheckReport, String> {
+pub fn check(record: &Path, is_staged: bool) -> Result<NumbersReport, String> {
     let project = Project::open(record, is_staged)?;
     let (values, second) = project.values()?;
     let texts = project.texts()?;
-    let mut report = CheckReport { texts: texts.len(), has_second: second.is_some(), ..CheckReport::default() };
+    let mut report = NumbersReport { texts: texts.len(), has_second: second.is_some(), ..NumbersReport::default() };
     let mut used = BTreeSet::new();
     let mut missing = Vec::new();
     for text in &texts {
         for (kind, count) in &text.numbered.left_out {
             *report.left_out.entry(*kind).or_default() += count;
         }
-        let entries: Vec<&Entry> = project.record.entries.iter().filter(|entry| entry.text == text.name).collect();
+        let entries: Vec<&NumberEntry> =
+            project.record.entries.iter().filter(|entry| entry.text == text.name).collect();
         let placement = place(&entries, &text.numbered);
         let judge = Judge { text, lines: LineIndex::new(&text.source), values: &values, second: second.as_ref() };
         for (at, number) in text.numbered.numbers.iter().enumerate() {
@@ -169,15 +170,15 @@ pub fn check(record: &Path, is_staged: bool) -> Result<CheckReport, String> {
             Tie::None(_) | Tie::Open => {}
         }
     }
-    let keys = values.all().iter().map(|value| &value.key);
+    let keys = values.computed().iter().map(|value| &value.key);
     report.unused = keys.filter(|key| !used.contains(key.as_str())).cloned().collect();
     Ok(report)
 }
 
 /// The entries whose number isn't in the text.
-fn missing_entries(entries: &[&Entry], placement: &Placement, text: &ProjectText) -> Vec<NumberFinding> {
+fn missing_entries(entries: &[&NumberEntry], placement: &Placement, text: &ProjectText) -> Vec<NumberFinding> {
     let lost = entries.iter().zip(&placement.of_entry).filter(|(_, number)| number.is_none());
-    let finding = |(entry, _): (&&Entry, _)| NumberFinding {
+    let finding = |(entry, _): (&&NumberEntry, _)| NumberFinding {
         kind: FindingKind::Missing,
         text: text.path.clone(),
         at: None,
@@ -217,7 +218,7 @@ struct Judge<'p> {
 }
 
 impl Judge<'_> {
-    fn number(&self, number: &PrintedNumber, entry: Option<&Entry>, is_ambiguous: bool) -> NumberFinding {
+    fn number(&self, number: &PrintedNumber, entry: Option<&NumberEntry>, is_ambiguous: bool) -> NumberFinding {
         let mut finding = NumberFinding {
             kind: FindingKind::Untied,
             text: self.text.path.clone(),
@@ -265,7 +266,7 @@ impl Judge<'_> {
         finding.key = Some(key.to_owned());
         let shown = with_unit(&number.printed, &number.unit);
         let Some(value) = self.values.get(key) else {
-            let near = nearest_name(key, self.values.all().iter().map(|value| value.key.as_str()));
+            let near = nearest_name(key, self.values.computed().iter().map(|value| value.key.as_str()));
             let near = near.map(|near| format!("; the nearest key is {near}")).unwrap_or_default();
             finding.kind = FindingKind::UnknownKey;
             finding.message = format!("{shown} is tied to {key}, which no file of values has{near}");

@@ -15,10 +15,10 @@ mod role;
 mod sarif;
 mod values;
 
-pub use check::{CheckReport, FindingKind, NumberFinding, check};
+pub use check::{FindingKind, NumberFinding, NumbersReport, check};
 pub use numbered_text::{MOST_NUMBERS, NumberedText, PrintedNumber};
 pub use project::LARGEST;
-pub use record_file::{Entry, NO_VALUE, RECORD_NAME, Record, Tie};
+pub use record_file::{NO_VALUE, NumberEntry, RECORD_NAME, Record, Tie};
 pub use recording::{RecordReport, RecordRequest, record};
 pub use report::{check_json, check_text, record_text};
 pub use role::Role;

@@ -1,7 +1,7 @@
 //! Which number of a text an entry means: by the words around it, so that edits elsewhere change nothing.
 
 use crate::numbered_text::{NumberedText, PrintedNumber, WORDS};
-use crate::record_file::{Entry, Place};
+use crate::record_file::{NumberEntry, Place};
 use std::collections::HashMap;
 
 /// Where the entries of a text are in it.
@@ -24,57 +24,83 @@ struct Surroundings {
 /// What entries and numbers must have in common.
 #[derive(Clone, Copy)]
 enum Criterion {
-    /// All words that are recorded, where a number is described in many words, and in few.
-    Long,
-    Short,
+    /// All words that are recorded, of a description in many words or in few, and perhaps the printed characters.
+    All { long: bool, printed: bool, strength: Option<Strength> },
     /// So many words before and after, and perhaps the printed characters.
-    Some {
-        before: usize,
-        after: usize,
-        printed: bool,
-    },
+    Some { before: usize, after: usize, printed: bool },
     /// The printed characters alone.
-    Printed,
+    Printed(Strength),
+}
+
+/// Whether words say where a number is. Between the cells of a table there are only numbers, so a row that comes in gives each
+/// the words of another; there the printed characters say more.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Strength {
+    Weak,
+    Strong,
 }
 
 /// From the surest to the least sure. Each looks at what those before it have left.
-const CRITERIA: [Criterion; 13] = [
-    Criterion::Long,
-    Criterion::Short,
+const CRITERIA: [Criterion; 17] = [
+    Criterion::All { long: true, printed: true, strength: None },
+    Criterion::All { long: false, printed: true, strength: None },
+    Criterion::All { long: true, printed: false, strength: Some(Strength::Strong) },
+    Criterion::All { long: false, printed: false, strength: Some(Strength::Strong) },
     Criterion::Some { before: 3, after: 2, printed: true },
     Criterion::Some { before: 3, after: 0, printed: true },
     Criterion::Some { before: 0, after: 3, printed: true },
-    Criterion::Some { before: 3, after: 2, printed: false },
+    Criterion::Printed(Strength::Weak),
+    Criterion::All { long: true, printed: false, strength: Some(Strength::Weak) },
+    Criterion::All { long: false, printed: false, strength: Some(Strength::Weak) },
     Criterion::Some { before: 3, after: 1, printed: false },
     Criterion::Some { before: 1, after: 3, printed: false },
     Criterion::Some { before: 3, after: 0, printed: false },
     Criterion::Some { before: 0, after: 3, printed: false },
     Criterion::Some { before: 1, after: 0, printed: true },
     Criterion::Some { before: 0, after: 1, printed: true },
-    Criterion::Printed,
+    Criterion::Printed(Strength::Strong),
 ];
+
+/// The words nearest to a number: the last of those before it, or the first of those after it.
+fn nearest_words(words: [&str; 2], most: [usize; 2]) -> [Vec<&str>; 2] {
+    let last = words[0].rsplit(' ').filter(|word| !word.is_empty()).take(most[0]).collect();
+    let first = words[1].split(' ').filter(|word| !word.is_empty()).take(most[1]).collect();
+    [last, first]
+}
+
+fn strength(words: [&str; 2]) -> Strength {
+    /// Fewest words that are no numbers.
+    const FEWEST: usize = 4;
+    let near = nearest_words(words, WORDS[0]);
+    let count = near.iter().flatten().filter(|word| **word != "#").count();
+    if count < FEWEST { Strength::Weak } else { Strength::Strong }
+}
 
 /// What identifies a number under a criterion; none if it has too few words.
 fn key(criterion: Criterion, words: [&str; 2], printed: &str, unit: &str) -> Option<String> {
+    let characters = |with_printed: bool| if with_printed { format!("{printed}\n{unit}") } else { String::new() };
     match criterion {
-        Criterion::Long | Criterion::Short => Some(format!("{}\n{}", words[0], words[1])),
-        Criterion::Some { before, after, printed: with_printed } => {
-            let last: Vec<&str> = words[0].rsplit(' ').filter(|word| !word.is_empty()).take(before).collect();
-            let first: Vec<&str> = words[1].split(' ').filter(|word| !word.is_empty()).take(after).collect();
+        Criterion::All { printed, strength: asked, .. } => {
+            let fits = asked.is_none_or(|asked| asked == strength(words));
+            fits.then(|| format!("{}\n{}\n{}", words[0], words[1], characters(printed)))
+        }
+        Criterion::Some { before, after, printed } => {
+            let [last, first] = nearest_words(words, [before, after]);
             let is_whole = last.len() == before && first.len() == after;
             let says_something = last.iter().chain(&first).any(|word| *word != "#");
-            let (printed, unit) = if with_printed { (printed, unit) } else { ("", "") };
-            (is_whole && says_something).then(|| format!("{}\n{}\n{printed}\n{unit}", last.join(" "), first.join(" ")))
+            let join = |words: Vec<&str>| words.join(" ");
+            (is_whole && says_something).then(|| format!("{}\n{}\n{}", join(last), join(first), characters(printed)))
         }
-        Criterion::Printed => {
+        Criterion::Printed(asked) => {
             let digits = printed.bytes().filter(u8::is_ascii_digit).skip_while(|byte| *byte == b'0').count();
-            (digits > 2).then(|| format!("{printed}\n{unit}"))
+            let fits = asked == strength(words) && (asked == Strength::Weak || digits > 2);
+            fits.then(|| characters(true))
         }
     }
 }
 
 /// Finds the entries of a text in it.
-pub(crate) fn place(entries: &[&Entry], text: &NumberedText) -> Placement {
+pub(crate) fn place(entries: &[&NumberEntry], text: &NumberedText) -> Placement {
     let numbers = &text.numbers;
     let around = |number: &PrintedNumber| {
         let [short, long] = WORDS.map(|most| text.words_around(number, most));
@@ -98,7 +124,7 @@ pub(crate) fn place(entries: &[&Entry], text: &NumberedText) -> Placement {
         }
         for (at, number) in numbers.iter().enumerate().filter(|(at, _)| placement.of_number[*at].is_none()) {
             let [before, after] = match criterion {
-                Criterion::Short => &surroundings[at].short,
+                Criterion::All { long: false, .. } => &surroundings[at].short,
                 _ => &surroundings[at].long,
             };
             let group =
@@ -120,7 +146,7 @@ fn pair(
     criterion: Criterion,
     mut mine: Vec<usize>,
     mut found: Vec<usize>,
-    entries: &[&Entry],
+    entries: &[&NumberEntry],
     numbers: &[PrintedNumber],
     placement: &mut Placement,
 ) {
@@ -149,7 +175,7 @@ fn pair(
         });
         found = by_printed.into_values().flatten().collect();
         found.sort_unstable();
-        if !matches!(criterion, Criterion::Long | Criterion::Short) {
+        if !matches!(criterion, Criterion::All { .. }) {
             return;
         }
     }

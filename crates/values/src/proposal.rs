@@ -42,7 +42,7 @@ impl<'v> ValueIndex<'v> {
     pub(crate) fn new(values: &'v Values) -> Self {
         let mut by_unit: HashMap<Option<&str>, usize> = HashMap::new();
         let mut groups: Vec<UnitGroup<'_>> = Vec::new();
-        for (at, value) in values.all().iter().enumerate() {
+        for (at, value) in values.computed().iter().enumerate() {
             let unit = value.unit.as_deref();
             let group = *by_unit.entry(unit).or_insert_with(|| {
                 groups.push(UnitGroup { unit, sorted: Vec::new() });
@@ -97,7 +97,7 @@ impl<'v> ValueIndex<'v> {
             let mut search = |by: f64, factor: Option<&Rational>| {
                 for at in near(sorted, number, by) {
                     compared += 1;
-                    if compare(number, &values.all()[at], factor) == Comparison::Right {
+                    if compare(number, &values.computed()[at], factor) == Comparison::Right {
                         found.push((at, factor.map(|_| PER_CENT)));
                     }
                 }
@@ -113,7 +113,7 @@ impl<'v> ValueIndex<'v> {
         found.sort_by_key(|(at, _)| *at);
         found.dedup_by_key(|(at, _)| *at);
         found.truncate(MOST_CANDIDATES);
-        found.into_iter().map(|(at, factor)| (&values.all()[at], factor)).collect()
+        found.into_iter().map(|(at, factor)| (&values.computed()[at], factor)).collect()
     }
 
     /// The groups whose unit goes with a printed one, each with the factor to it.

@@ -40,7 +40,7 @@ pub enum Tie {
 
 /// An entry of a record.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct NumberEntry {
     /// Its lines, with the comments behind it.
     pub(crate) lines: String,
     /// The text that prints the number.
@@ -69,7 +69,7 @@ pub struct Record {
     /// The files of the values that were computed in a second way.
     pub second: Vec<String>,
     /// The entries in the order of the file.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<NumberEntry>,
 }
 
 impl Record {
@@ -174,7 +174,7 @@ fn strings(value: &Spanned<DeValue<'_>>) -> Option<Vec<String>> {
     items.iter().map(|item| item.get_ref().as_str().map(str::to_owned)).collect()
 }
 
-fn entry_of(table: &DeTable<'_>, lines: String, texts: &[String]) -> Result<Entry, String> {
+fn entry_of(table: &DeTable<'_>, lines: String, texts: &[String]) -> Result<NumberEntry, String> {
     for name in table.keys() {
         if !ENTRY_KEYS.contains(&&**name.get_ref()) {
             let near = nearest_name(name.get_ref(), ENTRY_KEYS).unwrap_or_default();
@@ -216,7 +216,7 @@ fn entry_of(table: &DeTable<'_>, lines: String, texts: &[String]) -> Result<Entr
         let kind = escape_and_shorten(kind);
         return Err(format!("none = \"{kind}\" must be given, date, reference, or quoted from and the source"));
     }
-    Ok(Entry {
+    Ok(NumberEntry {
         lines,
         text: of_text,
         before: required("before")?,
@@ -227,7 +227,7 @@ fn entry_of(table: &DeTable<'_>, lines: String, texts: &[String]) -> Result<Entr
     })
 }
 
-impl Entry {
+impl NumberEntry {
     /// A new entry, with a factor as it is to be written.
     pub(crate) fn new(place: Place, tie: Tie, factor: Option<&str>) -> Self {
         let mut lines = format!("{ENTRY_HEAD}\n");

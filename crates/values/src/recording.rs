@@ -3,7 +3,7 @@
 use crate::places::{descriptions, place};
 use crate::project::{Project, discover, path_from, record_path};
 use crate::proposal::ValueIndex;
-use crate::record_file::{Entry, RECORD_NAME, Record, Tie};
+use crate::record_file::{NumberEntry, RECORD_NAME, Record, Tie};
 use geneva_host::files::{NewFile, OutputOption};
 use geneva_host::printable::shown_path;
 use std::collections::BTreeMap;
@@ -123,7 +123,7 @@ pub fn record(request: &RecordRequest) -> Result<RecordReport, String> {
         let described = descriptions(&text.name, &text.numbered);
         report.numbers += described.len();
         // New entries, each with the number of the old one that it follows.
-        let mut new: BTreeMap<Option<usize>, Vec<Entry>> = BTreeMap::new();
+        let mut new: BTreeMap<Option<usize>, Vec<NumberEntry>> = BTreeMap::new();
         let mut last = mine.first().and_then(|first| first.checked_sub(1));
         if mine.is_empty() {
             last = all.len().checked_sub(1);
@@ -131,7 +131,7 @@ pub fn record(request: &RecordRequest) -> Result<RecordReport, String> {
         for ((number, place), entry) in text.numbered.numbers.iter().zip(described).zip(&placement.of_number) {
             let Some(entry) = entry.map(|at| mine[at]) else {
                 let proposal = index.propose(number);
-                new.entry(last).or_default().push(Entry::new(place, proposal.tie, proposal.factor));
+                new.entry(last).or_default().push(NumberEntry::new(place, proposal.tie, proposal.factor));
                 report.added += 1;
                 continue;
             };
@@ -152,7 +152,7 @@ pub fn record(request: &RecordRequest) -> Result<RecordReport, String> {
             let printed = crate::check::with_unit(&entry.printed, &entry.unit);
             report.missing.push(format!("{}: {printed} after \"{}\"", entry.text, entry.before));
         }
-        let mut merged: Vec<Entry> = new.remove(&None).unwrap_or_default();
+        let mut merged: Vec<NumberEntry> = new.remove(&None).unwrap_or_default();
         let mut missing = is_missing.into_iter().peekable();
         for (at, entry) in std::mem::take(all).into_iter().enumerate() {
             if !(missing.next_if_eq(&at).is_some() && request.prune) {

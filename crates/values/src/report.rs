@@ -1,6 +1,6 @@
 //! What a check or a record says: for people, and as JSON.
 
-use crate::check::{CheckReport, FindingKind, NumberFinding, listed};
+use crate::check::{FindingKind, NumberFinding, NumbersReport, listed};
 use crate::recording::RecordReport;
 use geneva_host::layout::TextLayout;
 use geneva_host::printable::{escaped, shown_path};
@@ -28,7 +28,7 @@ fn locator(finding: &NumberFinding) -> String {
 }
 
 /// What a check found, for people: what differs, and a summary.
-pub fn check_text(report: &CheckReport, layout: TextLayout) -> String {
+pub fn check_text(report: &NumbersReport, layout: TextLayout) -> String {
     let mut out = String::new();
     for finding in report.findings.iter().filter(|finding| !finding.kind.is_right()) {
         out += &line(&format!("{}: {}: {}", locator(finding), finding.kind.name(), finding.message));
@@ -49,7 +49,7 @@ pub fn check_text(report: &CheckReport, layout: TextLayout) -> String {
 }
 
 /// The summary in one sentence or two.
-fn summary(report: &CheckReport) -> String {
+fn summary(report: &NumbersReport) -> String {
     let counts = FindingKind::ALL.into_iter().map(|(kind, name, _)| (report.count(kind), name));
     let counts: Vec<String> = counts
         .filter(|(count, _)| *count > 0)
@@ -74,14 +74,14 @@ fn summary(report: &CheckReport) -> String {
 }
 
 /// How many right numbers had their neighbours tried, and for how many both were refused.
-fn neighbours(report: &CheckReport) -> (usize, usize) {
+fn neighbours(report: &NumbersReport) -> (usize, usize) {
     let tried = report.findings.iter().filter(|finding| finding.kind == FindingKind::Right);
     let refused = tried.clone().filter(|finding| finding.neighbours_passed == 0).count();
     (tried.count(), refused)
 }
 
 /// What a check found, as JSON: all numbers, and the counts.
-pub fn check_json(report: &CheckReport) -> String {
+pub fn check_json(report: &NumbersReport) -> String {
     let finding = |finding: &NumberFinding| {
         let place = |which: usize| finding.at.map(|at| at[which]);
         json!({

@@ -1,6 +1,6 @@
 //! What a check found, for code review.
 
-use crate::check::{CheckReport, FindingKind, NumberFinding};
+use crate::check::{FindingKind, NumberFinding, NumbersReport};
 use geneva_evidence::PlainVerdict;
 use proofread::LineColumn;
 use proofread::sarif::{file_uri, location, log};
@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// What a check found and is not right, in the Static Analysis Results Interchange Format. An entry whose number is gone is
 /// reported at the beginning of its text.
-pub fn check_sarif(report: &CheckReport) -> String {
+pub fn check_sarif(report: &NumbersReport) -> String {
     let mut uris: HashMap<&Path, String> = HashMap::new();
     let mut results = Vec::new();
     for finding in report.findings.iter().filter(|finding| !finding.kind.is_right()) {

@@ -41,7 +41,7 @@ pub struct Values {
 
 impl Values {
     /// The values in the order of their files.
-    pub fn all(&self) -> &[ComputedValue] {
+    pub fn computed(&self) -> &[ComputedValue] {
         &self.all
     }
 
@@ -355,7 +355,7 @@ mod tests {
         let cells = |value: &ComputedValue| {
             (value.key.clone(), value.characters.clone(), value.unit.clone().unwrap_or_default())
         };
-        Ok(values.all().iter().map(cells).collect())
+        Ok(values.computed().iter().map(cells).collect())
     }
 
     #[test]

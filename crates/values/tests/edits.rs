@@ -113,3 +113,38 @@ fn a_number_that_is_changed_and_moved_is_reported_once() {
     project.write("a.md", "Then we found a length of 7.75 mm in water.\n\nFirst we found a width of 3.35 mm in oil.\n");
     assert_eq!(project.differing(), ["stale 3.35"]);
 }
+
+#[test]
+fn a_row_that_comes_into_a_table_of_numbers_moves_no_other() {
+    let row = |number: u32| format!("| {number} | {}.{number}7 | 0.{number}{number} |\n", number % 7);
+    let table = |rows: &[u32]| {
+        format!("Angles:\n\n| a | b | c |\n|---|---|---|\n{}", rows.iter().map(|at| row(*at)).collect::<String>())
+    };
+    let value = |number: u32| {
+        format!("\"a{number}\": {number}, \"b{number}\": {}.{number}7, \"c{number}\": 0.{number}{number}", number % 7)
+    };
+    let rows = [20, 31, 42, 53, 64, 75];
+    let values: Vec<String> = rows.iter().map(|at| value(*at)).collect();
+    let project = Project::new("a.md", &table(&rows), &format!("{{{}}}", values.join(", ")));
+    project.record();
+    assert_eq!(project.right(), 18, "{}", project.read("numbers.toml"));
+    for at in 0..=rows.len() {
+        let mut more = rows.to_vec();
+        more.insert(at, 18);
+        project.write("a.md", &table(&more));
+        assert_eq!(project.differing(), ["untied 18", "untied 4.187", "untied 0.1818"], "row {at}");
+        let mut fewer = rows.to_vec();
+        fewer.remove(at.min(5));
+        project.write("a.md", &table(&fewer));
+        let differing = project.differing();
+        assert!(
+            differing.len() == 3 && differing.iter().all(|of| of.starts_with("missing")),
+            "row {at}: {differing:?}"
+        );
+    }
+    // A cell that changes is one change.
+    for (cell, changed) in [("| 42 |", "| 43 |"), ("0.427", "0.437"), ("0.4242", "0.4342")] {
+        project.write("a.md", &table(&rows).replacen(cell, changed, 1));
+        assert_eq!(project.differing().len(), 1, "{cell}");
+    }
+}

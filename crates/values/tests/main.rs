@@ -6,7 +6,7 @@ mod hostile;
 mod second;
 mod verdicts;
 
-use geneva_values::{CheckReport, FindingKind, RecordReport, RecordRequest};
+use geneva_values::{FindingKind, NumbersReport, RecordReport, RecordRequest};
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -58,7 +58,7 @@ impl Project {
         geneva_values::record(&RecordRequest { named: vec![self.path().to_owned()], ..request })
     }
 
-    fn check(&self) -> CheckReport {
+    fn check(&self) -> NumbersReport {
         geneva_values::check(self.path(), false).expect("a check")
     }
 
