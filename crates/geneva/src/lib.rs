@@ -248,7 +248,9 @@ Examples:
   geneva record report.md --values results.json --second again.csv
 
 The record lists each number with the words around it and the value that rounds to its digits. A number that fits several \
-values, or none, is left for you to decide. What you write into the record stays when you run the command again.")]
+values, or none, is left for you to decide. What you write into the record stays when you run the command again.
+
+Numbers are read with a point before the decimals. Those in code, comments and definitions of macros are not read.")]
     Record(record::RecordArguments),
     /// Check the numbers in texts of yours against the values that they are tied to
     #[command(after_help = "\
