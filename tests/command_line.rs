@@ -14,6 +14,7 @@ mod pipes_command;
 mod quick_return_command;
 mod sweep_command;
 mod terminal_command;
+mod values_command;
 mod wheel_command;
 
 use geneva_cli::CommandOutput;
@@ -228,6 +229,8 @@ fn every_command_explains_itself_with_an_example() {
         ("help-escapement", &["escapement", "--help"]),
         ("help-sweep", &["sweep", "--help"]),
         ("help-proofread", &["proofread", "--help"]),
+        ("help-record", &["record", "--help"]),
+        ("help-check", &["check", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-print", &["book", "print", "--help"]),

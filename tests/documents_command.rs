@@ -48,7 +48,7 @@ const NAMES: [&str; 7] = [
 ];
 
 /// What a reader puts in, and something that could be there.
-const BY_READER: [(&str, &str); 14] = [
+const BY_READER: [(&str, &str); 16] = [
     ("FILE", "file.md"),
     ("COPY", "copy.txt"),
     ("DIR", "folder"),
@@ -60,6 +60,8 @@ const BY_READER: [(&str, &str); 14] = [
     ("homework.ipynb", "homework.ipynb"),
     ("accepted.jsonl", "accepted.jsonl"),
     ("book/src", "book/src"),
+    ("examples/paper", "examples/paper"),
+    ("examples/paper/paper.tex", "examples/paper/paper.tex"),
     ("origin/main", "main"),
     ("HEAD", "HEAD"),
     (".", "."),

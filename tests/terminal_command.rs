@@ -16,7 +16,7 @@ const LOADED: &str = "wheel --stations 6 --rpm 360 --crank-radius 25 --inertia 0
                       --pin-material steel --wheel-material phosphor-bronze --at -20";
 
 /// Command lines, answered and refused; in `@` is a folder with files.
-const LINES: [&str; 46] = [
+const LINES: [&str; 48] = [
     "claims --source pin",
     "claims --source wild",
     "errata --source jazar",
@@ -50,6 +50,8 @@ const LINES: [&str; 46] = [
     "mimic functions",
     "mimic run predatos",
     "proofread @/text.md --units --doubts",
+    "record @",
+    "check @",
     "proofread @/nowhere.md",
     "book build --output @/text.md",
     "book print --output @/nowhere/book.pdf",
@@ -112,6 +114,7 @@ fn folder() -> tempfile::TempDir {
     );
     fs::write(folder.path().join("text.md"), text).expect("written");
     fs::write(folder.path().join("copy.txt"), "1 2 3\n".repeat(10)).expect("written");
+    fs::write(folder.path().join("values.json"), "{\"sum\": 38.4375, \"none\": 5}").expect("written");
     let card = format!("X = {}$", "A + ".repeat(30));
     fs::write(folder.path().join("long.deck"), format!("{card}\nEND\n")).expect("written");
     folder

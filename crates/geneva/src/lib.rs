@@ -9,6 +9,7 @@
 //! a process for each.
 
 mod book;
+mod check;
 mod claims;
 mod completions;
 mod coverage;
@@ -30,6 +31,7 @@ mod printable;
 mod progress;
 mod proofread;
 mod quick_return;
+mod record;
 mod signals;
 mod summary;
 mod sweep;
@@ -108,6 +110,7 @@ Examples:
                                                many escapements, one row each
   geneva mimic run predators                   run a deck of cards in the language of 1973
   geneva proofread notes.tex chapters/         recompute every chain of numbers in texts of yours
+  geneva check examples/paper                  compare the numbers of a paper with computed values
   geneva book --open                           build the book and open it
   geneva completions bash                      shell completions for bash
 
@@ -238,6 +241,29 @@ Examples:
     /// Recompute every chain of numbers in texts of yours, with units and to the printed digits
     #[command(after_help = ::proofread::cli::EXAMPLES.replace("proofread ", "geneva proofread "))]
     Proofread(::proofread::cli::ProofreadArguments),
+    /// Tie the numbers in texts of yours to the values that a program computed
+    #[command(after_help = "\
+Examples:
+  geneva record examples/paper
+  geneva record report.md --values results.json --second again.csv
+
+The record lists each number with the words around it and the value that rounds to its digits. A number that fits several \
+values, or none, is left for you to decide. What you write into the record stays when you run the command again.
+
+Numbers are read with a point before the decimals. Those in code, comments and definitions of macros are not read.")]
+    Record(record::RecordArguments),
+    /// Check the numbers in texts of yours against the values that they are tied to
+    #[command(after_help = "\
+Examples:
+  geneva check examples/paper
+  geneva check --staged
+  geneva check examples/paper --format json
+
+The printed digits are the tolerance: a value must round to them, and the neighbours of each right number must fail. With \
+a second file of values, both values must round to the printed digits.
+
+Exit codes: 0 all numbers are right, 1 something differs or is undecided, 2 bad usage or bad input.")]
+    Check(check::CheckArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,
@@ -318,6 +344,16 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
             say(|layout| mimic::page(&wanted.action, layout), mimic::destination(&wanted.action), streams)
         }
         Some(Command::Proofread(wanted)) => Ok(proofread::run(&wanted, streams)),
+        Some(Command::Record(wanted)) => {
+            let page = record::page(wanted, streams.layout())?;
+            streams.print(&page)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Check(wanted)) => {
+            let (page, outcome) = check::page(&wanted, streams.layout())?;
+            streams.print(&page)?;
+            Ok(outcome)
+        }
         Some(Command::Book(wanted)) => book::run(wanted, streams),
         Some(Command::Completions { shell }) => {
             streams.print(&completions::script(shell)?)?;

@@ -4,7 +4,7 @@
 //! of a configuration names programs: a monitor of the file system, filters, a signature's checker. A folder that only
 //! looks like a bare repository can even be committed to an honest one and comes along with its clone. So every call of
 //! git is made by [`Repository::ask`], for a repository that was found by its `.git`. What is asked here reads the objects of the
-//! repository alone: neither the index nor the work tree, on which filters and drivers run.
+//! repository and the list of what is staged: never the work tree, on which filters and drivers run.
 
 use crate::printable::{escape_and_shorten, in_words, shown_path};
 use std::ffi::OsStr;
@@ -143,6 +143,26 @@ impl Repository {
             let is_file = words.next()?.starts_with("100") && words.next()? == "blob";
             let id = words.next()?.to_owned();
             is_file.then(|| (path_of(&name[1..]), Blob { id }))
+        };
+        Ok(listed.split(|byte| *byte == 0).filter_map(entry).collect())
+    }
+
+    /// The regular files that are staged for the next commit, with their paths below the top. Git reads only the list of
+    /// them, and no filter or driver of the work tree runs.
+    ///
+    /// # Errors
+    ///
+    /// git cannot be started or fails.
+    pub fn staged_files(&self) -> Result<Vec<(PathBuf, Blob)>, String> {
+        let listed = self.ask(["ls-files", "--stage", "-z"])?;
+        let entry = |line: &[u8]| {
+            let tab = line.iter().position(|byte| *byte == b'\t')?;
+            let (about, name) = line.split_at(tab);
+            let mut words = std::str::from_utf8(about).ok()?.split(' ');
+            let is_file = words.next()?.starts_with("100");
+            let id = words.next()?.to_owned();
+            // Another number than 0 is one side of a conflict.
+            (is_file && words.next()? == "0").then(|| (path_of(&name[1..]), Blob { id }))
         };
         Ok(listed.split(|byte| *byte == 0).filter_map(entry).collect())
     }

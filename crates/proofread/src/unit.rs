@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 
 /// Exponents of metre, kilogram, second, ampere, kelvin, mole and candela, each in sixtieths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct UnitDimension([i32; 7]);
+pub struct UnitDimension([i32; 7]);
 
 impl UnitDimension {
     /// No dimension.
-    pub(crate) const NONE: Self = Self([0; 7]);
+    pub const NONE: Self = Self([0; 7]);
 
     const fn from_exponents(exponents: [i32; 7]) -> Self {
         let mut sixtieths = [0; 7];
@@ -47,7 +47,7 @@ impl UnitDimension {
 
 /// A unit: one of it is `factor` base units of its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct MeasurementUnit {
+pub struct MeasurementUnit {
     /// How many base units of the SI it is, in units of its dimension.
     pub factor: f64,
     /// Its dimension.

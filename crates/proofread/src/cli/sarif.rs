@@ -5,10 +5,9 @@ use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::line_index::LineIndex;
+use crate::sarif::{encoded, file_uri, location, log};
 use crate::verdict::ChainVerdict;
-use geneva_host::git::Repository;
 use serde_json::{Value, json};
-use std::path::{Component, Path};
 
 #[derive(Default)]
 pub(crate) struct SarifWriter {
@@ -23,36 +22,7 @@ fn uri(document: &Document) -> String {
         let parts = parts.map(|part| if part == ".." { "__" } else { part });
         return format!("./{}", encoded(parts.map(str::as_bytes)));
     };
-    let whole = path.canonicalize().unwrap_or_else(|_| path.clone());
-    let top = Repository::containing(&whole).map(|repository| repository.top().to_owned());
-    let top = top.or_else(|| std::env::current_dir().and_then(|folder| folder.canonicalize()).ok());
-    match top.and_then(|top| whole.strip_prefix(top).ok()) {
-        Some(inside) => encoded(path_names(inside)),
-        None => format!("file:///{}", encoded(path_names(&whole))),
-    }
-}
-
-/// The names of which a path is made.
-fn path_names(path: &Path) -> impl Iterator<Item = &[u8]> {
-    path.components().filter_map(|part| match part {
-        Component::Normal(name) => Some(name.as_encoded_bytes()),
-        _ => None,
-    })
-}
-
-/// Names with strokes between them, and a code for each byte that may mean something else.
-fn encoded<'n>(names: impl Iterator<Item = &'n [u8]>) -> String {
-    let mut out = String::new();
-    for name in names {
-        out += if out.is_empty() { "" } else { "/" };
-        for byte in name {
-            match byte {
-                b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'.' | b'-' | b'_' | b'~' => out.push(char::from(*byte)),
-                _ => out += &format!("%{byte:02X}"),
-            }
-        }
-    }
-    out
+    file_uri(path)
 }
 
 fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
@@ -72,17 +42,7 @@ fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
             ReportSection::Units | ReportSection::Bindings | ReportSection::Agreeing => "warning",
         },
         "message": { "text": message },
-        "locations": [{
-            "physicalLocation": {
-                "artifactLocation": { "uri": uri },
-                "region": {
-                    "startLine": start.line,
-                    "startColumn": start.column,
-                    "endLine": end.line,
-                    "endColumn": end.column,
-                },
-            },
-        }],
+        "locations": [location(uri, start, end)],
         "partialFingerprints": { "chain/v1": fingerprint(finding) },
     })
 }
@@ -108,12 +68,6 @@ impl ReportWriter for SarifWriter {
             .iter()
             .map(|verdict| json!({ "id": verdict.name(), "shortDescription": { "text": verdict.description() } }))
             .collect();
-        let run = json!({
-            "tool": { "driver": { "name": "proofread", "version": env!("CARGO_PKG_VERSION"), "rules": rules } },
-            "columnKind": "unicodeCodePoints",
-            "results": std::mem::take(&mut self.results),
-        });
-        let schema = "https://json.schemastore.org/sarif-2.1.0.json";
-        format!("{:#}\n", json!({ "$schema": schema, "version": "2.1.0", "runs": [run] }))
+        log("proofread", &rules, std::mem::take(&mut self.results))
     }
 }

@@ -9,7 +9,7 @@ use crate::token::{Span, signs};
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 /// Environments whose content is not read.
-const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
+pub(super) const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
 const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IEEEeqnarray"];
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
@@ -99,7 +99,7 @@ fn closing_brace(text: &[u8]) -> Option<usize> {
 }
 
 /// The text of the group that begins at `at`.
-fn group_text(text: &str, at: usize) -> Option<&str> {
+pub(super) fn group_text(text: &str, at: usize) -> Option<&str> {
     let rest = text.get(at..)?.trim_start_matches(' ').strip_prefix('{')?;
     let end = rest.bytes().take(60).position(|c| c == b'}')?;
     rest.get(..end)

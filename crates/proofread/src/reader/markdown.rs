@@ -29,7 +29,7 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
 }
 
 /// Cuts before a line behind a blank one, outside fences.
-fn pieces(text: &str) -> Vec<Range<usize>> {
+pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
     let (mut out, mut start, mut at) = (Vec::new(), 0, 0);
     let (mut fence, mut blank) = (None, false);
     for line in text.split_inclusive('\n') {

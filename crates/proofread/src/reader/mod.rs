@@ -16,6 +16,7 @@ mod plain;
 mod pretext;
 mod recognised;
 mod running;
+mod shown;
 mod siunitx;
 mod symbols;
 mod tags;
@@ -262,6 +263,7 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
 pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
 pub(crate) use running::RunningText;
+pub use shown::{LeftOut, ShownText, shown_text};
 pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.

@@ -14,12 +14,39 @@ type Object<'t> = HashMap<String, &'t RawValue>;
 ///
 /// If the text is no notebook.
 pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<(), UnreadableText> {
+    markdown_cells(text, &mut |decoded, places| {
+        markdown::read(decoded, Dollars::Spaced, &mut |mut formula| {
+            formula.map_spans(&|span| in_notebook(places, span));
+            each(formula);
+        });
+    })
+    .map(drop)
+}
+
+/// Where a stretch of a cell is in the notebook, with the place of each byte of the cell.
+pub(super) fn in_notebook(places: &[u32], span: Span) -> Span {
+    let end = places.last().map_or(0, |last| last + 1);
+    let place = |at: u32| places.get(at as usize).copied().unwrap_or(end);
+    let last = span.end.checked_sub(1).map_or(0, place);
+    Span { start: place(span.start), end: (last + 1).max(place(span.start)) }
+}
+
+/// Hands over the Markdown cells, each with the place in the notebook of each of its bytes; how many cells are something else.
+///
+/// # Errors
+///
+/// If the text is no notebook.
+pub(super) fn markdown_cells(text: &str, each: &mut dyn FnMut(&str, &[u32])) -> Result<usize, UnreadableText> {
+    let mut others = 0;
     let wrong = |error: serde_json::Error| UnreadableText::Notebook(error.to_string());
     let notebook: Object<'_> = serde_json::from_str(text).map_err(wrong)?;
     for cell in cells(&notebook)? {
         let cell: Object<'_> = serde_json::from_str(cell.get()).map_err(wrong)?;
         let is_markdown = cell.get("cell_type").is_some_and(|kind| kind.get() == "\"markdown\"");
-        let Some(source) = cell.get("source").filter(|_| is_markdown) else { continue };
+        let Some(source) = cell.get("source").filter(|_| is_markdown) else {
+            others += 1;
+            continue;
+        };
         let lines: Vec<&RawValue> = match serde_json::from_str(source.get()) {
             Ok(lines) => lines,
             Err(_) => vec![source],
@@ -29,17 +56,9 @@ pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<(), Unreada
             let start = line.get().as_ptr().addr().wrapping_sub(text.as_ptr().addr());
             decode(line.get(), start, &mut decoded, &mut places);
         }
-        let end = places.last().map_or(0, |last| last + 1);
-        let place = |at: u32| places.get(at as usize).copied().unwrap_or(end);
-        markdown::read(&decoded, Dollars::Spaced, &mut |mut formula| {
-            formula.map_spans(&|span| {
-                let last = span.end.checked_sub(1).map_or(0, place);
-                Span { start: place(span.start), end: (last + 1).max(place(span.start)) }
-            });
-            each(formula);
-        });
+        each(&decoded, &places);
     }
-    Ok(())
+    Ok(others)
 }
 
 /// The cells; those of format 3 lie in worksheets.

@@ -96,7 +96,7 @@ impl RunningText {
         Span { start, end: span.end.checked_sub(1).map_or(start, |last| of(last).end.max(start)) }
     }
 
-    fn push(&mut self, c: char, page: Span) {
+    pub(super) fn push(&mut self, c: char, page: Span) {
         let length = c.len_utf8();
         match self.places.last_mut() {
             Some((start, last))

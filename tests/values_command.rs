@@ -1,0 +1,116 @@
+//! `geneva record` and `geneva check` on the example and on small projects.
+
+use crate::{answered, refused, stdout};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tempfile::TempDir;
+
+fn example() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/geneva is in it").join("examples/paper")
+}
+
+/// A copy of the example without its programs.
+fn copy() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["paper.tex", "values.json", "second.json", "numbers.toml"] {
+        fs::copy(example().join(name), folder.path().join(name)).expect("copied");
+    }
+    folder
+}
+
+fn shown(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+#[test]
+fn the_paper_agrees_with_its_values() {
+    let example = example();
+    let said = stdout(&["check", shown(&example)], 0);
+    assert!(said.contains("12 right, 16 no value.") && said.contains("refused its neighbours: 12 of 12."), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let recorded = stdout(&["record", shown(&example)], 0);
+    assert!(recorded.contains("numbers.toml is up to date: 28 numbers."), "{recorded}");
+}
+
+#[test]
+fn a_changed_digit_of_the_paper_is_found() {
+    let folder = copy();
+    let paper = folder.path().join("paper.tex");
+    let text = fs::read_to_string(&paper).expect("a text");
+    fs::write(&paper, text.replace("2.1532", "2.1523")).expect("written");
+    let said = stdout(&["check", shown(folder.path())], 1);
+    assert!(
+        said.contains(
+            "paper.tex:30:15: stale: printed 2.1523 s, period_60 is 2.153242351783843 s now; write 2.1532 s; the second"
+        ),
+        "{said}"
+    );
+    let page: Value =
+        serde_json::from_str(&stdout(&["check", shown(folder.path()), "--format", "json"], 1)).expect("JSON");
+    assert_eq!(
+        (&page["summary"]["counts"]["stale"], &page["summary"]["right"]),
+        (&Value::from(1), &Value::from(false))
+    );
+    let numbers = page["numbers"].as_array().expect("a list");
+    let stale = numbers.iter().find(|number| number["kind"] == "stale").expect("a number");
+    assert_eq!(
+        (&stale["verdict"], &stale["write"], &stale["line"]),
+        (&Value::from("wrong"), &Value::from("2.1532"), &Value::from(30))
+    );
+    let log: Value =
+        serde_json::from_str(&stdout(&["check", shown(folder.path()), "--format", "sarif"], 1)).expect("JSON");
+    let result = &log["runs"][0]["results"][0];
+    assert_eq!((&result["ruleId"], &result["level"]), (&Value::from("stale"), &Value::from("error")));
+    assert_eq!(result["locations"][0]["physicalLocation"]["region"]["startLine"], 30);
+}
+
+#[test]
+fn texts_can_be_named_with_their_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("report.md"), "The mean is 4.57 mm.\n").expect("written");
+    fs::write(path("results.csv"), "name,value,unit\nmean,4.5678,mm\n").expect("written");
+    let (report, results) = (path("report.md"), path("results.csv"));
+    let said = stdout(&["record", shown(&report), "--values", shown(&results)], 0);
+    assert!(said.contains("1 number, 1 new entry") && said.contains("Tied to: 1 value."), "{said}");
+    assert!(stdout(&["check", shown(folder.path())], 0).contains("1 right"));
+    let said = refused(&["record", shown(&report), "--values", shown(&report)]);
+    assert!(said.contains("numbers.toml does not name report.md; add it to `texts`, `values` or `second`"), "{said}");
+}
+
+#[test]
+fn what_cannot_be_read_is_told_with_its_remedy() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let said = refused(&["check", shown(folder.path())]);
+    assert!(said.contains("numbers.toml") && said.contains("give a record that `geneva record` wrote"), "{said}");
+    fs::write(folder.path().join("a.md"), "It is 31.75.\n").expect("written");
+    let said = refused(&["record", shown(folder.path())]);
+    assert!(said.contains("there is no values.json, values.csv or values.toml"), "{said}");
+    fs::write(folder.path().join("values.json"), "{\"drag\": NaN}").expect("written");
+    let said = refused(&["record", shown(folder.path())]);
+    assert!(said.contains("values.json: key drag: NaN is not a finite number"), "{said}");
+}
+
+#[test]
+fn staged_files_count_in_place_of_those_on_the_disk() {
+    let folder = copy();
+    let git = |arguments: &[&str]| {
+        let done = Command::new("git").arg("-C").arg(folder.path()).args(arguments).output();
+        done.is_ok_and(|output| output.status.success())
+    };
+    if !git(&["init", "--quiet"]) {
+        return;
+    }
+    let said = refused(&["check", "--staged", shown(folder.path())]);
+    assert!(said.contains("is not staged in git"), "{said}");
+    assert!(git(&["add", "--all"]));
+    let paper = folder.path().join("paper.tex");
+    let text = fs::read_to_string(&paper).expect("a text");
+    fs::write(&paper, text.replace("2.1532", "2.1523")).expect("written");
+    stdout(&["check", shown(folder.path())], 1);
+    stdout(&["check", "--staged", shown(folder.path())], 0);
+    assert!(git(&["add", "--all"]));
+    assert_eq!(answered(&["check", "--staged", shown(folder.path())]).code, 1);
+}
