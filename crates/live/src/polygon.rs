@@ -48,12 +48,12 @@ pub const LIVE: Live = Live {
     ],
     given: &[],
     quantities: &[
-        LiveQuantity::new("gap", "gap of the acceleration polygon"),
-        LiveQuantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
         LiveQuantity::field("lever-acceleration", "lever's angular acceleration φ̈", "lever_acceleration_rad_s2"),
-        LiveQuantity::new("closed", "φ̈ if you close it with this factor"),
-        LiveQuantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
+        LiveQuantity::field("lever-speed", "lever's angular velocity φ̇", "lever_speed_rad_s"),
         LiveQuantity::new("coriolis", "Coriolis acceleration |2 φ̇ vᵣₑₗ|"),
+        LiveQuantity::new("sliding", "sliding velocity vᵣₑₗ, outwards"),
+        LiveQuantity::new("gap", "gap of the acceleration polygon"),
+        LiveQuantity::new("closed", "φ̈ if you close it with this factor"),
     ],
     others: &[],
     drag: Some(PointerDrag { control: "crank", at_right: -180.0, sense: 1.0 }),
@@ -243,8 +243,8 @@ mod tests {
             with_index,
             [
                 "factor of φ̇ vᵣₑₗ in the Coriolis term",
-                "sliding velocity vᵣₑₗ, outwards",
-                "Coriolis acceleration |2 φ̇ vᵣₑₗ|"
+                "Coriolis acceleration |2 φ̇ vᵣₑₗ|",
+                "sliding velocity vᵣₑₗ, outwards"
             ]
         );
     }
