@@ -1,6 +1,7 @@
 //! The book on the section: what it says of itself, and its pages.
 
 use crate::LEDGER;
+use crate::editions::own_numbers;
 use geneva_evidence::Consequence;
 use geneva_press::Book;
 use geneva_press::book::{Examples, LedgerCrate, no_figures};
@@ -31,6 +32,7 @@ pub static BOOK: Book = Book {
     pages: &[
         Page::new("falling", "Falling through air", PagePlace::In("The section")),
         Page::new("slowing", "Drag in liquids", PagePlace::In("The section")),
+        Page::new("editions", "Against the newest edition", PagePlace::In("Records")),
         Page::new("errata", "Errata", PagePlace::In("Records"))
             .with_role(PageRole::Slips(&[Consequence::Result, Consequence::Number])),
         Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
@@ -38,7 +40,7 @@ pub static BOOK: Book = Book {
     ],
     sections: &[],
     keys: &[],
-    own_numbers: Default::default,
+    own_numbers,
     own_words: &[],
     figures: no_figures,
     tables: &[],

@@ -3,6 +3,8 @@
 #[cfg(not(target_family = "wasm"))]
 mod book;
 mod claims;
+#[cfg(not(target_family = "wasm"))]
+mod editions;
 mod kinds;
 mod letters;
 mod reader;

@@ -1,7 +1,8 @@
-//! Every number that we type in a reason, a reading or a mistake is computed in two ways, and is still in the text.
+//! Every number that we type in a reason, a reading or a mistake is computed in two ways, and is still in the text. The page
+//! on the newest edition has its numbers from the code.
 
 use geneva_evidence::{Check, Decimal};
-use geneva_example_drag::LEDGER;
+use geneva_example_drag::{BOOK, LEDGER};
 use std::f64::consts::PI;
 
 const G: f64 = 9.80;
@@ -122,4 +123,48 @@ fn numbers_of_ours_are_computed_in_two_ways() {
             assert!(said.is_rounding_of(way) || about, "{id}: {phrase}: {way}");
         }
     }
+}
+
+/// What the page on the newest edition may type: days, commits, and the name of a block.
+const NAMES: &[&str] = &[
+    "September 2022",
+    "9 September 2022",
+    "13 September 2022",
+    "16 September 2022",
+    "18 January 2023",
+    "29 March 2023",
+    "2 February 2026",
+    "23 April 2026",
+    "11 June 2026",
+    "In 2022",
+    "in 2022",
+    "| 2022 |",
+    "In 2023",
+    "In 2026",
+    "6225f58",
+    "d0ed34a",
+    "lock 1 ",
+];
+
+#[test]
+fn numbers_of_the_newest_edition_come_from_the_code() {
+    let numbers = (BOOK.own_numbers)();
+    let page = include_str!("../book/src/editions.md");
+    for number in numbers {
+        let backing = number.check().unwrap_or_else(|error| panic!("{error}"));
+        assert!(page.contains(&format!("{{{{computed:{}}}}}", number.id)), "{} ({backing:?}) is not shown", number.id);
+    }
+    let mut typed = page.to_owned();
+    while let Some((before, rest)) = typed.split_once("{{") {
+        let (_, behind) = rest.split_once("}}").expect("an end of the placeholder");
+        typed = format!("{before}…{behind}");
+    }
+    let mut names = NAMES.to_vec();
+    names.sort_by_key(|name| std::cmp::Reverse(name.len()));
+    for name in names {
+        assert!(typed.contains(name), "the page no longer says {name}");
+        typed = typed.replace(name, "");
+    }
+    let left: Vec<&str> = typed.lines().filter(|line| line.contains(|of: char| of.is_ascii_digit())).collect();
+    assert!(left.is_empty(), "typed and in no list: {left:#?}");
 }
