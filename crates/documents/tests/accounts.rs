@@ -51,7 +51,19 @@ fn the_angle_between_two_pins_is_right_in_every_form_and_no_other_angle_is() {
     let claim = LEDGER.claim("meyer.listing.fold").expect("a claim");
     let right =
         ["2π/m", "X (MOD(THETA,6.2832/M))+X0", "360°/m", "360 / m", "2*PI/M", "2 \\pi / n", "1.5708, 1.0472, 2.0944"];
-    let wrong = ["π/m", "X (MOD(THETA,1.5708))+X0", "180°/m", "6.2732/M", "1.0472", "3π/m", "2π/4", "/m", "°/m", "π"];
+    let wrong = [
+        "π/m",
+        "X (MOD(THETA,1.5708))+X0",
+        "180°/m",
+        "6.2732/M",
+        "1.0472",
+        "3π/m",
+        "2π/4",
+        "/m",
+        "°/m",
+        "π",
+        "2π/m: 1.5709",
+    ];
     for (form, verdict) in
         right.map(|form| (form, Verdict::Reproduced)).into_iter().chain(wrong.map(|form| (form, Verdict::Corrected)))
     {

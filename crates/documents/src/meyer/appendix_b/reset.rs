@@ -45,15 +45,17 @@ pub(super) fn reset(
 /// one by a letter, the angle between two pins if they name that of each mechanism and nothing else than such angles and their
 /// halves, or else the first angle that they name, in radians or degrees. Without a number it is that of the line of the program.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
-    if let Some(angle) = divided_by_pins(stated.characters()) {
-        return angle / f64::from(at.pins());
-    }
     let said = stated.decimals();
     let pitches = Mechanism::ALL.map(|at| at.driver_pitch_angle());
     let is = |said: &Decimal, angle: f64| said.is_rounding_of(angle) || said.is_rounding_of(angle.to_degrees());
+    let is_known = |said: &Decimal| pitches.iter().any(|pitch| is(said, *pitch) || is(said, pitch / 2.0));
+    if let Some((angle, number)) = divided_by_pins(stated.characters()) {
+        // What is said beside the quotient must not contradict it.
+        let is_of_it = |said: &Decimal| said.to_f64() == 0.0 || Some(said.to_f64()) == number || is_known(said);
+        return if said.iter().all(is_of_it) { angle / f64::from(at.pins()) } else { f64::INFINITY };
+    }
     let names_each = pitches.iter().all(|pitch| said.iter().any(|said| is(said, *pitch)));
     if names_each {
-        let is_known = |said: &Decimal| pitches.iter().any(|pitch| is(said, *pitch) || is(said, pitch / 2.0));
         return if said.iter().all(is_known) { at.driver_pitch_angle() } else { f64::INFINITY };
     }
     said.first().map_or_else(|| MEYER.printed_number("meyer.listing.quarter-turn"), |said| in_radians(said.to_f64()))
@@ -65,8 +67,8 @@ fn in_radians(angle: f64) -> f64 {
     if angle > TAU + 1e-4 { angle.to_radians() } else { angle }
 }
 
-/// The angle in radians that the characters divide by a letter, as in 2π/m, 6.2832/M or 360°/m.
-fn divided_by_pins(said: &str) -> Option<f64> {
+/// The angle in radians that the characters divide by a letter, as in 2π/m, 6.2832/M or 360°/m, and the number in it, if any.
+fn divided_by_pins(said: &str) -> Option<(f64, Option<f64>)> {
     let mut places = said.char_indices().filter(|(_, c)| *c == '/').map(|(at, _)| at);
     places.find_map(|at| {
         said[at + 1..].trim_start().chars().next().filter(|c| c.is_alphabetic())?;
@@ -78,8 +80,8 @@ fn divided_by_pins(said: &str) -> Option<f64> {
             .map_or(0, |at| at + factor[at..].chars().next().map_or(0, char::len_utf8));
         let number = factor[start..].parse::<f64>().ok();
         match of_pi {
-            Some(_) => Some(number.unwrap_or(1.0) * PI),
-            None => number.map(in_radians),
+            Some(_) => Some((number.unwrap_or(1.0) * PI, number)),
+            None => number.map(|angle| (in_radians(angle), number)),
         }
     })
 }
