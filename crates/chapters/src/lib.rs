@@ -83,6 +83,10 @@ pub const EXAMPLES: Examples = Examples {
         "geneva_figures",
         "approx",
         "nalgebra",
+        "ode_solvers",
+        "plotters",
+        "insta",
+        "mdbook_driver",
     ],
 };
 
