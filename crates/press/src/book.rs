@@ -275,7 +275,7 @@ impl Book {
     }
 
     /// The page of slips, and the consequences of those that have boxes on it.
-    fn slips_page(&self) -> Option<(&'static str, &'static [Consequence])> {
+    pub(crate) fn slips_page(&self) -> Option<(&'static str, &'static [Consequence])> {
         self.pages
             .iter()
             .find_map(|page| if let PageRole::Slips(boxed) = page.role { Some((page.name, boxed)) } else { None })

@@ -32,6 +32,11 @@ pub fn release_date<'a>(changelog: &'a str, version: &str) -> Option<&'a str> {
     releases(changelog).into_iter().find(|release| release.version == version).map(|release| release.date)
 }
 
+/// The instant at which a day begins, as in 2026-11-28T00:00:00Z.
+pub(crate) fn midnight(date: &str) -> String {
+    format!("{date}T00:00:00Z")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

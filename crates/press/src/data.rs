@@ -9,7 +9,9 @@ use std::fs;
 use std::path::Path;
 
 /// The folder among the chapters and in the book.
-pub const FOLDER: &str = "data";
+pub(crate) const FOLDER: &str = "data";
+/// How the name ends of the file that describes a CSV file.
+pub(crate) const DESCRIBING: &str = "-metadata.json";
 
 /// A file of data.
 pub struct PageFile {
@@ -33,7 +35,7 @@ impl PageFile {
             "dc:source": source,
             "dc:license": { "@id": licence },
         }))?;
-        Ok(Self { name: format!("{}-metadata.json", self.name), text })
+        Ok(Self { name: format!("{}{DESCRIBING}", self.name), text })
     }
 
     /// A file under this name, such as a script or a style sheet.

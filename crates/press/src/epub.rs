@@ -222,9 +222,8 @@ pub(crate) fn identifier(words: &str) -> String {
 fn modified(book: &Book, edition: &Edition) -> String {
     let of_environment = || env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok().and_then(instant);
     let released = || changelog::release_date(book.changelog, edition.version);
-    let midnight = |date: &str| format!("{date}T00:00:00Z");
-    let committed = edition.date.as_deref().map(midnight);
-    committed.or_else(of_environment).unwrap_or_else(|| midnight(released().unwrap_or(NO_DATE)))
+    let committed = edition.date.as_deref().map(changelog::midnight);
+    committed.or_else(of_environment).unwrap_or_else(|| changelog::midnight(released().unwrap_or(NO_DATE)))
 }
 
 /// A time in seconds since 1970, as in 2026-11-28T10:20:30Z, if its year has four digits.

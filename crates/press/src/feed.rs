@@ -3,7 +3,8 @@
 use pulldown_cmark::{Parser, html};
 
 use crate::address;
-use crate::changelog::{Release, releases};
+use crate::changelog::{Release, midnight, releases};
+use crate::data::FOLDER;
 use crate::epub::identifier;
 use crate::html::escape;
 use crate::imprint::Imprint;
@@ -16,8 +17,8 @@ const SECTIONS: [&str; 2] = ["Verdicts", "Errata"];
 /// The feed of a book with this changelog in Atom (RFC 4287): an entry for each release whose changelog has a section *Verdicts* with words in
 /// it, the latest first, with that section and the section *Errata*. Nothing if no release has.
 ///
-/// An entry keeps its identifier as long as title and version are the same, so that a feed reader shows it once.
-pub(crate) fn atom(imprint: &Imprint, changelog: &str) -> String {
+/// An entry leads to the page of mistakes, if the book has one, and else to the book. It keeps its identifier as long as title and version are the same, so that a feed reader shows it once.
+pub(crate) fn atom(imprint: &Imprint, changelog: &str, slips_page: Option<&str>) -> String {
     let releases = releases(changelog);
     let entries: Vec<(&Release<'_>, String)> =
         releases.iter().filter_map(|release| Some((release, content(release)?))).collect();
@@ -37,7 +38,7 @@ pub(crate) fn atom(imprint: &Imprint, changelog: &str) -> String {
         midnight(latest.date),
         escape(imprint.authors),
         escape(imprint.licence_words),
-        link("self", &format!("data/{FILE}")),
+        link("self", &format!("{FOLDER}/{FILE}")),
         link("alternate", ""),
     );
     for (release, content) in &entries {
@@ -47,17 +48,29 @@ pub(crate) fn atom(imprint: &Imprint, changelog: &str) -> String {
             identifier(&format!("{}, changed verdicts, {}", imprint.title, release.version)),
             escape(release.version),
             midnight(release.date),
-            link("alternate", "errata.html"),
+            link("alternate", &slips_page.map_or_else(String::new, |page| format!("{page}.html"))),
             escape(content),
         ));
     }
     feed + "</feed>\n"
 }
 
+/// The heading and the words of a section; nothing if it has no words.
+fn section<'r>(release: &'r Release<'_>, heading: &str) -> Option<(&'r str, &'r str)> {
+    release.sections.iter().copied().find(|(of, text)| *of == heading && !text.is_empty())
+}
+
+/// Whether a release says which verdicts changed.
+fn says_verdicts(release: &Release<'_>) -> bool {
+    section(release, SECTIONS[0]).is_some()
+}
+
 /// What a release says of verdicts and mistakes, in HTML; nothing if it says nothing of verdicts.
 fn content(release: &Release<'_>) -> Option<String> {
-    let section = |heading: &str| release.sections.iter().find(|(of, text)| *of == heading && !text.is_empty());
-    section(SECTIONS[0])?;
+    if !says_verdicts(release) {
+        return None;
+    }
+    let section = |heading: &str| section(release, heading);
     let mut content = String::new();
     for (heading, text) in SECTIONS.into_iter().filter_map(section) {
         content.push_str(&format!("<h2>{}</h2>\n", escape(heading)));
@@ -66,18 +79,13 @@ fn content(release: &Release<'_>) -> Option<String> {
     Some(content)
 }
 
-/// The beginning of a day.
-fn midnight(date: &str) -> String {
-    format!("{date}T00:00:00Z")
-}
-
 /// A page that names the feed, if there is one, to a reader's program that looks for feeds.
 pub(crate) fn with_link_to_the_feed(page: &str, imprint: &Imprint, changelog: &str) -> String {
-    if !releases(changelog).iter().any(|release| content(release).is_some()) {
+    if !releases(changelog).iter().any(says_verdicts) {
         return page.to_owned();
     }
     let link = format!(
-        "<link rel=\"alternate\" type=\"application/atom+xml\" title=\"{}: changed verdicts\" href=\"data/{FILE}\">\n</head>",
+        "<link rel=\"alternate\" type=\"application/atom+xml\" title=\"{}: changed verdicts\" href=\"{FOLDER}/{FILE}\">\n</head>",
         escape(imprint.title)
     );
     page.replacen("</head>", &link, 1)
@@ -102,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_feed_has_an_entry_for_each_release_that_says_something_of_verdicts() {
-        let feed = atom(&BOOK.imprint, CHANGELOG);
+        let feed = atom(&BOOK.imprint, CHANGELOG, None);
         let document = roxmltree::Document::parse(&feed).expect("a feed is XML");
         let root = document.root_element();
         assert_eq!(texts(root, "updated"), ["2026-11-28T00:00:00Z"]);
@@ -124,7 +132,7 @@ mod tests {
         assert_eq!(ids.len(), 3);
         // What is added to the changelog later changes no identifier.
         let grown = CHANGELOG.replace("## [0.2.0]", "## [0.3.0] - 2026-12-01\n\n### Verdicts\n\n- `e`.\n\n## [0.2.0]");
-        let grown = atom(&BOOK.imprint, &grown);
+        let grown = atom(&BOOK.imprint, &grown, None);
         assert!(ids.iter().all(|id| grown.contains(id)));
     }
 
@@ -132,7 +140,7 @@ mod tests {
     fn a_book_without_changed_verdicts_has_no_feed_and_names_none() {
         let page = "<head></head>";
         for changelog in ["", "## [0.1.0] - 2026-11-25\n\n### Added\n\n- A.\n"] {
-            assert_eq!(atom(&BOOK.imprint, changelog), "");
+            assert_eq!(atom(&BOOK.imprint, changelog, None), "");
             assert_eq!(with_link_to_the_feed(page, &BOOK.imprint, changelog), page);
         }
         let named = with_link_to_the_feed(page, &BOOK.imprint, CHANGELOG);

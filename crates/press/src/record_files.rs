@@ -45,7 +45,7 @@ pub fn files(book: &Book, edition: &Edition) -> anyhow::Result<Vec<(String, Stri
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
         ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
         (field_list::FILE, fields::csv(meanings.first(), meanings.iter().cloned())?),
-        (feed::FILE, feed::atom(&book.imprint, book.changelog)),
+        (feed::FILE, feed::atom(&book.imprint, book.changelog, book.slips_page().map(|(page, _)| page))),
     ];
     let citation = (CITATION.to_owned(), citing::cff_of_edition(book.citation_file, edition));
     let named = files.into_iter().map(|(name, text)| (name.to_owned(), text));

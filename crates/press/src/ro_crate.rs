@@ -2,6 +2,7 @@
 
 use crate::book::Book;
 use crate::changelog::release_date;
+use crate::data::{DESCRIBING, FOLDER};
 use crate::edition::Edition;
 use anyhow::Context;
 use serde_json::{Value, json};
@@ -10,10 +11,6 @@ use std::path::Path;
 
 /// The list's name, in the folder of the data.
 const FILE: &str = "ro-crate-metadata.json";
-/// The folder of the data in a book.
-const FOLDER: &str = "data";
-/// How the name ends of the file that describes a CSV file.
-const DESCRIBING: &str = "-metadata.json";
 /// The media types of files, by the ends of their names.
 const MEDIA_TYPES: [(&str, &str); 4] =
     [("csv", "text/csv"), ("json", "application/json"), ("atom", "application/atom+xml"), ("cff", "application/yaml")];
