@@ -80,17 +80,14 @@
             const paragraph = document.createElement('p');
             text.split(/[{}]/).forEach((part, place) => {
                 const [symbol, ...indices] = place % 2 ? part.split(':') : [part];
-                const put = (element, words) => {
-                    const at = paragraph.appendChild(document.createElement(element));
-                    at.append(words);
-                    at.classList.toggle('dotted', /[\u0307\u0308]/.test(words));
+                const put = (element, textContent, more) => {
+                    paragraph.append(Object.assign(document.createElement(element), { textContent }, more));
                 };
-                place % 2 ? put('i', symbol) : paragraph.append(symbol);
+                const dotted = /[\u0307\u0308]/.test(symbol) && { className: 'dotted' };
+                place % 2 ? put('i', symbol, dotted) : paragraph.append(symbol);
                 // Who copies the steps gets v_P, and not vP.
                 indices.forEach((index, level) => {
-                    put('span', '_^'[level]);
-                    paragraph.lastChild.className = 'unseen';
-                    paragraph.lastChild.ariaHidden = true;
+                    put('span', '_^'[level], { className: 'unseen', ariaHidden: true });
                     put(['sub', 'sup'][level], index);
                 });
             });
