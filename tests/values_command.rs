@@ -1,6 +1,6 @@
 //! `geneva record` and `geneva check` on the example and on small projects.
 
-use crate::{answered, refused, stdout};
+use crate::{answered, geneva, refused, stdout};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -113,4 +113,75 @@ fn staged_files_count_in_place_of_those_on_the_disk() {
     stdout(&["check", "--staged", shown(folder.path())], 0);
     assert!(git(&["add", "--all"]));
     assert_eq!(answered(&["check", "--staged", shown(folder.path())]).code, 1);
+}
+
+/// A book of mdBook with a chapter, its values and its record.
+fn book(chapter: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+        fs::write(path, text).expect("written");
+    };
+    let command = geneva(&[]).get_program().to_string_lossy().replace('\\', "/");
+    write(
+        "book.toml",
+        &format!("[book]\ntitle = \"Sizes\"\n\n[preprocessor.numbers]\ncommand = \"{command} numbers\"\n"),
+    );
+    write("src/SUMMARY.md", "# Summary\n\n- [Width](parts/width.md)\n");
+    write("src/parts/width.md", chapter);
+    write("values.json", r#"{"width": {"value": 4.5678, "unit": "mm"}, "height": 7}"#);
+    let [text, values, record] =
+        ["src/parts/width.md", "values.json", "numbers.toml"].map(|name| folder.path().join(name));
+    stdout(&["record", shown(&text), "--values", shown(&values), "--record", shown(&record)], 0);
+    folder
+}
+
+/// The pages of a book, built by mdBook, which runs the preprocessor.
+fn built(folder: &Path) -> impl Fn(&str) -> String {
+    let mut book = mdbook_driver::MDBook::load(folder).expect("a book");
+    book.config.build.build_dir = "out".into();
+    book.build().expect("built");
+    let out = folder.join("out");
+    move |page| fs::read_to_string(out.join(page)).unwrap_or_else(|why| panic!("{page}: {why}"))
+}
+
+#[test]
+fn a_book_gets_pages_on_its_numbers() {
+    let folder = book("# Width\n\nThe mean width is 4.57 mm.\n");
+    let page = built(folder.path());
+    let coverage = page("numbers-coverage.html");
+    for words in
+        ["1 number in 1 text: 1 right.", "<code>width</code>", "1 value that no number prints: <code>height</code>"]
+    {
+        assert!(coverage.contains(words), "no `{words}` in {coverage}");
+    }
+    assert!(coverage.contains("href=\"parts/width.html\""), "{coverage}");
+    assert!(page("numbers-errata.html").contains("No number is wrong, and none is open."));
+}
+
+#[test]
+fn a_book_shows_what_is_wrong_where_its_author_wants_it() {
+    let folder = book("# Width\n\nThe mean width is 4.57 mm.\n");
+    let chapter = folder.path().join("src/parts/width.md");
+    fs::write(&chapter, "# Width\n\nThe mean width is 4.58 mm, or 5 mm.\n\n{{numbers:errata}}\n").expect("written");
+    let page = built(folder.path());
+    let width = page("parts/width.html");
+    assert!(
+        width.contains("1 number is wrong") && width.contains("<td style=\"text-align: right\">4.57 mm</td>"),
+        "{width}"
+    );
+    assert!(width.contains("1 number is open.") && width.contains("href=\"../parts/width.html\""), "{width}");
+    assert!(!folder.path().join("out/numbers-errata.html").exists());
+    // The page has a row for the number that nobody has recorded, too.
+    assert!(page("numbers-coverage.html").contains("5 mm"));
+}
+
+#[test]
+fn a_book_without_a_record_is_not_built() {
+    let folder = book("# Width\n\nThe mean width is 4.57 mm.\n");
+    let record = folder.path().join("numbers.toml");
+    fs::remove_file(&record).expect("removed");
+    let book = mdbook_driver::MDBook::load(folder.path()).expect("a book");
+    assert!(book.build().is_err());
 }

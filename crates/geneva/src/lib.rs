@@ -23,6 +23,7 @@ mod fields;
 mod fuzz;
 mod input;
 mod mimic;
+mod number_pages;
 mod output;
 mod pin;
 mod preprocess;
@@ -262,6 +263,10 @@ Examples:
 The printed digits are the tolerance: a value must round to them, and the neighbours of each right number must fail. With \
 a second file of values, both values must round to the printed digits.
 
+In a book of mdBook, two lines in book.toml add pages on what is wrong and on where each number comes from:
+  [preprocessor.numbers]
+  command = \"geneva numbers\"
+
 Exit codes: 0 all numbers are right, 1 something differs or is undecided, 2 bad usage or bad input.")]
     Check(check::CheckArguments),
     /// Build the book, or test its chapters
@@ -294,6 +299,20 @@ Example, in book.toml:
   command = \"cargo run -q -p geneva -- preprocess\""
     )]
     Preprocess(preprocess::PreprocessArguments),
+    /// Act as mdBook's preprocessor for a book of yours: add pages on its numbers, by its record
+    #[command(
+        hide = true,
+        disable_help_subcommand = true,
+        after_help = "\
+Example, in book.toml beside a record that `geneva record` wrote:
+  [preprocessor.numbers]
+  command = \"geneva numbers\"
+  record = \"numbers.toml\"
+
+A chapter that contains {{numbers:errata}} or {{numbers:coverage}} gets that page there. Otherwise it is added as the \
+last chapter."
+    )]
+    Numbers(number_pages::NumberPagesArguments),
 }
 
 /// Does what a command line asks for, and says on these streams what there is to say.
@@ -360,6 +379,7 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
             Ok(Outcome::AsRecorded)
         }
         Some(Command::Preprocess(call)) => preprocess::run(call, streams),
+        Some(Command::Numbers(call)) => number_pages::run(&call, streams),
     }
 }
 

@@ -7,7 +7,8 @@ use anyhow::{anyhow, ensure};
 use clap::{Args, Subcommand};
 use geneva_chapters::BOOK;
 use geneva_press::Press;
-use mdbook_preprocessor::{Preprocessor, parse_input};
+use mdbook_preprocessor::book::Book;
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
 use std::io::{IsTerminal, stdin};
 
 /// The renderer of `mdbook test`.
@@ -37,16 +38,7 @@ pub(crate) fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) ->
     if let Some(PreprocessorQuestion::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Press::new(&BOOK).supports_renderer(&renderer)?));
     }
-    ensure!(
-        !stdin().is_terminal(),
-        "mdBook runs this command and passes it a book; to build the book, run `geneva book`"
-    );
-    let (context, book) = parse_input(stdin().lock()).map_err(|error| {
-        anyhow!(
-            "standard input is not a book of mdBook 0.5 ({}). mdBook runs this command; to build the book, run `geneva book`",
-            chain(&error)
-        )
-    })?;
+    let (context, book) = read_book("to build the book, run `geneva book`")?;
     let mut book = Press::new(&BOOK).run(&context, book)?;
     if context.renderer == TESTS {
         // mdBook gives rustdoc no crates unless it is told where they are. So the programs are tested here, with those of
@@ -57,4 +49,16 @@ pub(crate) fn run(call: PreprocessArguments, streams: &mut dyn OutputStreams) ->
     }
     streams.print(&serde_json::to_string(&book)?)?;
     Ok(Outcome::AsRecorded)
+}
+
+/// The book that mdBook passes on standard input.
+///
+/// # Errors
+///
+/// There is none. The message says what the user may run `instead`.
+pub(crate) fn read_book(instead: &str) -> anyhow::Result<(PreprocessorContext, Book)> {
+    ensure!(!stdin().is_terminal(), "mdBook runs this command and passes it a book; {instead}");
+    parse_input(stdin().lock()).map_err(|error| {
+        anyhow!("standard input is not a book of mdBook 0.5 ({}). mdBook runs this command; {instead}", chain(&error))
+    })
 }

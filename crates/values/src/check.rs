@@ -1,7 +1,7 @@
 //! The check: each entry of a record against its text and its values.
 
 use crate::comparison::{Comparison, as_printed, compare, neighbours_passed, rounded, written_like};
-use crate::numbered_text::PrintedNumber;
+use crate::numbered_text::{PrintedNumber, WORDS};
 use crate::places::{Placement, place};
 use crate::project::{Project, ProjectText};
 use crate::record_file::{NumberEntry, Tie};
@@ -90,12 +90,16 @@ pub struct NumberFinding {
     pub text: PathBuf,
     /// Where the number begins and ends in the text; none if it isn't there.
     pub at: Option<[LineColumn; 2]>,
+    /// The words before the number; another number among them is `#`.
+    pub before: String,
     /// The printed characters in one spelling, without the unit.
     pub printed: String,
     /// The printed unit in one spelling; empty if there is none.
     pub unit: String,
     /// The key of the value.
     pub key: Option<String>,
+    /// What the number is if it is no value: given, a date, a reference, or quoted from a work.
+    pub none: Option<String>,
     /// The value as its file has it.
     pub value: Option<String>,
     /// The value of the second file.
@@ -182,12 +186,14 @@ fn missing_entries(entries: &[&NumberEntry], placement: &Placement, text: &Proje
         kind: FindingKind::Missing,
         text: text.path.clone(),
         at: None,
+        before: entry.before.clone(),
         printed: entry.printed.clone(),
         unit: entry.unit.clone(),
         key: match &entry.tie {
             Tie::Value { key, .. } => Some(key.clone()),
             _ => None,
         },
+        none: None,
         value: None,
         second: None,
         write: None,
@@ -223,9 +229,11 @@ impl Judge<'_> {
             kind: FindingKind::Untied,
             text: self.text.path.clone(),
             at: Some(self.lines.line_columns(number.span)),
+            before: self.text.numbered.words_around(number, WORDS[0])[0].clone(),
             printed: number.printed.clone(),
             unit: number.unit.clone(),
             key: None,
+            none: None,
             value: None,
             second: None,
             write: None,
@@ -248,6 +256,7 @@ impl Judge<'_> {
                 // Sections and figures are numbered anew by others.
                 let may_change = kind == "reference";
                 finding.kind = if is_same || may_change { FindingKind::NoValue } else { FindingKind::Changed };
+                finding.none = Some(kind.clone());
                 let before = with_unit(&entry.printed, &entry.unit);
                 finding.message = match is_same {
                     true => format!("{shown} is no value: {kind}"),

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 const MOST_LISTED: usize = 12;
 
 /// A count with its noun.
-fn count(number: usize, noun: &str) -> String {
+pub(crate) fn count(number: usize, noun: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{number} {noun}{plural}")
 }
@@ -49,7 +49,7 @@ pub fn check_text(report: &NumbersReport, layout: TextLayout) -> String {
 }
 
 /// The summary in one sentence or two.
-fn summary(report: &NumbersReport) -> String {
+pub(crate) fn summary(report: &NumbersReport) -> String {
     let counts = FindingKind::ALL.into_iter().map(|(kind, name, _)| (report.count(kind), name));
     let counts: Vec<String> = counts
         .filter(|(count, _)| *count > 0)
@@ -92,9 +92,11 @@ pub fn check_json(report: &NumbersReport) -> String {
             "end_column": place(1).map(|at| at.column),
             "kind": finding.kind.name(),
             "verdict": finding.kind.verdict().words(),
+            "before": finding.before,
             "printed": finding.printed,
             "unit": finding.unit,
             "key": finding.key,
+            "no_value": finding.none,
             "value": finding.value,
             "second_value": finding.second,
             "write": finding.write,

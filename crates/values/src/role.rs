@@ -85,7 +85,7 @@ fn joins_numbers(text: &str, at: usize) -> bool {
 
 /// Whether the number is the mark of an item or the number of a heading.
 fn opens_line(text: &str, at: usize, end: usize) -> bool {
-    let before = text[..at].trim_end_matches([' ', '\t', '>']);
+    let before = text[..at].trim_end_matches([' ', '\t', '>', '*']);
     let heads = before.trim_end_matches('#');
     let is_heading = heads.len() < before.len() && (heads.is_empty() || heads.ends_with('\n'));
     let is_first = before.is_empty() || before.ends_with('\n');

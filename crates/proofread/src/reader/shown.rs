@@ -200,7 +200,34 @@ fn unseen_in_markdown(text: &str) -> Vec<(Range<usize>, LeftOut)> {
             _ => {}
         }
     }
+    out.extend(filled_in(text).map(|range| (range, LeftOut::Argument)));
     out
+}
+
+/// What another program fills in or takes out before a text is shown: `{{ page.date }}`, `{{#include a.rs}}`, `{#id}`.
+fn filled_in(text: &str) -> impl Iterator<Item = Range<usize>> {
+    /// Longest expression, in bytes.
+    const LONGEST: usize = 1000;
+    let openings = text.match_indices('{').map(|(at, _)| at);
+    openings.filter_map(move |at| {
+        let before = text[..at].chars().next_back();
+        // In TeX, such braces hold an argument, an exponent or an index.
+        if before.is_some_and(|c| c.is_alphanumeric() || "{}^_\\".contains(c)) {
+            return None;
+        }
+        let rest = &text[at + 1..];
+        let (inside, close) = match rest.strip_prefix('{') {
+            Some(inside) => (inside, "}}"),
+            None if rest.starts_with('#') => (rest, "}"),
+            None => return None,
+        };
+        let begins = inside.trim_start_matches([' ', '#', '%', '<', '>', '~', '-']);
+        let end = inside.bytes().take(LONGEST).position(|byte| byte == b'}')?;
+        let is_expression = begins.starts_with(|c: char| c.is_alphabetic()) && !inside[..end].contains(['\\', '{']);
+        let closes = inside[end..].starts_with(close) && !inside[..end].contains("\n\n");
+        let behind = text.len() - inside.len() + end + close.len();
+        (is_expression && closes).then_some(at..behind)
+    })
 }
 
 /// Commands of LaTeX whose arguments no reader sees as numbers, and how many arguments in braces they have.
