@@ -26,6 +26,7 @@
 //! Numbers are read as English writes them, with a point before the decimals. Numbers in words, in code, in comments and in the
 //! definitions of macros are not read; the report counts stretches with digits that were left out.
 
+mod alignment;
 mod check;
 mod comparison;
 mod numbered_text;

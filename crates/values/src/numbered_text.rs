@@ -3,7 +3,7 @@
 use crate::numeral::{Form, Numeral, numeral_at, run};
 use crate::role::{self, Role};
 use geneva_evidence::Decimal;
-use proofread::reader::{LeftOut, shown_text};
+use proofread::reader::{LeftOut, ROW_END, shown_text};
 use proofread::{Span, TextFormat};
 
 /// Most numbers of one text.
@@ -28,6 +28,10 @@ pub struct PrintedNumber {
     pub unit: String,
     /// What the number seems to be if it is no result.
     pub role: Option<Role>,
+    /// Whether it is the first number of its row or line.
+    pub(crate) opens_row: bool,
+    /// Whether there is a word between the beginning of its row and the number.
+    pub(crate) is_named: bool,
     item: usize,
 }
 
@@ -69,7 +73,9 @@ impl NumberedText {
     pub fn read(text: &str, format: TextFormat) -> Result<Self, String> {
         let source = shown_text(text, format).map_err(|why| why.to_string())?;
         let shown = source.text().to_owned();
-        let mut scan = Scan { text: &shown, items: Vec::new(), numbers: Vec::new() };
+        let row_end = if shown.contains(ROW_END) { ROW_END } else { '\n' };
+        let mut scan =
+            Scan { text: &shown, items: Vec::new(), numbers: Vec::new(), row_end, is_new_row: true, row_start: 0 };
         scan.all()?;
         let Scan { items, mut numbers, .. } = scan;
         for number in &mut numbers {
@@ -102,6 +108,12 @@ struct Scan<'t> {
     text: &'t str,
     items: Vec<Item>,
     numbers: Vec<PrintedNumber>,
+    /// What ends a row: [`ROW_END`] if the text has one, otherwise the end of a line.
+    row_end: char,
+    /// Whether a row has begun since the last number.
+    is_new_row: bool,
+    /// How many items there were when the row began.
+    row_start: usize,
 }
 
 impl Scan<'_> {
@@ -127,6 +139,9 @@ impl Scan<'_> {
                 let spaces = rest.find(|c: char| !c.is_whitespace()).unwrap_or(rest.len());
                 if rest[..spaces].matches('\n').count() > 1 && !matches!(self.items.last(), None | Some(Item::Break)) {
                     self.items.push(Item::Break);
+                }
+                if rest[..spaces].contains(self.row_end) {
+                    (self.is_new_row, self.row_start) = (true, self.items.len());
                 }
                 return Ok(at + spaces);
             }
@@ -206,6 +221,7 @@ impl Scan<'_> {
             .collect();
         let last_role = self.numbers.last().and_then(|last| last.role);
         let role = role::role_of(text, at, &read, &before, last_role);
+        let is_named = self.items[self.row_start..].iter().any(|item| matches!(item, Item::Word(_)));
         self.items.push(Item::Number);
         self.numbers.push(PrintedNumber {
             span: Span::new(at, read.end),
@@ -215,6 +231,8 @@ impl Scan<'_> {
             exponent: read.exponent,
             unit: read.unit,
             role,
+            opens_row: std::mem::take(&mut self.is_new_row),
+            is_named,
             item: self.items.len() - 1,
         });
         // What touches a name belongs to it.

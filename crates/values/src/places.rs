@@ -1,8 +1,12 @@
 //! Which number of a text an entry means: by the words around it, so that edits elsewhere change nothing.
 
+use crate::alignment::aligned;
 use crate::numbered_text::{NumberedText, PrintedNumber, WORDS};
 use crate::record_file::{NumberEntry, Place};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+/// Most numbers of a row that is followed to another place.
+const LONGEST_ROW: usize = 64;
 
 /// Where the entries of a text are in it.
 #[derive(Clone, Debug, Default)]
@@ -24,41 +28,34 @@ struct Surroundings {
 /// What entries and numbers must have in common.
 #[derive(Clone, Copy)]
 enum Criterion {
-    /// All words that are recorded, of a description in many words or in few, and perhaps the printed characters.
-    All { long: bool, printed: bool, strength: Option<Strength> },
+    /// All words that are recorded, of a description in many words or in few, and perhaps the printed characters. The words must say
+    /// where the number is.
+    All { long: bool, printed: bool },
+    /// The order, where there are hardly words.
+    Order,
     /// So many words before and after, and perhaps the printed characters.
     Some { before: usize, after: usize, printed: bool },
-    /// The printed characters alone.
-    Printed(Strength),
-}
-
-/// Whether words say where a number is. Between the cells of a table there are only numbers, so a row that comes in gives each
-/// the words of another; there the printed characters say more.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Strength {
-    Weak,
-    Strong,
+    /// The printed characters alone, between words that say something.
+    Printed,
 }
 
 /// From the surest to the least sure. Each looks at what those before it have left.
-const CRITERIA: [Criterion; 17] = [
-    Criterion::All { long: true, printed: true, strength: None },
-    Criterion::All { long: false, printed: true, strength: None },
-    Criterion::All { long: true, printed: false, strength: Some(Strength::Strong) },
-    Criterion::All { long: false, printed: false, strength: Some(Strength::Strong) },
+const CRITERIA: [Criterion; 15] = [
+    Criterion::All { long: true, printed: true },
+    Criterion::All { long: false, printed: true },
+    Criterion::All { long: true, printed: false },
+    Criterion::All { long: false, printed: false },
+    Criterion::Order,
     Criterion::Some { before: 3, after: 2, printed: true },
     Criterion::Some { before: 3, after: 0, printed: true },
     Criterion::Some { before: 0, after: 3, printed: true },
-    Criterion::Printed(Strength::Weak),
-    Criterion::All { long: true, printed: false, strength: Some(Strength::Weak) },
-    Criterion::All { long: false, printed: false, strength: Some(Strength::Weak) },
     Criterion::Some { before: 3, after: 1, printed: false },
     Criterion::Some { before: 1, after: 3, printed: false },
     Criterion::Some { before: 3, after: 0, printed: false },
     Criterion::Some { before: 0, after: 3, printed: false },
     Criterion::Some { before: 1, after: 0, printed: true },
     Criterion::Some { before: 0, after: 1, printed: true },
-    Criterion::Printed(Strength::Strong),
+    Criterion::Printed,
 ];
 
 /// The words nearest to a number: the last of those before it, or the first of those after it.
@@ -68,22 +65,26 @@ fn nearest_words(words: [&str; 2], most: [usize; 2]) -> [Vec<&str>; 2] {
     [last, first]
 }
 
-fn strength(words: [&str; 2]) -> Strength {
+/// Whether the words around a number say where it is. Between the cells of a table there are only numbers, so a row that comes in
+/// gives each of them the words of another.
+fn say_where(words: [&str; 2]) -> bool {
     /// Fewest words that are no numbers.
     const FEWEST: usize = 4;
     let near = nearest_words(words, WORDS[0]);
-    let count = near.iter().flatten().filter(|word| **word != "#").count();
-    if count < FEWEST { Strength::Weak } else { Strength::Strong }
+    let is_word = |word: &&&str| **word != "#";
+    // The heads of a table's columns are before each row that may be its first.
+    let heads_a_row = !near[1].is_empty() && near[1].iter().filter(is_word).count() == 0;
+    near.iter().flatten().filter(is_word).count() >= FEWEST && !heads_a_row
 }
 
 /// What identifies a number under a criterion; none if it has too few words.
 fn key(criterion: Criterion, words: [&str; 2], printed: &str, unit: &str) -> Option<String> {
     let characters = |with_printed: bool| if with_printed { format!("{printed}\n{unit}") } else { String::new() };
     match criterion {
-        Criterion::All { printed, strength: asked, .. } => {
-            let fits = asked.is_none_or(|asked| asked == strength(words));
-            fits.then(|| format!("{}\n{}\n{}", words[0], words[1], characters(printed)))
+        Criterion::All { printed, .. } => {
+            say_where(words).then(|| format!("{}\n{}\n{}", words[0], words[1], characters(printed)))
         }
+        Criterion::Order => None,
         Criterion::Some { before, after, printed } => {
             let [last, first] = nearest_words(words, [before, after]);
             let is_whole = last.len() == before && first.len() == after;
@@ -91,10 +92,9 @@ fn key(criterion: Criterion, words: [&str; 2], printed: &str, unit: &str) -> Opt
             let join = |words: Vec<&str>| words.join(" ");
             (is_whole && says_something).then(|| format!("{}\n{}\n{}", join(last), join(first), characters(printed)))
         }
-        Criterion::Printed(asked) => {
+        Criterion::Printed => {
             let digits = printed.bytes().filter(u8::is_ascii_digit).skip_while(|byte| *byte == b'0').count();
-            let fits = asked == strength(words) && (asked == Strength::Weak || digits > 2);
-            fits.then(|| characters(true))
+            (say_where(words) && digits > 2).then(|| characters(true))
         }
     }
 }
@@ -113,6 +113,10 @@ pub(crate) fn place(entries: &[&NumberEntry], text: &NumberedText) -> Placement 
         is_ambiguous: vec![false; entries.len()],
     };
     for criterion in CRITERIA {
+        if matches!(criterion, Criterion::Order) {
+            place_by_order(entries, numbers, &surroundings, &mut placement);
+            continue;
+        }
         let mut groups: HashMap<String, [Vec<usize>; 2]> = HashMap::new();
         for (at, entry) in entries.iter().enumerate().filter(|(at, _)| placement.of_entry[*at].is_none()) {
             if let Some(key) = key(criterion, [&entry.before, &entry.after], &entry.printed, &entry.unit) {
@@ -138,6 +142,73 @@ pub(crate) fn place(entries: &[&NumberEntry], text: &NumberedText) -> Placement 
         }
     }
     placement
+}
+
+/// Pairs entries with numbers that have hardly words around them: those in the same order in the record and in the text, those
+/// between them, and rows that were moved as a whole.
+fn place_by_order(
+    entries: &[&NumberEntry],
+    numbers: &[PrintedNumber],
+    surroundings: &[Surroundings],
+    placement: &mut Placement,
+) {
+    let mine: Vec<usize> = (0..entries.len()).filter(|at| placement.of_entry[*at].is_none()).collect();
+    let found: Vec<usize> = (0..numbers.len()).filter(|at| placement.of_number[*at].is_none()).collect();
+    let words = |at: usize| [&*surroundings[at].long[0], &*surroundings[at].long[1]];
+    let old: Vec<(&str, &str)> = mine.iter().map(|at| (&*entries[*at].printed, &*entries[*at].unit)).collect();
+    let new: Vec<(&str, &str)> = found.iter().map(|at| (&*numbers[*at].printed, &*numbers[*at].unit)).collect();
+    for (one, other, is_sure) in aligned(&old, &new) {
+        let (entry, number) = (mine[one], found[other]);
+        let say = [say_where([&entries[entry].before, &entries[entry].after]), say_where(words(number))];
+        // Where there are words, those that follow say more.
+        let counts = if old[one] == new[other] { say != [true; 2] } else { say == [false; 2] };
+        if counts {
+            placement.of_entry[entry] = Some(number);
+            placement.of_number[number] = Some(entry);
+            placement.is_ambiguous[entry] = !is_sure && old[one] != new[other];
+        }
+    }
+    // A row that begins behind the same word as before, or with a number, and has the same numbers up to its end.
+    let mut rows: HashMap<Vec<(&str, &str)>, Vec<usize>> = HashMap::new();
+    let mut at = 0;
+    while at < found.len() {
+        let length = 1 + found[at + 1..].iter().take_while(|number| !numbers[**number].opens_row).count();
+        let row = at..at + length;
+        let is_whole = numbers[found[at]].opens_row
+            && found[row.end - 1] - found[at] + 1 == length
+            && numbers.get(found[row.end - 1] + 1).is_none_or(|next| next.opens_row);
+        if is_whole && row.clone().all(|at| placement.of_number[found[at]].is_none()) {
+            rows.entry(new[row].to_vec()).or_default().push(found[at]);
+        }
+        at += length;
+    }
+    let label = |words: &str| words.rsplit(' ').next().unwrap_or_default().to_owned();
+    let mut lengths: Vec<usize> = rows.keys().map(Vec::len).filter(|length| *length <= LONGEST_ROW).collect();
+    lengths.sort_unstable();
+    lengths.dedup();
+    let first: HashSet<(&str, &str)> = rows.keys().filter_map(|row| row.first().copied()).collect();
+    for start in (0..mine.len()).filter(|at| first.contains(&old[*at])) {
+        for length in lengths.iter().rev().filter(|length| start + **length <= mine.len()) {
+            let run = start..start + length;
+            if run.clone().any(|at| placement.of_entry[mine[at]].is_some()) {
+                continue;
+            }
+            let Some(places) = rows.get_mut(&old[run.clone()]) else { continue };
+            let before = label(&entries[mine[start]].before);
+            // A row that has no name is known by its numbers, if it has several.
+            let fits = |number: &usize| match numbers[*number].is_named {
+                true => label(words(*number)[0]) == before,
+                false => *length > 1,
+            };
+            let Some(place) = places.iter().position(fits) else { continue };
+            let first = places.swap_remove(place);
+            for (offset, at) in run.enumerate() {
+                placement.of_entry[mine[at]] = Some(first + offset);
+                placement.of_number[first + offset] = Some(mine[at]);
+            }
+            break;
+        }
+    }
 }
 
 /// Pairs entries with numbers that cannot be told apart by a criterion: in their order if there are as many, otherwise first by

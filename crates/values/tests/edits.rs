@@ -148,3 +148,117 @@ fn a_row_that_comes_into_a_table_of_numbers_moves_no_other() {
         assert_eq!(project.differing().len(), 1, "{cell}");
     }
 }
+
+/// A table with a row of numbers for each name, in every format that has tables.
+fn tables(rows: &[(&str, [String; 3])]) -> [(&'static str, String); 4] {
+    let cells = |name: &str, numbers: &[String; 3], between: &str| {
+        let first = if name.is_empty() { String::new() } else { format!("{name}{between}") };
+        format!("{first}{}", numbers.join(between))
+    };
+    let all = |open: &str, between: &str, close: &str| -> String {
+        rows.iter().map(|(name, numbers)| format!("{open}{}{close}\n", cells(name, numbers, between))).collect()
+    };
+    [
+        ("a.md", format!("| a | b | c | d |\n|---|---|---|---|\n{}", all("| ", " | ", " |"))),
+        ("a.tex", format!("\\begin{{tabular}}{{rrr}}\n{}\\end{{tabular}}\n", all("", " & ", " \\\\"))),
+        ("a.html", format!("<table>\n{}</table>\n", all("<tr><td>", "</td><td>", "</td></tr>"))),
+        ("a.txt", all("", "  ", "")),
+    ]
+}
+
+/// Rows with numbers of two, three and four digits, and their values.
+fn rows(names: [&'static str; 5]) -> (Vec<(&'static str, [String; 3])>, String) {
+    let number =
+        |row: usize, column: usize| format!("{}.{}{}", 3 + 7 * row + column, 1 + (row * 3 + column) % 9, 2 + column);
+    let rows: Vec<(&str, [String; 3])> =
+        names.into_iter().enumerate().map(|(row, name)| (name, [0, 1, 2].map(|column| number(row, column)))).collect();
+    let values: Vec<String> = rows
+        .iter()
+        .enumerate()
+        .flat_map(|(row, (_, numbers))| {
+            numbers.iter().enumerate().map(move |(at, of)| format!("\"k{row}.{at}\": {of}"))
+        })
+        .collect();
+    (rows, format!("{{{}}}", values.join(", ")))
+}
+
+#[test]
+fn numbers_that_change_places_in_a_table_are_found() {
+    for names in [["oil", "water", "air", "steel", "ice"], [""; 5]] {
+        let (rows, values) = rows(names);
+        for (format, (name, text)) in tables(&rows).into_iter().enumerate() {
+            let project = Project::new(name, &text, &values);
+            project.record();
+            assert_eq!(project.right(), 15, "{text}");
+            let record = project.read("numbers.toml");
+            for one in 0..15 {
+                for other in one + 1..15 {
+                    let mut changed = rows.clone();
+                    let kept = changed[one / 3].1[one % 3].clone();
+                    changed[one / 3].1[one % 3] = std::mem::replace(&mut changed[other / 3].1[other % 3], kept);
+                    project.write(name, &tables(&changed)[format].1);
+                    let differing = project.differing();
+                    assert!(!differing.is_empty(), "{one} and {other} in {}", tables(&changed)[format].1);
+                    if other == one + 1 {
+                        // What is recorded anew keeps the values of their places.
+                        project.record();
+                        assert!(!project.differing().is_empty(), "{one} recorded: {}", project.read("numbers.toml"));
+                        project.write("numbers.toml", &record);
+                    }
+                    project.write(name, &text);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_that_move_as_a_whole_are_followed() {
+    for names in [["oil", "water", "air", "steel", "ice"], [""; 5]] {
+        let (rows, values) = rows(names);
+        for (format, (name, text)) in tables(&rows).into_iter().enumerate() {
+            let project = Project::new(name, &text, &values);
+            project.record();
+            for from in 0..5 {
+                for to in 0..5 {
+                    let mut moved = rows.clone();
+                    let row = moved.remove(from);
+                    moved.insert(to, row);
+                    project.write(name, &tables(&moved)[format].1);
+                    assert_eq!((project.right(), project.differing()), (15, Vec::new()), "{from} to {to} in {name}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_that_change_places_in_the_example_paper_are_found() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/paper");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a file of the example");
+    let paper = read("paper.tex");
+    let project = Project::new("paper.tex", &paper, &read("values.json"));
+    project.write("second.json", &read("second.json"));
+    project.write("numbers.toml", &read("numbers.toml"));
+    let findings = project.check().findings;
+    let start = |finding: &geneva_values::NumberFinding| {
+        let at = finding.at.expect("a place")[0];
+        paper.split_inclusive('\n').take(at.line - 1).map(str::len).sum::<usize>() + at.column - 1
+    };
+    let tied: Vec<_> = findings.iter().filter(|finding| finding.key.is_some()).collect();
+    let mut tried = 0;
+    for (at, one) in tied.iter().enumerate() {
+        for other in tied[at + 1..].iter().filter(|other| other.unit == one.unit && other.key != one.key) {
+            let [first, last] = [start(one), start(other)];
+            let behind = [first + one.printed.len(), last + other.printed.len()];
+            assert!(
+                first < last && paper[first..].starts_with(&one.printed) && paper[last..].starts_with(&other.printed)
+            );
+            let [before, between, after] = [&paper[..first], &paper[behind[0]..last], &paper[behind[1]..]];
+            project.write("paper.tex", &format!("{before}{}{between}{}{after}", other.printed, one.printed));
+            assert!(!project.differing().is_empty(), "{} and {}", one.printed, other.printed);
+            tried += 1;
+        }
+    }
+    assert!(tried >= 20, "only {tried} pairs");
+}

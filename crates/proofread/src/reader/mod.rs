@@ -263,7 +263,7 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
 pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
 pub(crate) use running::RunningText;
-pub use shown::{LeftOut, ShownText, shown_text};
+pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
 pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.

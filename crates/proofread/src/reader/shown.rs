@@ -47,9 +47,12 @@ impl LeftOut {
     }
 }
 
+/// What ends a row of a table in HTML and XML, where cells are paragraphs: a white space that no text has.
+pub const ROW_END: char = '\u{b}';
+
 /// The characters that readers see, and where each of them is in the file.
 ///
-/// A blank line ends a paragraph, a heading, an item or a cell, whatever the format.
+/// A blank line ends a paragraph, a heading, an item or a cell, whatever the format; [`ROW_END`] ends a row in HTML and XML.
 #[derive(Default)]
 pub struct ShownText {
     lines: RunningText,
@@ -210,9 +213,9 @@ fn filled_in(text: &str) -> impl Iterator<Item = Range<usize>> {
     const LONGEST: usize = 1000;
     let openings = text.match_indices('{').map(|(at, _)| at);
     openings.filter_map(move |at| {
-        let before = text[..at].chars().next_back();
         // In TeX, such braces hold an argument, an exponent or an index.
-        if before.is_some_and(|c| c.is_alphanumeric() || "{}^_\\".contains(c)) {
+        let before = text[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        if before.ends_with('\\') || text[..at].ends_with(['{', '^', '_']) {
             return None;
         }
         let rest = &text[at + 1..];
@@ -221,12 +224,12 @@ fn filled_in(text: &str) -> impl Iterator<Item = Range<usize>> {
             None if rest.starts_with('#') => (rest, "}"),
             None => return None,
         };
-        let begins = inside.trim_start_matches([' ', '#', '%', '<', '>', '~', '-']);
+        let name = inside.trim_start_matches([' ', '#', '%', '<', '>', '~', '-']);
+        let is_named = name.bytes().take(2).filter(u8::is_ascii_alphabetic).count() == 2;
         let end = inside.bytes().take(LONGEST).position(|byte| byte == b'}')?;
-        let is_expression = begins.starts_with(|c: char| c.is_alphabetic()) && !inside[..end].contains(['\\', '{']);
         let closes = inside[end..].starts_with(close) && !inside[..end].contains("\n\n");
         let behind = text.len() - inside.len() + end + close.len();
-        (is_expression && closes).then_some(at..behind)
+        (is_named && closes).then_some(at..behind)
     })
 }
 
@@ -396,6 +399,7 @@ fn element(text: &str, tag: &Tag<'_>, format: TextFormat, shown: &mut ShownText)
         _ if INLINE.contains(&name) || PHRASES.contains(&name) => {}
         // Cut out of the line, which goes on.
         "code" | "kbd" | "samp" | "annotation" => push(" "),
+        "tr" | "row" => push("\n\n\u{b}"),
         _ => push("\n\n"),
     }
     shown.leave_out(LeftOut::Argument, &text[place.range()]);
