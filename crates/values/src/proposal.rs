@@ -36,6 +36,8 @@ pub(crate) struct Proposal {
     pub tie: Tie,
     /// The factor of the tie, as it is written.
     pub factor: Option<&'static str>,
+    /// How likely it is that a number has such a value by chance: the share of the numbers nearby that would be tied to a value.
+    pub chance: f64,
 }
 
 impl<'v> ValueIndex<'v> {
@@ -58,7 +60,7 @@ impl<'v> ValueIndex<'v> {
 
     /// What the number is tied to, as far as its digits and its form tell.
     pub(crate) fn propose(&mut self, number: &PrintedNumber) -> Proposal {
-        let plain = |tie| Proposal { tie, factor: None };
+        let plain = |tie| Proposal { tie, factor: None, chance: 0.0 };
         if let Some(role) = number.role {
             // A year by its look alone may be a count.
             let counted = (role == Role::Date && number.digits.len() == 4).then(|| self.candidates(number));
@@ -76,12 +78,16 @@ impl<'v> ValueIndex<'v> {
             found.retain(|(value, _)| value.exact == number.decimal.exact());
         }
         match &*found {
-            [] => plain(Tie::Open),
+            [] => Proposal { chance: self.chance(number), ..plain(Tie::Open) },
             [(value, factor)] => {
                 let exact = factor.map(|_| rational(100, 1));
-                Proposal { tie: Tie::Value { key: value.key.clone(), factor: exact }, factor: *factor }
+                let tie = Tie::Value { key: value.key.clone(), factor: exact };
+                Proposal { tie, factor: *factor, chance: self.chance(number) }
             }
-            many => plain(Tie::Candidates(many.iter().map(|(value, _)| value.key.clone()).collect())),
+            many => {
+                let keys = many.iter().map(|(value, _)| value.key.clone()).collect();
+                Proposal { chance: self.chance(number), ..plain(Tie::Candidates(keys)) }
+            }
         }
     }
 
@@ -116,6 +122,22 @@ impl<'v> ValueIndex<'v> {
         found.into_iter().map(|(at, factor)| (&values.computed()[at], factor)).collect()
     }
 
+    /// The share of the numbers nearby, to the same digits, that have a value, too.
+    fn chance(&mut self, number: &PrintedNumber) -> f64 {
+        /// How many numbers nearby count, to either side.
+        const NEARBY: f64 = 50.0;
+        let mut others = 0;
+        for (group, by) in self.fitting(&number.unit) {
+            let sorted = &self.groups[group].sorted;
+            let within = |units: f64| {
+                let [low, high] = reach(number, by, units);
+                sorted.partition_point(|(value, _)| *value <= high) - sorted.partition_point(|(value, _)| *value < low)
+            };
+            others += within(NEARBY + 0.5) - within(0.5);
+        }
+        (others as f64 / (2.0 * NEARBY)).min(1.0)
+    }
+
     /// The groups whose unit goes with a printed one, each with the factor to it.
     fn fitting(&mut self, unit: &str) -> Vec<(usize, f64)> {
         if let Some(known) = self.fitting.get(unit) {
@@ -138,12 +160,18 @@ impl<'v> ValueIndex<'v> {
 
 /// The values of a group that are about as large as a number, if they count `by` in its unit.
 fn near(sorted: &[(f64, usize)], number: &PrintedNumber, by: f64) -> Vec<usize> {
-    let scale = ten_to(number.exponent) / by;
-    let (centre, half) = (number.decimal.to_f64() * scale, number.decimal.unit_in_last_place().approximate() / 2.0);
-    let reach = (half * scale).abs() + centre.abs() * 1e-12;
-    let start = sorted.partition_point(|(value, _)| *value < centre - reach);
-    let end = sorted[start..].iter().take(MOST_COMPARED).take_while(|(value, _)| *value <= centre + reach);
+    let [low, high] = reach(number, by, 0.5);
+    let start = sorted.partition_point(|(value, _)| *value < low);
+    let end = sorted[start..].iter().take(MOST_COMPARED).take_while(|(value, _)| *value <= high);
     end.map(|(_, at)| *at).collect()
+}
+
+/// The values that differ from a number by at most so many units of its last place, if they count `by` in its unit.
+fn reach(number: &PrintedNumber, by: f64, units: f64) -> [f64; 2] {
+    let scale = ten_to(number.exponent) / by;
+    let centre = number.decimal.to_f64() * scale;
+    let far = (number.decimal.unit_in_last_place().approximate() * units * scale).abs() + centre.abs() * 1e-12;
+    [centre - far, centre + far]
 }
 
 /// Ten to a power, to all digits of a float.

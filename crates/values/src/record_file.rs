@@ -252,6 +252,11 @@ impl NumberEntry {
         Self { lines, text, before, after, printed, unit, tie }
     }
 
+    /// Adds a comment for the person who reviews the record.
+    pub(crate) fn remark(&mut self, what: &str) {
+        let _ = writeln!(self.lines, "# {what}");
+    }
+
     /// Says anew where the number is and how it is printed; all other lines stay as they are.
     pub(crate) fn move_to(&mut self, place: Place) {
         let mut out = String::with_capacity(self.lines.len());

@@ -24,6 +24,9 @@ pub struct RecordRequest {
     pub prune: bool,
 }
 
+/// From this chance on, a tie is marked in the record.
+const LIKELY: f64 = 0.05;
+
 /// What was recorded.
 #[derive(Clone, Debug, Default)]
 pub struct RecordReport {
@@ -37,6 +40,9 @@ pub struct RecordReport {
     pub compared: usize,
     /// New entries.
     pub added: usize,
+    /// In how many of the new entries a number that has nothing to do with the values would have one by chance, because many values
+    /// lie close together.
+    pub by_chance: f64,
     /// Entries whose number was found in other words or with other digits, and is described anew.
     pub moved: usize,
     /// All entries by what they are tied to: `value`, `open`, `candidates`, or the kind of number that is no value.
@@ -131,7 +137,15 @@ pub fn record(request: &RecordRequest) -> Result<RecordReport, String> {
         for ((number, place), entry) in text.numbered.numbers.iter().zip(described).zip(&placement.of_number) {
             let Some(entry) = entry.map(|at| mine[at]) else {
                 let proposal = index.propose(number);
-                new.entry(last).or_default().push(NumberEntry::new(place, proposal.tie, proposal.factor));
+                report.by_chance += proposal.chance;
+                let mut entry = NumberEntry::new(place, proposal.tie, proposal.factor);
+                if proposal.chance >= LIKELY && matches!(entry.tie, Tie::Value { .. }) {
+                    entry.remark(&format!(
+                        "by chance? {:.0} % of the numbers nearby have a value, too",
+                        100.0 * proposal.chance
+                    ));
+                }
+                new.entry(last).or_default().push(entry);
                 report.added += 1;
                 continue;
             };

@@ -146,6 +146,12 @@ pub fn record_text(report: &RecordReport, layout: TextLayout) -> String {
         1 => " One entry is for you to decide.".to_owned(),
         many => format!(" {many} entries are for you to decide."),
     };
+    let by_chance = match (report.by_chance + 0.5) as usize {
+        0 => String::new(),
+        some => format!(
+            " Of numbers like these, about {some} would have a value by chance: look at the ties that are marked."
+        ),
+    };
     let done = match (report.is_changed, report.added, report.moved) {
         (false, ..) => format!("{path} is up to date: {}.", count(report.numbers, "number")),
         (true, added, moved) => {
@@ -153,5 +159,5 @@ pub fn record_text(report: &RecordReport, layout: TextLayout) -> String {
             format!("{path}: {}, {new}, {moved} described anew.", count(report.numbers, "number"))
         }
     };
-    layout.folded(&(out + &line(&format!("{done}{ties}{next}"))))
+    layout.folded(&(out + &line(&format!("{done}{ties}{by_chance}{next}"))))
 }

@@ -136,3 +136,29 @@ fn entries_whose_numbers_are_gone_are_kept_until_pruned() {
     assert!(!project.read("numbers.toml").contains("1,234"));
     assert_eq!(project.differing(), Vec::<String>::new());
 }
+
+#[test]
+fn ties_that_may_be_by_chance_are_told() {
+    let values = |count: usize| {
+        let mut rng = fastrand::Rng::with_seed(7);
+        let all: Vec<String> =
+            (0..count).map(|at| format!("\"k{at}\": {}.{:06}", rng.u32(0..100), rng.u32(0..999_999))).collect();
+        format!("{{{}}}", all.join(", "))
+    };
+    let mut rng = fastrand::Rng::with_seed(8);
+    let text: String =
+        (0..400).map(|at| format!("Word{at} number is {}.{:02} here.\n\n", rng.u32(0..100), rng.u32(0..99))).collect();
+    // None of the numbers has to do with a value.
+    for count in [20, 500, 2_000] {
+        let report = Project::new("a.md", &text, &values(count)).record();
+        let tied = report.ties.get("value").copied().unwrap_or_default() as f64;
+        assert!(
+            (report.by_chance - tied).abs() <= 3.0 + tied / 3.0,
+            "{count} values: {tied} tied, told {}",
+            report.by_chance
+        );
+    }
+    let few = Project::new("a.md", "The width is 4.57 mm.\n", r#"{"width": 4.5678, "height": 7.1}"#);
+    assert_eq!(few.record().by_chance, 0.0);
+    assert!(!few.read("numbers.toml").contains("by chance"));
+}
