@@ -74,8 +74,15 @@ impl NumberedText {
         let source = shown_text(text, format).map_err(|why| why.to_string())?;
         let shown = source.text().to_owned();
         let row_end = if shown.contains(ROW_END) { ROW_END } else { '\n' };
-        let mut scan =
-            Scan { text: &shown, items: Vec::new(), numbers: Vec::new(), row_end, is_new_row: true, row_start: 0 };
+        let mut scan = Scan {
+            text: &shown,
+            items: Vec::new(),
+            numbers: Vec::new(),
+            row_end,
+            is_new_row: true,
+            row_start: 0,
+            in_formula: false,
+        };
         scan.all()?;
         let Scan { items, mut numbers, .. } = scan;
         for number in &mut numbers {
@@ -114,6 +121,8 @@ struct Scan<'t> {
     is_new_row: bool,
     /// How many items there were when the row began.
     row_start: usize,
+    /// Whether the place is in a formula in TeX.
+    in_formula: bool,
 }
 
 impl Scan<'_> {
@@ -139,6 +148,7 @@ impl Scan<'_> {
                 let spaces = rest.find(|c: char| !c.is_whitespace()).unwrap_or(rest.len());
                 if rest[..spaces].matches('\n').count() > 1 && !matches!(self.items.last(), None | Some(Item::Break)) {
                     self.items.push(Item::Break);
+                    self.in_formula = false;
                 }
                 if rest[..spaces].contains(self.row_end) {
                     (self.is_new_row, self.row_start) = (true, self.items.len());
@@ -151,6 +161,14 @@ impl Scan<'_> {
             }
             '.' if !is_glued && self.text[behind..].starts_with(|c: char| c.is_ascii_digit()) => {
                 return self.number(at);
+            }
+            '$' => {
+                self.in_formula = !self.in_formula;
+                return Ok(behind + usize::from(rest.starts_with("$$")));
+            }
+            '\\' if rest[1..].starts_with(['(', '[', ')', ']']) => {
+                self.in_formula = rest[1..].starts_with(['(', '[']);
+                return Ok(at + 2);
             }
             '^' => return Ok(script_end(self.text, behind)),
             '_' if previous.is_some_and(|c| c.is_alphanumeric() || matches!(c, '}' | ')')) => {
@@ -221,6 +239,7 @@ impl Scan<'_> {
             .collect();
         let last_role = self.numbers.last().and_then(|last| last.role);
         let role = role::role_of(text, at, &read, &before, last_role);
+        let role = role.or_else(|| (self.in_formula && role::is_among_letters(text, at, &read)).then_some(Role::Given));
         let is_named = self.items[self.row_start..].iter().any(|item| matches!(item, Item::Word(_)));
         self.items.push(Item::Number);
         self.numbers.push(PrintedNumber {

@@ -143,8 +143,10 @@ impl<'v> ValueIndex<'v> {
         if let Some(known) = self.fitting.get(unit) {
             return known.clone();
         }
+        let has_units = self.groups.iter().any(|group| group.unit.is_some());
         let fits = |(at, group): (usize, &UnitGroup<'_>)| match (group.unit, unit) {
-            (None, _) => Some((at, 1.0)),
+            // Where values have units, one without counts something, or is a share.
+            (None, unit) => (!has_units || matches!(unit, "" | "%")).then_some((at, 1.0)),
             (Some(_), "") => None,
             (Some(of), unit) => match conversion(Some(of), unit) {
                 Conversion::None => Some((at, 1.0)),

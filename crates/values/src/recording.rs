@@ -55,8 +55,11 @@ pub struct RecordReport {
 
 /// The record that is asked for: one that is there, or a new one.
 fn project(request: &RecordRequest) -> Result<Project, String> {
+    let here = Path::new(".");
     let named_folder = match &*request.named {
         [one] if one.is_dir() => Some(one.as_path()),
+        // The record itself stands for its folder, as it does for a check.
+        [one] if one.ends_with(RECORD_NAME) => one.parent().map(|of| if of.as_os_str().is_empty() { here } else { of }),
         _ => None,
     };
     if named_folder.is_some() && !(request.values.is_empty() && request.second.is_empty()) {

@@ -72,6 +72,34 @@ pub(crate) fn role_of(text: &str, at: usize, read: &Numeral, before: &[&str], la
     is_year.then_some(Role::Date)
 }
 
+/// Whether a number in a formula is a small integer in a sum or product with letters, as both in `k^2 - 2k + 1`.
+pub(crate) fn is_among_letters(text: &str, at: usize, read: &Numeral) -> bool {
+    /// Longest side of an equation, in bytes, either way.
+    const LONGEST: usize = 200;
+    /// Commands that stand for no quantity.
+    const SIGNS: &str =
+        " cdot times pm left right frac dfrac tfrac sqrt text mathrm quad qquad approx le ge leq geq to displaystyle ";
+    let is_small = read.digits.len() <= 3 && !read.digits.contains(['.', ',']);
+    // In a formula k is a letter, not a thousand.
+    if !is_small || !read.unit.is_empty() || read.scale.len() > 1 {
+        return false;
+    }
+    let ends_side = |c: char| "=<>≈$&\n".contains(c);
+    let before = &text[boundary(text, at.saturating_sub(LONGEST))..at];
+    let before = before.rsplit(ends_side).next().unwrap_or_default();
+    let behind = &text[read.whole_end..boundary(text, (read.whole_end + LONGEST).min(text.len()))];
+    let behind = behind.split(ends_side).next().unwrap_or_default();
+    let has_letter = |side: &str| {
+        side.split_inclusive(|c: char| !c.is_alphabetic())
+            .scan('\0', |last, word| {
+                let opener = std::mem::replace(last, word.chars().next_back().unwrap_or('\0'));
+                Some((opener, word.trim_end_matches(|c: char| !c.is_alphabetic())))
+            })
+            .any(|(opener, word)| !word.is_empty() && !(opener == '\\' && SIGNS.contains(&format!(" {word} "))))
+    };
+    has_letter(before) || has_letter(behind)
+}
+
 fn word_behind(text: &str, at: usize) -> &str {
     let rest = text[at..].trim_start_matches([' ', '\n', '~']);
     &rest[..rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len()).min(rest.len())]

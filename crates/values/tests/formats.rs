@@ -90,3 +90,13 @@ fn what_a_program_fills_in_is_left_out() {
     assert_eq!(project.record().ties.get("value"), Some(&5), "{}", project.read("numbers.toml"));
     assert_eq!(project.check().left_out.values().sum::<usize>(), 5);
 }
+
+#[test]
+fn numbers_among_letters_of_a_formula_are_given() {
+    let text = "With $k^2 - 2k + 1 = 0$ and $r = 30 - \\cos\\theta$ we get $n = 30$, $$m = 4 \\cdot 12$$ and 7 of a kind, $x = 2.5 y$.\n";
+    let project = Project::new("a.md", text, VALUES);
+    project.record();
+    let given = geneva_values::Record::parse(&project.read("numbers.toml")).expect("a record").entries;
+    let given = given.iter().filter(|entry| entry.tie == geneva_values::Tie::None("given".to_owned()));
+    assert_eq!(given.map(|entry| &*entry.printed).collect::<Vec<_>>(), ["2", "1", "30"]);
+}
