@@ -72,10 +72,14 @@ impl<'v> ValueIndex<'v> {
             };
         }
         let mut found = self.candidates(number);
-        // A digit or two fits something by chance.
+        // A digit or two fits something by chance. Where values have units, one without counts something, or is a share.
         let significant = number.digits.bytes().filter(u8::is_ascii_digit).skip_while(|byte| *byte == b'0').count();
-        if significant < 3 && number.unit.is_empty() && number.exponent == 0 && number.decimal.places() == 0 {
-            found.retain(|(value, _)| value.exact == number.decimal.exact());
+        if significant < 3 && number.exponent == 0 && number.decimal.places() == 0 {
+            let has_units = self.groups.iter().any(|group| group.unit.is_some());
+            found.retain(|(value, _)| match &*number.unit {
+                "" => value.exact == number.decimal.exact(),
+                unit => value.unit.is_some() || unit == "%" || !has_units,
+            });
         }
         match &*found {
             [] => Proposal { chance: self.chance(number), ..plain(Tie::Open) },
@@ -143,10 +147,8 @@ impl<'v> ValueIndex<'v> {
         if let Some(known) = self.fitting.get(unit) {
             return known.clone();
         }
-        let has_units = self.groups.iter().any(|group| group.unit.is_some());
         let fits = |(at, group): (usize, &UnitGroup<'_>)| match (group.unit, unit) {
-            // Where values have units, one without counts something, or is a share.
-            (None, unit) => (!has_units || matches!(unit, "" | "%")).then_some((at, 1.0)),
+            (None, _) => Some((at, 1.0)),
             (Some(_), "") => None,
             (Some(of), unit) => match conversion(Some(of), unit) {
                 Conversion::None => Some((at, 1.0)),
