@@ -12,7 +12,7 @@ use geneva_documents::LEDGER;
 use geneva_documents::meyer::runs::study::scores;
 use geneva_documents::meyer::runs::table::{listing, rows};
 use geneva_evidence::numeric_tokens;
-use geneva_values::{RecordRequest, check, record};
+use geneva_values::{Record, RecordRequest, check, record};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
 /// The rows with this number of pins.
@@ -153,6 +153,7 @@ fn values() -> Vec<(String, f64, &'static str)> {
         ("example.friction", printed_decimal("meyer.app-e.6-pin.mu-0.20.k-0.03.friction")),
         ("example.torque", printed_decimal("meyer.app-e.6-pin.mu-0.20.k-0.03.torque")),
         ("claims", LEDGER.mirrored().iter().map(|document| document.claims().len()).sum::<usize>() as f64),
+        ("drag.claims", geneva_example_drag::LEDGER.claims().len() as f64),
         ("rust", rust_version()),
     ];
     let others = [
@@ -203,6 +204,12 @@ fn values_file() -> String {
 #[test]
 fn every_number_typed_in_a_text_is_what_the_record_says() {
     let stood = stood_written("book/values.json", &values_file());
+    let known =
+        Record::parse(&std::fs::read_to_string(crate::path("numbers.toml")).expect("a record")).expect("a record");
+    for (name, _) in texts() {
+        let is_known = known.texts.iter().any(|text| text.rsplit('/').next() == Some(&*name));
+        assert!(is_known, "{name} is not among the texts of numbers.toml; add it there");
+    }
     let report = check(&crate::path("numbers.toml"), false).expect("a record");
     let differing: Vec<String> = { report.findings.iter() }
         .filter(|finding| !finding.kind.is_right())

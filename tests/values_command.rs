@@ -185,3 +185,31 @@ fn a_book_without_a_record_is_not_built() {
     let book = mdbook_driver::MDBook::load(folder.path()).expect("a book");
     assert!(book.build().is_err());
 }
+
+/// The blocks of code of a kind on the page that explains the commands.
+fn blocks_of_the_page(kind: &str) -> Vec<String> {
+    let page = example().join("../../book/src/your-document.md");
+    let page = fs::read_to_string(page).expect("the page");
+    let opening = format!("```{kind}\n");
+    page.split(&opening).skip(1).map(|rest| rest.split("```").next().unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn the_page_that_explains_the_commands_shows_what_they_say() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("report.md"), &blocks_of_the_page("markdown")[0]).expect("written");
+    fs::write(path("values.json"), &blocks_of_the_page("json")[0]).expect("written");
+    let said = stdout(&["record", shown(folder.path())], 0);
+    assert!(said.contains("5 new entries") && said.contains("Tied to: 3 open, 2 value."), "{said}");
+    let record = fs::read_to_string(path("numbers.toml")).expect("a record");
+    let decided = ["none = \"given\"", "none = \"given\"", "value = \"loss\""]
+        .iter()
+        .fold(record, |record, tie| record.replacen("open = true", tie, 1));
+    fs::write(path("numbers.toml"), decided).expect("written");
+    let said = stdout(&["check", shown(folder.path())], 1);
+    let expected = &blocks_of_the_page("text")[0];
+    assert_eq!(said.replace(&format!("{}/", shown(folder.path())), ""), *expected);
+    let toml = blocks_of_the_page("toml");
+    assert!(toml[0].contains("[preprocessor.numbers]\ncommand = \"geneva numbers\""), "{toml:?}");
+}

@@ -31,6 +31,7 @@ pub const PAGES: &[Page] = &[
     Page::new("timer", "Is it a clock? Seven recommendations", In(CASE)),
     Page::new("joints", "A pin of finite radius, and friction in the bearings", In(CASE)),
     Page::new("wild", "Geneva formulas on the web, checked", In(WILD)),
+    Page::new("your-document", "Check your own document", In(WILD)),
     Page::new("proofread", "Proofread your own text", In(WILD)),
     Page::new("found", "What proofreading found", In(WILD)),
     Page::new("errata", "Errata", In(RECORDS))
