@@ -26,6 +26,7 @@ chapters! {
     timer = "src/timer.md",
     joints = "src/joints.md",
     wild = "src/wild.md",
+    your_document = "src/your-document.md",
     proofread = "src/proofread.md",
     found = "src/found.md",
     errata = "src/errata.md",

@@ -73,11 +73,6 @@ fn printed(id: &str) -> f64 {
     numeric_tokens(claim.printed)[0].parse().expect("a number")
 }
 
-/// The number that a claim prints, whose decimal point may be its first character.
-fn printed_decimal(id: &str) -> f64 {
-    LEDGER.printed_value(id).unwrap_or_else(|| panic!("{id} prints no number"))
-}
-
 /// The numbers that the README has from the book, by their names there.
 const OF_THE_BOOK: [&str; 14] = [
     "rows",
@@ -150,8 +145,6 @@ fn values() -> Vec<(String, f64, &'static str)> {
         ("times-smaller", 50.0 * 50.0),
         ("hypothesis.as-run", number(Hypothesis::AS_RUN)),
         ("hypothesis.without-lag", number(Hypothesis::WITHOUT_LAG)),
-        ("example.friction", printed_decimal("meyer.app-e.6-pin.mu-0.20.k-0.03.friction")),
-        ("example.torque", printed_decimal("meyer.app-e.6-pin.mu-0.20.k-0.03.torque")),
         ("claims", LEDGER.mirrored().iter().map(|document| document.claims().len()).sum::<usize>() as f64),
         ("drag.claims", geneva_example_drag::LEDGER.claims().len() as f64),
         ("rust", rust_version()),
