@@ -232,29 +232,47 @@ fn rows_that_move_as_a_whole_are_followed() {
     }
 }
 
-#[test]
-fn numbers_that_change_places_in_the_example_paper_are_found() {
+/// The example paper as a project, and the numbers of it that are tied to values, each with its first byte.
+fn example_paper() -> (Project, String, Vec<(usize, geneva_values::NumberFinding)>) {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/paper");
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a file of the example");
     let paper = read("paper.tex");
     let project = Project::new("paper.tex", &paper, &read("values.json"));
     project.write("second.json", &read("second.json"));
     project.write("numbers.toml", &read("numbers.toml"));
-    let findings = project.check().findings;
     let start = |finding: &geneva_values::NumberFinding| {
         let at = finding.at.expect("a place")[0];
         paper.split_inclusive('\n').take(at.line - 1).map(str::len).sum::<usize>() + at.column - 1
     };
-    let tied: Vec<_> = findings.iter().filter(|finding| finding.key.is_some()).collect();
+    let tied = project.check().findings.into_iter().filter(|finding| finding.key.is_some());
+    let tied = tied.map(|finding| (start(&finding), finding)).collect();
+    (project, paper, tied)
+}
+
+#[test]
+fn every_other_digit_in_the_example_paper_is_found() {
+    let (project, paper, tied) = example_paper();
     let mut tried = 0;
-    for (at, one) in tied.iter().enumerate() {
-        for other in tied[at + 1..].iter().filter(|other| other.unit == one.unit && other.key != one.key) {
-            let [first, last] = [start(one), start(other)];
+    for (start, number) in tied {
+        for at in (start..start + number.printed.len()).filter(|at| paper.as_bytes()[*at].is_ascii_digit()) {
+            for digit in ('0'..='9').filter(|digit| !paper[at..].starts_with(*digit)) {
+                project.write("paper.tex", &format!("{}{digit}{}", &paper[..at], &paper[at + 1..]));
+                assert!(!project.differing().is_empty(), "{digit} at {at}, in {}", number.printed);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried >= 400, "only {tried} digits");
+}
+
+#[test]
+fn numbers_that_change_places_in_the_example_paper_are_found() {
+    let (project, paper, tied) = example_paper();
+    let mut tried = 0;
+    for (at, (first, one)) in tied.iter().enumerate() {
+        for (last, other) in tied[at + 1..].iter().filter(|(_, other)| other.unit == one.unit && other.key != one.key) {
             let behind = [first + one.printed.len(), last + other.printed.len()];
-            assert!(
-                first < last && paper[first..].starts_with(&one.printed) && paper[last..].starts_with(&other.printed)
-            );
-            let [before, between, after] = [&paper[..first], &paper[behind[0]..last], &paper[behind[1]..]];
+            let [before, between, after] = [&paper[..*first], &paper[behind[0]..*last], &paper[behind[1]..]];
             project.write("paper.tex", &format!("{before}{}{between}{}{after}", other.printed, one.printed));
             assert!(!project.differing().is_empty(), "{} and {}", one.printed, other.printed);
             tried += 1;
