@@ -237,6 +237,48 @@ impl PageModule {
 }
 
 impl Book {
+    /// A book without figures, tables, works and numbers of its own, whose pages nobody can check in a browser. Everything else is
+    /// given by its field:
+    ///
+    /// ```
+    /// use geneva_evidence::Ledger;
+    /// use geneva_press::Book;
+    /// use geneva_press::imprint::Imprint;
+    ///
+    /// static LEDGER: Ledger = Ledger::new(&[], &[]);
+    /// static BOOK: Book = Book {
+    ///     synonyms: &[],
+    ///     ..Book::new(Imprint::new("Falling bodies, checked", "The authors", "falling", "1.0.0"), &LEDGER, &[])
+    /// };
+    /// assert_eq!(BOOK.examples.package, "falling");
+    /// ```
+    pub const fn new(imprint: Imprint, ledger: &'static Ledger, pages: &'static [Page]) -> Self {
+        let package = imprint.program;
+        Self {
+            imprint,
+            ledger,
+            pages,
+            sections: &[],
+            keys: &[],
+            own_numbers: Default::default,
+            own_words: &[],
+            figures: no_figures,
+            tables: &[],
+            works: &[],
+            open_groups: &[],
+            notation: Vec::new,
+            letter_units: &[],
+            address_and_day: |_| None,
+            synonyms: &[],
+            field_meanings: &[],
+            modules: &[],
+            ledger_crate: None,
+            examples: Examples { package, crates: &[] },
+            citation_file: "",
+            changelog: "",
+        }
+    }
+
     /// The page of a role, by its name.
     pub fn page_of_role(&self, role: PageRole) -> Option<&'static str> {
         self.pages.iter().find(|page| page.role == role).map(|page| page.name)

@@ -37,3 +37,28 @@ pub struct Imprint {
     /// compiles it says so.
     pub compiled_from: Option<&'static str>,
 }
+
+impl Imprint {
+    /// A book under CC BY 4.0 whose program, of this name and version, is under MIT or Apache 2.0. It has no subtitle and no address,
+    /// and its key in BibTeX is the program's name.
+    pub const fn new(title: &'static str, authors: &'static str, program: &'static str, version: &'static str) -> Self {
+        Self {
+            title,
+            subtitle: "",
+            authors,
+            key: program,
+            summary: &[],
+            request: &["Please cite it by its title."],
+            keywords: &[],
+            version,
+            licence: "CC-BY-4.0",
+            licence_words: "CC BY 4.0",
+            licence_address: "https://creativecommons.org/licenses/by/4.0/",
+            program_licences: &["MIT", "Apache-2.0"],
+            homepage: "",
+            repository: "",
+            program,
+            compiled_from: None,
+        }
+    }
+}

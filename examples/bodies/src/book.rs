@@ -3,55 +3,33 @@
 use crate::LEDGER;
 use geneva_evidence::Consequence;
 use geneva_press::Book;
-use geneva_press::book::{Examples, LedgerCrate, no_figures};
+use geneva_press::book::LedgerCrate;
 use geneva_press::imprint::Imprint;
 use geneva_press::pages::{Page, PagePlace, PageRole};
 
+/// Its pages.
+const PAGES: &[Page] = &[
+    Page::new("falling", "Falling", PagePlace::In("The leaflet")),
+    Page::new("swinging", "Swinging", PagePlace::In("The leaflet")),
+    Page::new("errata", "Errata", PagePlace::In("Records"))
+        .with_role(PageRole::Slips(&[Consequence::Result, Consequence::Number])),
+    Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
+    Page::new("coverage", "Coverage", PagePlace::Behind).with_role(PageRole::Coverage),
+];
+
+/// What it says of itself.
+const IMPRINT: Imprint = Imprint {
+    subtitle: "A leaflet, computed again",
+    key: "bodies",
+    summary: &["A leaflet on falling and swinging bodies, computed again."],
+    keywords: &["falling bodies", "pendulum"],
+    ..Imprint::new("Falling bodies, checked", "The example's authors", PACKAGE, env!("CARGO_PKG_VERSION"))
+};
+
+const PACKAGE: &str = "geneva-example-bodies";
+
 /// The book on the leaflet.
 pub static BOOK: Book = Book {
-    imprint: Imprint {
-        title: "Falling bodies, checked",
-        subtitle: "A leaflet, computed again",
-        authors: "The example's authors",
-        key: "bodies",
-        summary: &["A leaflet on falling and swinging bodies, computed again."],
-        request: &["Please cite it by its title."],
-        keywords: &["falling bodies", "pendulum"],
-        version: env!("CARGO_PKG_VERSION"),
-        licence: "CC-BY-4.0",
-        licence_words: "CC BY 4.0",
-        licence_address: "https://creativecommons.org/licenses/by/4.0/",
-        program_licences: &["MIT", "Apache-2.0"],
-        homepage: "",
-        repository: "",
-        program: "geneva-example-bodies",
-        compiled_from: None,
-    },
-    ledger: &LEDGER,
-    pages: &[
-        Page::new("falling", "Falling", PagePlace::In("The leaflet")),
-        Page::new("swinging", "Swinging", PagePlace::In("The leaflet")),
-        Page::new("errata", "Errata", PagePlace::In("Records"))
-            .with_role(PageRole::Slips(&[Consequence::Result, Consequence::Number])),
-        Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
-        Page::new("coverage", "Coverage", PagePlace::Behind).with_role(PageRole::Coverage),
-    ],
-    sections: &[],
-    keys: &[],
-    own_numbers: Default::default,
-    own_words: &[],
-    figures: no_figures,
-    tables: &[],
-    works: &[],
-    open_groups: &[],
-    notation: Vec::new,
-    letter_units: &[],
-    address_and_day: |_| None,
-    synonyms: &[],
-    field_meanings: &[],
-    modules: &[],
-    ledger_crate: Some(LedgerCrate { package: "geneva-example-bodies", folder: ".", command: "", account_command: "" }),
-    examples: Examples { package: "geneva-example-bodies", crates: &[] },
-    citation_file: "",
-    changelog: "",
+    ledger_crate: Some(LedgerCrate { package: PACKAGE, folder: ".", command: "", account_command: "" }),
+    ..Book::new(IMPRINT, &LEDGER, PAGES)
 };
