@@ -20,7 +20,7 @@
                 throw new Error('the drawing has parts that no drawing of this book has');
             }
         }
-        return document.importNode(parsed, true);
+        return document.adoptNode(parsed);
     };
 
     const begin = figure => {
@@ -114,7 +114,11 @@
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
             figure.querySelector('.drawing').replaceChildren(drawing);
-            figure.querySelector('.says').textContent = caption;
+            // The same words written again would be laid out again.
+            const says = figure.querySelector('.says');
+            if (says.textContent !== caption) {
+                says.textContent = caption;
+            }
             if (worked) {
                 worked.hidden = !steps.length;
                 solution = steps;
