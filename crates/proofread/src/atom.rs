@@ -176,7 +176,8 @@ impl Evaluator<'_> {
                 if !raised.is_finite() {
                     return Err(Obstacle::Unclear("a power that is no number"));
                 }
-                Ok(SideValue { operations: 1, bound: exponent.bound, ..SideValue::from_interval(raised) })
+                let value = SideValue { operations: 1, bound: exponent.bound, ..SideValue::from_interval(raised) };
+                Ok(self.steps.round(value))
             }
             _ => Err(Obstacle::Letter(name.to_owned())),
         }

@@ -38,6 +38,8 @@ pub enum Doubt {
     Fragment,
     /// The result is truncated where it should have been rounded.
     Truncated,
+    /// Other digits of the terms of a small difference would give the result.
+    Inputs,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
 }
@@ -59,6 +61,7 @@ impl Doubt {
             Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
             Self::Truncated => "a truncated result is seldom meant to be rounded",
+            Self::Inputs => "other digits of the terms of a small difference would give the result",
             Self::Habit => "other formulas of the document differ by the same factor",
         }
     }
@@ -96,6 +99,9 @@ impl PlacedPair<'_> {
         let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
+        }
+        if judgement.is_ill_conditioned {
+            return Some(Doubt::Inputs);
         }
         (judgement.verdict == ChainVerdict::Truncated).then_some(Doubt::Truncated)
     }

@@ -5,6 +5,7 @@ use crate::effort;
 use crate::interval::Interval;
 use crate::printed::{Mode, PrintedNumber};
 use crate::reading::ReadingChoices;
+use crate::step_rounding::StepRounding;
 use crate::token::{Token, TokenKind, collect_names, has_number, trim_space};
 use crate::unit::unit;
 use crate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
@@ -31,6 +32,8 @@ pub(crate) struct Evaluator<'b> {
     pub used: Vec<String>,
     /// The variable of an evaluation bar.
     pub local: Option<(String, SideValue)>,
+    /// What is rounded on the way.
+    pub steps: StepRounding,
     depth: usize,
     work: usize,
 }
@@ -45,6 +48,7 @@ impl<'b> Evaluator<'b> {
             inverse: false,
             used: Vec::new(),
             local: None,
+            steps: StepRounding::default(),
             depth: 0,
             work: 0,
         }
@@ -211,7 +215,9 @@ impl<'b> Evaluator<'b> {
                 }
             }
             let term = if token.is_sign('-') { term.negate() } else { term };
-            sum = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
+            let both = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
+            self.steps.note_sum([&sum, &term], &both);
+            sum = both;
         }
         Ok(sum)
     }
@@ -284,7 +290,7 @@ impl<'b> Evaluator<'b> {
                 return Ok(SideValue { dimension: divisor.dimension, has_unit: true, ..quotient.scaled(factor) });
             }
         }
-        above.quotient(&divisor)
+        Ok(self.steps.round(above.quotient(&divisor)?))
     }
 
     /// Whether a token behind a divisor may still be below the stroke.
@@ -409,7 +415,7 @@ impl<'b> Evaluator<'b> {
 
     pub(crate) fn raise(&mut self, value: &SideValue, exponent: &[Token]) -> Evaluated<SideValue> {
         let exponent = self.exponent(exponent)?;
-        value.power(exponent)
+        Ok(self.steps.round(value.power(exponent)?))
     }
 
     /// Exponents and factorials behind a value.
@@ -465,6 +471,7 @@ impl<'b> Evaluator<'b> {
                     value.literal = Literal::Unit;
                     value.operations = 0;
                 }
+                let value = self.steps.round(value);
                 let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }
@@ -475,6 +482,7 @@ impl<'b> Evaluator<'b> {
                 }
                 let index = if index.is_empty() { 2.0 } else { self.exponent(index)?.point };
                 let value = self.evaluate_all(of)?.power(Interval::exact(1.0 / index))?;
+                let value = self.steps.round(value);
                 let value = self.with_powers(value, cursor)?;
                 self.with_unit(value, cursor, false)
             }

@@ -73,6 +73,7 @@ impl Evaluator<'_> {
         if let Some(power) = power {
             value = value.power(Interval::exact(power))?;
         }
+        let value = self.steps.round(value);
         self.with_powers(value, cursor)
     }
 

@@ -29,6 +29,7 @@ mod reading;
 #[cfg(feature = "cli")]
 pub mod sarif;
 mod split_units;
+mod step_rounding;
 mod substitution;
 pub mod summary;
 mod surroundings;

@@ -7,6 +7,7 @@ use crate::interval::Interval;
 use crate::numeral::with_shared_exact;
 use crate::printed::Mode;
 use crate::reading::ReadingChoices;
+use crate::step_rounding::{StepRounding, significant_digits};
 use crate::token::{Token, TokenKind, any};
 use crate::token_joining::has_letters;
 use crate::value::{Evaluated, Obstacle, SideValue};
@@ -113,11 +114,13 @@ pub(crate) struct PairJudgement {
     pub used: Vec<String>,
     /// The name of the explanation under which it is so, if one was needed.
     pub explanation: Option<&'static str>,
+    /// Whether other digits of the terms of a small difference would make the sides agree.
+    pub is_ill_conditioned: bool,
 }
 
 impl PairJudgement {
     /// Whether its sides are nearer to each other than those of another reading.
-    fn is_nearer(&self, other: &Self) -> bool {
+    pub(crate) fn is_nearer(&self, other: &Self) -> bool {
         let apart = |of: &Self| of.values.as_ref().map_or(f64::INFINITY, |(left, right)| left.difference(right));
         apart(self) < 0.999 * apart(other)
     }
@@ -139,6 +142,7 @@ pub(crate) fn judge(
         bindings,
         noticed: ReadingChoices::USUAL,
         inverse: false,
+        cancels: false,
         alike: None,
     };
     let mut best: Option<PairJudgement> = None;
@@ -201,6 +205,7 @@ pub(crate) fn judge(
             obstacle,
             used: Vec::new(),
             explanation: None,
+            is_ill_conditioned: false,
         }
     })
 }
@@ -233,6 +238,8 @@ struct ComparedSides<'t> {
     bindings: Option<&'t NameValues>,
     noticed: ReadingChoices,
     inverse: bool,
+    /// Whether a difference of open numbers lost most of their digits.
+    cancels: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
 }
@@ -254,6 +261,7 @@ impl ComparedSides<'_> {
         let value = evaluator.evaluate_side(side);
         self.noticed.insert(evaluator.noticed);
         self.inverse |= evaluator.inverse;
+        self.cancels |= mode == Mode::Strict && evaluator.steps.cancels;
         used.append(&mut evaluator.used);
         value
     }
@@ -291,6 +299,7 @@ impl ComparedSides<'_> {
                 obstacle: None,
                 used: used.clone(),
                 explanation: None,
+                is_ill_conditioned: false,
             })
         };
         let same = points[0].dimension == points[1].dimension;
@@ -376,14 +385,25 @@ impl ComparedSides<'_> {
         let exact_steps = of_one_unit && literal[0] != literal[1] && is_plain_sum(computed);
         // A side that shows the next step has the digits that the one before it gives.
         let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
-        if left.meets(right, 0.0) && !exact_steps && steps && is_likely(&strict, &points, literal, true) {
+        // A small difference of open numbers explains anything: the source's own digits decide.
+        let meets = left.meets(right, 0.0) && !exact_steps && steps;
+        let explained = meets && is_likely(&strict, &points, literal, true);
+        let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
+        let ill = explained && self.cancels && literal[0] != literal[1] && !close;
+        if explained && !ill {
             return Ok(fine(ChainVerdict::Rounded));
         }
         let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
         // Three digits behind ≈ are meant to be right.
         let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) && !is_round(self.sides[1]) };
         let strictly = (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
-        let rough = !exact || strictly;
+        let by_digits = literal == [false, true] && has_three_digits(right);
+        let rough = if by_digits {
+            let lost = close && left.meets(right, 0.0);
+            lost || (self.relation == Relation::Approximate && self.agrees_with_rounded_steps(reading, right))
+        } else {
+            !exact || strictly
+        };
         let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
         let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
         if self.relation == Relation::Approximate && rounds_to_one {
@@ -407,6 +427,7 @@ impl ComparedSides<'_> {
             return Ok(fine(ChainVerdict::Truncated));
         }
         if lenient[0].meets(&lenient[1], 0.0)
+            && !ill
             && is_likely(&lenient, &points, literal, false)
             && is_as_coarse(&lenient, literal)
         {
@@ -415,9 +436,21 @@ impl ComparedSides<'_> {
         if by_numbers {
             return Ok(judgement(ChainVerdict::Dimensions));
         }
-        // What the steps would allow, but not likely, is more than a digit.
+        // What the steps would allow, but not likely, is more than a digit; and of one or two digits, the last one is a large part.
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
-        Ok(judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent }))
+        let near = near && has_three_digits(&strict[usize::from(literal[1])]);
+        let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
+        Ok(found.map(|found| PairJudgement { is_ill_conditioned: ill, ..found }))
+    }
+
+    /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
+    /// digits before they went on.
+    fn agrees_with_rounded_steps(&mut self, reading: ReadingChoices, right: &SideValue) -> bool {
+        let Some(digits) = right.number().ok().and_then(significant_digits) else { return false };
+        let mut evaluator = Evaluator::new(Mode::Point, reading, self.bindings);
+        evaluator.steps = StepRounding::to_digits(digits);
+        let value = evaluator.evaluate_side(self.sides[0]);
+        value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
     }
 }
 
@@ -436,6 +469,13 @@ fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2],
     differences.zip(halves).all(|(difference, (steps, digits))| {
         digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
     })
+}
+
+/// Whether two points are within so many half units of the printed one's last digit.
+fn is_within(points: &[SideValue; 2], printed: &SideValue, halves: f64) -> bool {
+    let differences = points[0].parts.pairs(&points[1].parts).map(|(a, b)| (a.point - b.point).abs());
+    let printed = printed.parts.0.iter().flatten().map(|part| part.half_width());
+    differences.zip(printed).all(|(difference, half)| difference <= halves * half)
 }
 
 /// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
@@ -530,6 +570,11 @@ fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
 /// Whether a printed result has three digits or more.
 fn is_exact(printed: &SideValue) -> bool {
     printed.parts.0.iter().flatten().all(|part| part.half_width() > 0.0 && part.half_width() < 0.05 * part.point.abs())
+}
+
+/// Whether a printed result has three significant digits or more.
+fn has_three_digits(printed: &SideValue) -> bool {
+    printed.parts.0.iter().flatten().all(|part| significant_digits(*part).is_none_or(|digits| digits >= 3))
 }
 
 /// Whether a computed value is within one more unit of the last printed digit.

@@ -145,7 +145,7 @@ fn what_is_cut_off_is_called_so() {
 #[test]
 fn behind_approximately_equal_three_digits_are_meant() {
     all(&[
-        (r"\frac{22}{7} \approx 3.142", &["approximate"]),
+        (r"\frac{22}{7} \approx 3.142", &["truncated"]),
         (r"\frac{22}{7} \approx 3.2", &["approximate"]),
         (r"\frac{22}{7} \approx 3", &["consistent"]),
         (r"0.952 \approx 1", &["approximate"]),

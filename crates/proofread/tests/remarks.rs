@@ -28,7 +28,7 @@ fn a_remark_at_the_end_of_a_row_is_not_the_side_of_the_next_row() {
         assert_eq!(verdicts(tex), [""; 0], "{tex}");
     }
     // The chain before the remark goes on.
-    assert_eq!(verdicts(r"2 + 3 &= 5 \quad \because q = 0 \\ 4 + 4 &= 9"), ["consistent", "last-digit"]);
+    assert_eq!(verdicts(r"2 + 3 &= 5 \quad \because q = 0 \\ 4 + 4 &= 9"), ["consistent", "inconsistent"]);
     assert_eq!(verdicts(r"2 + 3\ \because q = 0 \\ &= 8"), ["inconsistent"]);
     assert_eq!(verdicts(r"x = 3, \; 2 + 2 \\ = 7"), ["inconsistent"]);
     // The sign of for all may be a volume.

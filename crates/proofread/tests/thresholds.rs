@@ -104,7 +104,7 @@ fn the_last_digit_is_within_one_unit() {
 
 #[test]
 fn three_digits_behind_an_approximate_sign_are_meant_to_be_right() {
-    judged(&[(r"29/3 \approx 9.6", "approximate"), (r"29/3 \approx 9.9", "last-digit")]);
+    judged(&[(r"29/3 \approx 9.6", "approximate"), (r"29/3 \approx 9.9", "inconsistent")]);
     judged(&[(r"5/3 \approx 1.6", "approximate"), (r"5/3 \approx 1.5", "inconsistent")]);
 }
 
@@ -219,9 +219,49 @@ fn what_is_said_of_a_formula_is_said_within_160_bytes_of_it() {
 #[test]
 fn rows_are_compared_that_a_line_end_or_an_inferring_word_is_between() {
     let rows = |between: &str| only(&format!(r"$v = 3.0 \cdot 4.0${between}$v = 13.0$"));
-    for (between, beyond) in [("\n\n", "\n\n\n"), (" so", " or"), (" \u{2192}", "."), ("\n", ","), (" thus", ";"), (" hence", ":")] {
+    for (between, beyond) in
+        [("\n\n", "\n\n\n"), (" so", " or"), (" \u{2192}", "."), ("\n", ","), (" thus", ";"), (" hence", ":")]
+    {
         assert_eq!((rows(between), rows(beyond)), (Some("inconsistent"), None), "{between:?} and {beyond:?}");
     }
     // With the signs of both formulas and the second name there are 400 bytes.
-    assert_eq!((rows(&format!(" so{}", " ".repeat(390))), rows(&format!(" so{}", " ".repeat(392)))), (Some("inconsistent"), None));
+    assert_eq!(
+        (rows(&format!(" so{}", " ".repeat(390))), rows(&format!(" so{}", " ".repeat(392)))),
+        (Some("inconsistent"), None)
+    );
+}
+
+#[test]
+fn behind_an_approximate_sign_only_the_rounding_of_steps_is_forgiven() {
+    judged(&[
+        (r"(0.7+0.82+0.95)/3 \approx 0.823", "consistent"),
+        (r"(0.7+0.82+0.95)/3 \approx 0.833", "inconsistent"),
+        (r"17/7 \approx 2.430", "last-digit"),
+        // The root goes on as 1.73, and its last digit is the result's.
+        (r"5\sqrt{3} \approx 8.65", "approximate"),
+        (r"5\sqrt{3} \approx 8.63", "inconsistent"),
+        (r"\ln 2/\ln 1.03 \approx 23.5", "approximate"),
+        (r"\ln 2/\ln 1.03 \approx 24.3", "inconsistent"),
+        // Of two digits, the second may be rough.
+        (r"17/7 \approx 2.5", "approximate"),
+        // So are terms that were rounded before they are added.
+        (r"0.333 + 0.333 + 0.333 \approx 1.000", "approximate"),
+        (r"0.333 + 0.333 + 0.333 \approx 1.003", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn a_small_difference_of_rounded_numbers_explains_nothing_by_itself() {
+    apart(r"$\frac{0.83-0.78}{0.0142} = 3.61$", r"$\frac{0.83-0.78}{0.0142} = 7.61$", Doubt::Inputs);
+    judged(&[
+        (r"\frac{0.83-0.78}{0.0142} = 3.52", "consistent"),
+        // The terms are exact in a sum alone.
+        ("0.83 - 0.78 = 0.06", "inconsistent"),
+        (r"\frac{0.83-0.18}{0.0142} = 45.9", "rounded"),
+    ]);
+}
+
+#[test]
+fn the_last_digit_is_one_of_three() {
+    judged(&[("24.1 - 12.0 = 12.2", "last-digit"), ("2.4 - 1.2 = 1.3", "inconsistent"), ("2 + 2 = 5", "inconsistent")]);
 }
