@@ -3,6 +3,7 @@
 //! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
 //! argument, and single digits that equal something else. None of these signs knows what was misread.
 
+use crate::bracket_symbols;
 use crate::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::evaluate::Evaluator;
 use crate::notation;
@@ -178,6 +179,8 @@ impl PlacedPair<'_> {
             || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
             || (notation::is_bracketed_number(right) && right[0].is_sign('['))
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
+            || bracket_symbols::may_be_residue_symbols(left, right)
             || notation::has_phasor(right)
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)

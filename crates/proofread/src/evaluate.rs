@@ -69,6 +69,15 @@ impl<'b> Evaluator<'b> {
         if self.bindings.is_none() && tokens.iter().all(is_letter) {
             return Err(Obstacle::NoNumber);
         }
+        // A name with a digit in it: F1 Score.
+        if let [Token { kind: TokenKind::Word(name), span, .. }, digit, rest @ ..] = tokens
+            && name.chars().all(char::is_alphabetic)
+            && digit.number().is_some()
+            && digit.span.start == span.end
+            && rest.iter().all(|token| token.is_space() || token.word().is_some())
+        {
+            return Err(Obstacle::Word(name.clone()));
+        }
         if let Some(value) = self.evaluate_bar(tokens) {
             return value;
         }
@@ -269,6 +278,13 @@ impl<'b> Evaluator<'b> {
     fn quotient(&mut self, above: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let (next, _) = cursor.token_from(cursor.at);
         let mut divisor = self.signed(cursor)?;
+        // A price below the stroke: $6/$13.
+        if divisor.literal == Literal::Unit
+            && next.and_then(Token::word) == Some("$")
+            && cursor.peek().is_some_and(|token| token.number().is_some())
+        {
+            divisor = self.factor(cursor)?.product(&divisor, None, false)?;
+        }
         while let Some(token) = cursor.peek().filter(|token| self.follows_stroke(token, &divisor)) {
             self.noticed.insert(ReadingChoices::ALL_BELOW);
             if !self.is_chosen(ReadingChoices::ALL_BELOW) {

@@ -9,7 +9,8 @@ use crate::reader::Formula;
 use crate::surroundings;
 use crate::token::{Token, TokenKind};
 use crate::unrounded::EarlierResults;
-use crate::verdict::{ChainVerdict, PairJudgement, judge};
+use crate::value::{DIVIDES_BY_ZERO, Obstacle};
+use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -27,7 +28,7 @@ const fn explanation(name: &'static str, judge: fn(&DifferingPair<'_>) -> Option
 
 /// Every explanation. The first that makes the sides agree wins; one that only brings them nearer hands its judgement on to those
 /// behind it.
-const EXPLANATIONS: [Explanation; 10] = [
+const EXPLANATIONS: [Explanation; 11] = [
     explanation("other-digits", try_other_digits),
     explanation("rounded-step", try_rounded_step),
     explanation("direction", try_direction),
@@ -39,6 +40,7 @@ const EXPLANATIONS: [Explanation; 10] = [
     explanation("whole-turns", try_whole_turns),
     explanation("whole-pieces", try_whole_pieces),
     explanation("scale", try_scale),
+    explanation("undefined", try_undefined),
 ];
 
 /// The names of all explanations, in the order in which they are tried.
@@ -108,6 +110,17 @@ impl DifferingPair<'_> {
 /// A judgement as doubtful, if the sides agree.
 fn doubtful_if_agreeing(judgement: PairJudgement) -> Option<PairJudgement> {
     agrees(&judgement).then_some(PairJudgement { verdict: ChainVerdict::Doubtful, ..judgement })
+}
+
+/// That a side has no value is what the text shows: both sides divide by zero, the right one does, or it is called undefined.
+fn try_undefined(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
+    let Some(Obstacle::NoValue(why)) = &pair.judgement.obstacle else { return None };
+    let of_right = evaluate_freely(&pair.right.tokens, pair.bindings).err();
+    let shown =
+        matches!(of_right, Some(Obstacle::NoValue(of_right)) if of_right == DIVIDES_BY_ZERO && *why == DIVIDES_BY_ZERO);
+    (shown || surroundings::calls_undefined(pair.text, pair.left.span.join(pair.right.span)))
+        .then(|| pair.with_verdict(ChainVerdict::Doubtful))
+        .flatten()
 }
 
 /// Digits that are printed elsewhere, or that everybody knows, went into the computed side: a result before it was rounded, a
@@ -197,6 +210,14 @@ fn try_unit_behind(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
 /// of another kind than the computed right side.
 fn try_words_before(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let (left, right) = pair.judgement.values.as_ref()?;
+    // 17 coins at $0.25 = $4.25
+    let counts = || surroundings::counts_before(pair.text, pair.left.span);
+    if pair.before.is_empty()
+        && [pair.left, pair.right].into_iter().all(is_printed)
+        && counts().into_iter().any(|count| left.scaled(count).meets(right, 0.0))
+    {
+        return pair.with_verdict(ChainVerdict::Doubtful);
+    }
     let is_count = left.dimension.is_none() && left.factor == 1.0;
     let of_other_kinds = left.dimension != right.dimension || is_count;
     // A temperature or a time beside what depends on it.
@@ -206,11 +227,26 @@ fn try_words_before(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     belongs.then(|| pair.with_verdict(ChainVerdict::Doubtful)).flatten()
 }
 
+/// Whether a side is a printed number with or without its unit or the sign of a currency.
+fn is_printed(side: &ChainSide) -> bool {
+    let mut numbers = side.tokens.iter().filter(|token| token.number().is_some());
+    let all = |token: &Token| token.is_space() || token.number().is_some() || token.word().is_some();
+    numbers.next().is_some() && numbers.next().is_none() && side.tokens.iter().all(all)
+}
+
 /// The sides are written in a way that only some texts have, and in which they agree; or in which only their units differ, which
 /// says less.
 fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     if pair.judgement.verdict <= ChainVerdict::Units {
         return None;
+    }
+    // A factorial whose sign stands behind the formula.
+    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.formula.span) {
+        let sign = Token::new(TokenKind::Operator('!'), pair.right.span);
+        let other = pair.judge(&pair.left.tokens, &[pair.right.tokens.as_slice(), &[sign]].concat());
+        if other.verdict < ChainVerdict::Doubtful {
+            return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
+        }
     }
     let mut in_numbers = None;
     for [left, right] in notation::other_notations(pair.text, pair.formula, pair.left, pair.right) {
@@ -317,6 +353,13 @@ mod tests {
         let (names, judgement) = explained(text);
         assert_eq!((names.as_slice(), judgement.explanation), ([].as_slice(), None), "{text}");
         assert_eq!(judgement.verdict, verdict, "{text}");
+    }
+
+    #[test]
+    fn a_text_may_show_that_there_is_no_value() {
+        alone("undefined", r"$m = \frac{7-3}{5-5} = \frac{4}{0}$", ChainVerdict::Doubtful);
+        alone("undefined", r"The slope $\frac{7-3}{5-5} = 4$ is undefined.", ChainVerdict::Doubtful);
+        none(r"The slope $\frac{7-3}{5-5} = 4$ is steep.", ChainVerdict::Inconsistent);
     }
 
     #[test]

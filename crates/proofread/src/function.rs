@@ -5,7 +5,7 @@ use crate::evaluate::Evaluator;
 use crate::exponent::plain_exponent;
 use crate::interval::{Interval, RESIDUE};
 use crate::reading::ReadingChoices;
-use crate::token::{MathFunction, Token, TokenKind};
+use crate::token::{MathFunction, Token, TokenKind, any};
 use crate::unit::unit;
 use crate::value::{AngleUnit, Evaluated, Obstacle, SideValue};
 use std::f64::consts::PI;
@@ -121,11 +121,14 @@ impl Evaluator<'_> {
                     let divisor = self.evaluate_factor(cursor)?;
                     so_far.quotient(&divisor)?
                 }
-                // An angle in brackets: cos 2(30°).
+                // An angle in brackets: cos 2(30°), sin 2(π/6).
                 Some(so_far) if token.is_sign('(') && so_far.angle.is_none() && !so_far.has_unit => {
                     let mut ahead = *cursor;
-                    let factor = self.evaluate_all(ahead.take_group()?)?;
-                    if factor.angle != Some(AngleUnit::Degrees) {
+                    let inner = ahead.take_group()?;
+                    let factor = self.evaluate_all(inner)?;
+                    let has_pi = any(inner, &|kind| *kind == TokenKind::Name("π".to_owned()));
+                    let in_radians = cursor.previous().is_some_and(|before| before.number().is_some()) && has_pi;
+                    if factor.angle != Some(AngleUnit::Degrees) && !in_radians {
                         break;
                     }
                     *cursor = ahead;

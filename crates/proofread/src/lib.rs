@@ -4,6 +4,7 @@
 
 mod atom;
 mod binding;
+mod bracket_symbols;
 mod chain;
 mod check;
 #[cfg(feature = "cli")]

@@ -44,6 +44,8 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&in_one_unit);
     each(&to_base_two);
     each(&without_note);
+    each(&without_large_number);
+    each(&as_remainder);
     each(&under_function);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
@@ -199,6 +201,24 @@ fn without_note(side: &[Token]) -> Option<Vec<Token>> {
     let TokenKind::Power(mark) = &last.kind else { return None };
     let [open, number, close] = mark.as_slice() else { return None };
     (open.is_one_of("([") && close.is_one_of(")]") && integer(number).is_some()).then(|| rest.to_vec())
+}
+
+/// A side without the word for a large number behind its last number, in which the other side may count: `0.6 · 200 = 120 million`.
+fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
+    let (last, rest) = side.split_last()?;
+    let counts = last.word().is_some_and(|word| ["thousand", "million", "billion", "trillion"].contains(&word));
+    (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
+}
+
+/// A side in which a sign of per cent between two numbers gives the remainder, as in programs: `20 % -4`.
+fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
+    let mut out: Vec<Token> = side.iter().filter(|token| !token.is_space()).cloned().collect();
+    let at = (1..out.len()).find(|at| {
+        let behind = out.get(at + 1).filter(|next| !next.is_sign('-')).or(out.get(at + 2));
+        out[*at].word() == Some("%") && out[at - 1].number().is_some() && behind.is_some_and(|of| of.number().is_some())
+    })?;
+    out[at] = Token::new(TokenKind::Word("mod".to_owned()), out[at].span);
+    Some(out)
 }
 
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
@@ -507,7 +527,10 @@ pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let Some((result, rest)) = parts(sides[1]) else { return false };
     let holds =
         |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated;
-    holds(sides[0], result) && holds(rest, sides[2])
+    // The sign may be the first of the second equation: 5 · 3 = 15   −5 · 3 = −15.
+    let signed = &sides[1][sides[1].len() - rest.len() - 1..];
+    let signed = signed.first().is_some_and(|sign| sign.is_sign('-')) && holds(signed, sides[2]);
+    holds(sides[0], result) && (signed || holds(rest, sides[2]))
 }
 
 /// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.

@@ -61,9 +61,39 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
         return true;
     }
-    const REPORTS: [&str; 7] =
-        ["mistake", "wrongly", "incorrectly", "fallacy", "misconception", "you wrote", "not true"];
+    const REPORTS: [&str; 11] = [
+        "mistake",
+        "wrongly",
+        "incorrectly",
+        "fallacy",
+        "misconception",
+        "you wrote",
+        "not true",
+        "student writes",
+        "student wrote",
+        "student claims",
+        "on purpose",
+    ];
     if REPORTS.iter().any(|report| sentence.contains(report)) {
+        return true;
+    }
+    // A heading over what is false, up to where the text says what is right.
+    const HEADINGS: [&str; 7] = [
+        "common error",
+        "common mistake",
+        "typical error",
+        "typical mistake",
+        "false on purpose",
+        "wrong on purpose",
+        "find the error",
+    ];
+    let before = before.to_lowercase();
+    let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
+    if let Some(at) = headed
+        && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
+            .iter()
+            .any(|word| before[at..].contains(word))
+    {
         return true;
     }
     const DENIALS: [&str; 9] = [
@@ -78,6 +108,56 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is inconsistent",
     ];
     DENIALS.iter().any(|denial| rest.contains(denial))
+}
+
+/// Whether the text near a formula says that something has no value.
+pub(crate) fn calls_undefined(text: &str, span: Span) -> bool {
+    const WORDS: [&str; 13] = [
+        "undefined",
+        "not defined",
+        "is not a number",
+        "no value",
+        "does not exist",
+        "doesn't exist",
+        "do not exist",
+        "not real",
+        "no real",
+        "not a real",
+        "imaginary",
+        "by zero",
+        "by 0",
+    ];
+    let (before, after) = text_around(text, span);
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
+    let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
+    let near = format!("{sentence} {rest}").to_lowercase();
+    WORDS.iter().any(|word| near.contains(word))
+}
+
+/// Whether the text behind a formula begins with the sign of a factorial, behind which the sentence goes on.
+pub(crate) fn begins_with_factorial(text: &str, span: Span) -> bool {
+    let rest = text_behind(text, span).strip_prefix('!');
+    rest.is_some_and(|rest| {
+        let next = rest.trim_start_matches([' ', '~', '\n']);
+        !rest.starts_with('!') && (rest.starts_with(['.', ',', ';', ')']) || next.starts_with(char::is_lowercase))
+    })
+}
+
+/// The numbers in the words before a place that a preposition joins to it: *17 coins at*.
+pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
+    let clause = before.rsplit(['=', ';', '?', '\n']).next().unwrap_or_default();
+    let clause = clause.rsplit(". ").next().unwrap_or_default();
+    let joined = ["at", "of", "for", "@", "à", "costing", "worth"].iter().find_map(|word| clause.strip_suffix(word));
+    let words = joined.filter(|rest| rest.ends_with([' ', '~', '\u{a0}'])).unwrap_or_default();
+    let numbers = words.split(|c: char| !(c.is_ascii_digit() || ",.".contains(c)));
+    numbers.filter_map(|number| number.trim_matches(['.', ',']).replace(',', "").parse().ok()).collect()
 }
 
 /// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
@@ -250,6 +330,14 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
     let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };
     let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
+    const PARTS: [&str; 12] = [
+        "half", "third", "thirds", "quarter", "quarters", "fourth", "fourths", "fifth", "fifths", "sixth", "eighth",
+        "tenth",
+    ];
+    let part = rest.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    if PARTS.contains(&part) {
+        return true;
+    }
     let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
     let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
     let before_word =

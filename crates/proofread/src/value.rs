@@ -35,6 +35,9 @@ impl std::fmt::Display for Obstacle {
     }
 }
 
+/// Why a quotient has no value.
+pub(crate) const DIVIDES_BY_ZERO: &str = "it divides by zero";
+
 /// A value, or why there is none.
 pub(crate) type Evaluated<T> = Result<T, Obstacle>;
 
@@ -196,7 +199,7 @@ impl SideValue {
     pub(crate) fn quotient(&self, other: &Self) -> Evaluated<Self> {
         let below = other.number()?;
         if below.is_zero() && !self.is_zero_at_point() {
-            return Err(Obstacle::NoValue("it divides by zero"));
+            return Err(Obstacle::NoValue(DIVIDES_BY_ZERO));
         }
         let below = below.inverse().ok_or(Obstacle::Unclear("a division by what may be zero"))?;
         let mut quotient = self.combined(other, 1);

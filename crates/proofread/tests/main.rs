@@ -22,6 +22,7 @@ mod running;
 #[cfg(feature = "cli")]
 mod since;
 mod structures;
+mod symbols;
 mod thresholds;
 mod units;
 mod unrounded;

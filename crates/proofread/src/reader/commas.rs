@@ -106,6 +106,25 @@ fn is_last_in_brackets(tokens: &[Token], at: usize) -> bool {
     opens && closes && tokens[at + 2..].iter().all(|token| token.is_space() || token.kind == TokenKind::Line)
 }
 
+/// Most tokens of a component of a pair.
+const LONGEST_COMPONENT: usize = 40;
+
+/// Whether the comma at `at` parts two expressions in brackets that are all of a side, as in `(1-2,1+2) = (-1,3)`.
+fn is_pair(tokens: &[Token], at: usize) -> bool {
+    let relation =
+        |token: Option<&Token>| token.is_none_or(|token| token.is_one_of("=≈∈") || token.kind == TokenKind::Line);
+    let solid = |token: &&Token| !token.is_space();
+    let (before, behind) = (&tokens[..at], &tokens[at + 1..]);
+    let bracket = |token: &Token| token.is_one_of("()[],;");
+    let opens = before.iter().rposition(bracket).filter(|open| at - open <= LONGEST_COMPONENT);
+    let closes = behind.iter().position(bracket).filter(|close| *close <= LONGEST_COMPONENT);
+    let (Some(open), Some(close)) = (opens, closes) else { return false };
+    tokens[open].is_one_of("([")
+        && behind[close].is_one_of(")]")
+        && relation(before[..open].iter().rev().find(solid))
+        && relation(behind[close + 1..].iter().find(solid))
+}
+
 fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
@@ -113,7 +132,7 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
                 let opens = at > 1 && tokens[at - 2].is_one_of("([{");
                 let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
                 // A pair in brackets may be a point of the plane.
-                seen.commas += usize::from(!(opens && closes));
+                seen.commas += usize::from(!(opens && closes) && !is_pair(tokens, at));
                 seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
             }
             // The number of an equation.
