@@ -93,7 +93,7 @@ impl Evaluator<'_> {
             && at <= cursor.at + 1
             && scale.is_none()
             && let (Some(above), Some(below)) = (small_integer(above), small_integer(below))
-            && above < below
+            && (above < below || (above < 2.0 * below && below > 1.0))
         {
             self.noticed.insert(ReadingChoices::MIXED);
             if self.is_chosen(ReadingChoices::MIXED) {

@@ -175,9 +175,9 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         if in_remark {
             continue;
         }
-        if token.is_one_of("([{") {
+        if token.is_one_of("([{⌊⌈") {
             depth += 1;
-        } else if token.is_one_of(")]}") {
+        } else if token.is_one_of(")]}⌋⌉") {
             depth = depth.saturating_sub(1);
         }
         let line = token.kind == TokenKind::Line;

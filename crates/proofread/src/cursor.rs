@@ -56,9 +56,9 @@ impl<'t> Cursor<'t> {
         let mut depth = 0usize;
         for (at, token) in self.tokens.iter().enumerate().skip(self.at) {
             effort::count_steps(1);
-            if token.is_one_of("([{") {
+            if token.is_one_of("([{⌊⌈") {
                 depth += 1;
-            } else if token.is_one_of(")]}") {
+            } else if token.is_one_of(")]}⌋⌉") {
                 depth = depth.saturating_sub(1);
                 if depth == 0 {
                     let inner = &self.tokens[self.at + 1..at];

@@ -7,6 +7,7 @@ use crate::bracket_symbols;
 use crate::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::evaluate::Evaluator;
 use crate::notation;
+use crate::other_arithmetic;
 use crate::printed::Mode;
 use crate::reader::{Formula, FormulaStyle};
 use crate::reading::ReadingChoices;
@@ -193,7 +194,9 @@ impl PlacedPair<'_> {
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
             || (bare
                 && surroundings::named_base(self.text, around).is_none()
-                && surroundings::speaks_of_other_arithmetic(self.text, around))
+                && !computes_remainder(left)
+                && !computes_remainder(right)
+                && other_arithmetic::may_explain(self.text, around, bare_difference(judgement)))
     }
 
     /// Whether a sign in one of the sides parts two equations.
@@ -286,6 +289,14 @@ impl PlacedPair<'_> {
         let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
         let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
         row.iter().any(|token| match &token.kind {
+            // In another side of the chain, it cuts neither of these.
+            TokenKind::Unknown(_) if self.is_in_other_side(token.span) => false,
+            // Dots behind decimals were read.
+            TokenKind::Unknown(_)
+                if [self.left, self.right].into_iter().any(|side| has_number_at(side, token.span)) =>
+            {
+                false
+            }
             TokenKind::Unknown(name) => {
                 let source = self.text.get(token.span.range()).unwrap_or_default();
                 !name.starts_with('\\') && source.starts_with('\\')
@@ -294,12 +305,35 @@ impl PlacedPair<'_> {
         })
     }
 
+    /// Whether a place is inside a side of the chain that is none of these two.
+    fn is_in_other_side(&self, place: Span) -> bool {
+        let others = self.chain.sides.iter().filter(|side| side.span != self.left.span && side.span != self.right.span);
+        { others }.any(|side| side.span.start <= place.start && place.end <= side.span.end)
+    }
+
     /// Whether marks of TeX are left in a line that was taken for a formula.
     fn is_no_formula(&self) -> bool {
         let sides = self.left.span.join(self.right.span);
         let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
         self.formula.style == FormulaStyle::Plain && self.text.get(sides.range()).is_some_and(marks)
     }
+}
+
+/// Whether a place is inside a number of a side.
+fn has_number_at(side: &ChainSide, place: Span) -> bool {
+    let covers = |token: &Token| token.span.start <= place.start && place.end <= token.span.end;
+    side.tokens.iter().any(|token| token.number().is_some() && covers(token))
+}
+
+/// Whether a remainder is computed in a side.
+fn computes_remainder(side: &[Token]) -> bool {
+    any(side, &|kind| matches!(kind, TokenKind::Word(word) if word == "mod"))
+}
+
+/// The difference of two sides that are numbers.
+fn bare_difference(judgement: &PairJudgement) -> Option<f64> {
+    let (left, right) = judgement.values.as_ref()?;
+    Some(left.number().ok()?.point - right.number().ok()?.point)
 }
 
 /// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its

@@ -6,7 +6,7 @@ use crate::interval::Interval;
 use crate::printed::{Mode, PrintedNumber};
 use crate::reading::ReadingChoices;
 use crate::step_rounding::StepRounding;
-use crate::token::{Token, TokenKind, collect_names, has_number, trim_space};
+use crate::token::{Token, TokenKind, has_number, trim_space};
 use crate::unit::unit;
 use crate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use std::collections::HashMap;
@@ -34,6 +34,8 @@ pub(crate) struct Evaluator<'b> {
     pub local: Option<(String, SideValue)>,
     /// What is rounded on the way.
     pub steps: StepRounding,
+    /// Whether a sign of plus or minus was met.
+    pub spreads: bool,
     depth: usize,
     work: usize,
 }
@@ -49,6 +51,7 @@ impl<'b> Evaluator<'b> {
             used: Vec::new(),
             local: None,
             steps: StepRounding::default(),
+            spreads: false,
             depth: 0,
             work: 0,
         }
@@ -60,7 +63,9 @@ impl<'b> Evaluator<'b> {
 
     /// The value of a side, behind which prose may follow.
     pub(crate) fn evaluate_side(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
-        if !has_number(tokens) && self.bindings.is_none() {
+        // The integer part of π is a number that is computed.
+        let has_part = tokens.iter().any(|token| token.is_one_of("⌊⌈"));
+        if !has_number(tokens) && !has_part && self.bindings.is_none() {
             return Err(Obstacle::NoNumber);
         }
         let words = |token: &Token| matches!(&token.kind, TokenKind::Word(word) if word != "e") || token.is_space();
@@ -83,7 +88,7 @@ impl<'b> Evaluator<'b> {
         }
         let mut cursor = Cursor::new(tokens);
         let value = self.sum(&mut cursor)?;
-        if !has_number(tokens) && self.used.is_empty() {
+        if !has_number(tokens) && !has_part && self.used.is_empty() {
             return Err(Obstacle::NoNumber);
         }
         let rest: Vec<&Token> = tokens[cursor.at..].iter().filter(|token| !token.is_space()).collect();
@@ -112,53 +117,6 @@ impl<'b> Evaluator<'b> {
         }
     }
 
-    /// The difference of an expression's values at the limits of the bar behind it, if there is a bar.
-    fn evaluate_bar(&mut self, tokens: &[Token]) -> Option<Evaluated<SideValue>> {
-        let at = tokens.iter().position(|token| matches!(token.kind, TokenKind::Limits(..)))?;
-        if tokens[..at].last().is_some_and(|before| before.is_sign(']')) {
-            return None;
-        }
-        let value = self.evaluate_between(&tokens[..at], &tokens[at]);
-        let rest = trim_space(&tokens[at + 1..]);
-        Some(value.and_then(|value| {
-            let Some(first) = rest.first() else { return Ok(value) };
-            if first.is_one_of("+-") {
-                // The terms behind the bar may have bars of their own.
-                let others =
-                    self.nest(|inside| inside.evaluate_bar(rest).unwrap_or_else(|| inside.evaluate_all(rest)))?;
-                return value.sum(&others, false);
-            }
-            let other = self.evaluate_all(rest)?;
-            value.product(&other, None, true)
-        }))
-    }
-
-    /// The difference of an expression's values at the limits.
-    fn evaluate_between(&mut self, of: &[Token], limits: &Token) -> Evaluated<SideValue> {
-        let TokenKind::Limits(from, to) = &limits.kind else { return Err(Obstacle::Unclear("no limits")) };
-        if self.local.is_some() {
-            return Err(Obstacle::Unclear("a bar inside a bar"));
-        }
-        let mut names = Vec::new();
-        collect_names(of, &mut names);
-        names.sort();
-        names.dedup();
-        let [name] = names.as_slice() else {
-            return Err(Obstacle::Unclear("a bar behind an expression in several variables"));
-        };
-        let (from, to) = (self.evaluate_all(from)?, self.evaluate_all(to)?);
-        let mut at = |limit: SideValue| {
-            self.local = Some((name.clone(), limit));
-            let value = self.evaluate_all(of);
-            self.local = None;
-            value
-        };
-        let (upper, lower) = (at(to)?, at(from)?);
-        let mut difference = upper.sum(&lower.negate(), false)?;
-        difference.operations += 1;
-        Ok(difference)
-    }
-
     /// The value of all tokens.
     pub(crate) fn evaluate_all(&mut self, tokens: &[Token]) -> Evaluated<SideValue> {
         let mut cursor = Cursor::new(tokens);
@@ -170,8 +128,16 @@ impl<'b> Evaluator<'b> {
         }
     }
 
+    /// What is computed inside from the digits as they are printed.
+    pub(crate) fn in_points<T>(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<T>) -> Evaluated<T> {
+        let mode = std::mem::replace(&mut self.mode, Mode::Point);
+        let value = value(self);
+        self.mode = mode;
+        value
+    }
+
     /// One step further inside: whatever is in something else is evaluated by this, be it in brackets, below a root or behind a bar.
-    fn nest(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<SideValue>) -> Evaluated<SideValue> {
+    pub(crate) fn nest(&mut self, value: impl FnOnce(&mut Self) -> Evaluated<SideValue>) -> Evaluated<SideValue> {
         if self.depth >= DEEPEST {
             return Err(Obstacle::TooLarge);
         }
@@ -207,7 +173,7 @@ impl<'b> Evaluator<'b> {
         }
         while let Some(token) = cursor.peek() {
             if token.is_one_of("±∓") {
-                return Err(Obstacle::Unclear("an uncertainty"));
+                return self.spread(&sum, cursor);
             }
             if !token.is_one_of("+-") {
                 break;
@@ -228,10 +194,17 @@ impl<'b> Evaluator<'b> {
             self.steps.note_sum([&sum, &term], &both);
             sum = both;
         }
+        if cursor.peek().and_then(Token::word) == Some("mod") {
+            cursor.at += 1;
+            let negative = cursor.take('-');
+            let modulus = self.product(cursor)?;
+            let modulus = if negative { modulus.negate() } else { modulus };
+            sum = self.remainder(&sum, &modulus)?;
+        }
         Ok(sum)
     }
 
-    fn product(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn product(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let mut product = self.factor(cursor)?;
         while let Some(token) = cursor.peek() {
             let literal_with_unit = product.literal == Literal::Number && product.has_unit;
@@ -257,6 +230,10 @@ impl<'b> Evaluator<'b> {
                 product = product.sum(&more, false)?;
                 product.operations = 0;
                 product.literal = Literal::Number;
+            } else if token.word() == Some("mod") && self.takes_one_factor(&product, cursor) {
+                cursor.at += 1;
+                let modulus = self.signed(cursor)?;
+                product = self.remainder(&product, &modulus)?;
             } else if token.is_sign('(') && self.repeats(&product, cursor)? {
             } else if self.starts_factor(token) {
                 if token.number().is_some() && cursor.previous().and_then(Token::word) == Some("%") {
@@ -391,7 +368,7 @@ impl<'b> Evaluator<'b> {
         Ok(false)
     }
 
-    fn signed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+    pub(crate) fn signed(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let negative = cursor.take('-');
         let value = self.factor(cursor)?;
         Ok(if negative { value.negate() } else { value })
@@ -406,13 +383,14 @@ impl<'b> Evaluator<'b> {
             | TokenKind::Root(..)
             | TokenKind::Group(_)
             | TokenKind::Basis(_)
+            | TokenKind::Call(..)
             | TokenKind::Unknown(_) => true,
             TokenKind::Word(word) => {
                 unit(word).is_some()
                     || word.chars().count() == 1
                     || self.bindings.is_some_and(|known| known.contains_key(word))
             }
-            TokenKind::Operator(c) => "([{√".contains(*c),
+            TokenKind::Operator(c) => "([{√⌊⌈".contains(*c),
             _ => false,
         }
     }
@@ -430,6 +408,11 @@ impl<'b> Evaluator<'b> {
     }
 
     pub(crate) fn raise(&mut self, value: &SideValue, exponent: &[Token]) -> Evaluated<SideValue> {
+        if let [Token { kind: TokenKind::Call(operation, count), .. }] = exponent
+            && let [count] = count.as_slice()
+        {
+            return self.factorial_power(value, *operation, count);
+        }
         let exponent = self.exponent(exponent)?;
         Ok(self.steps.round(value.power(exponent)?))
     }
@@ -514,6 +497,8 @@ impl<'b> Evaluator<'b> {
                 self.with_unit(value, cursor, false)
             }
             TokenKind::Operator('(' | '[' | '{') => self.evaluate_bracketed(cursor),
+            TokenKind::Operator('⌊' | '⌈') => self.rounded_part(cursor),
+            TokenKind::Call(operation, arguments) => self.call(*operation, arguments, cursor),
             TokenKind::Operator('|') => {
                 let end = cursor.tokens.iter().skip(cursor.at + 1).position(|token| token.is_sign('|'));
                 let end = cursor.at + 1 + end.ok_or(Obstacle::Unclear("a bar without another one"))?;
@@ -540,6 +525,18 @@ impl<'b> Evaluator<'b> {
             cursor.at += 1;
             let value = self.evaluate_between(inner, limits)?;
             return self.with_unit(value, cursor, false);
+        }
+        // The greatest integer: [[3.7]].
+        if let [first, middle @ .., last] = trim_space(inner)
+            && first.is_sign('[')
+            && last.is_sign(']')
+            && !middle.iter().any(|token| token.is_one_of("[]"))
+        {
+            let value = self.in_points(|inside| inside.evaluate_all(middle))?;
+            return self.whole(value, '⌊', cursor);
+        }
+        if let Some(value) = self.tuple(inner)? {
+            return self.with_powers(value, cursor);
         }
         let mut value = self.evaluate_all(inner)?;
         if value.literal != Literal::Unit {

@@ -14,6 +14,9 @@ impl Evaluator<'_> {
     /// The value of a function, whose name is the next token.
     pub(crate) fn function(&mut self, function: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         cursor.at += 1;
+        if function.takes_list() {
+            return self.of_list(function, cursor);
+        }
         let (mut function, mut power) = (function, None);
         if let Some(Token { kind: TokenKind::Power(exponent), .. }) = cursor.current() {
             let exponent = plain_exponent(exponent)?;
@@ -188,6 +191,7 @@ fn on_interval(function: MathFunction, x: Interval) -> Option<Interval> {
         MathFunction::Log | MathFunction::Lg if x.low > 0.0 => x.map_monotone(libm::log10),
         MathFunction::LogTo(base) if x.low > 0.0 => x.map_monotone(|x| libm::log(x) / libm::log(f64::from(base))),
         MathFunction::Ln | MathFunction::Log | MathFunction::Lg | MathFunction::LogTo(_) => return None,
+        MathFunction::Max | MathFunction::Min | MathFunction::Gcd | MathFunction::Lcm => return None,
         MathFunction::Exp => x.map_monotone(libm::exp),
         MathFunction::Sinh => x.map_monotone(libm::sinh),
         MathFunction::Tanh => x.map_monotone(libm::tanh),

@@ -55,6 +55,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     if is_binary(&left.tokens) && is_binary(&right.tokens) {
         out.push(sides().map(|side| in_decimal(&side)));
     }
+    out.extend(as_congruence(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
     out
 }
@@ -210,6 +211,15 @@ fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
     (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
 }
 
+/// Both sides as remainders, if the modulus stands behind the right one alone: `17 = 2 mod 5`.
+fn as_congruence(left: &[Token], right: &[Token]) -> Option<Sides> {
+    let is_mod = |token: &Token| token.word() == Some("mod");
+    let at = right.iter().position(is_mod).filter(|_| !left.iter().any(is_mod))?;
+    let sign = |c| Token::new(TokenKind::Operator(c), right[at].span);
+    let both = [&[sign('(')], left, &[sign(')')], &right[at..]].concat();
+    Some([both, right.to_vec()])
+}
+
 /// A side in which a sign of per cent between two numbers gives the remainder, as in programs: `20 % -4`.
 fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
     let mut out: Vec<Token> = side.iter().filter(|token| !token.is_space()).cloned().collect();
@@ -350,7 +360,7 @@ pub(crate) fn has_phasor(side: &[Token]) -> bool {
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.
 pub(crate) fn is_bracketed_number(side: &[Token]) -> bool {
-    matches!(without_space(side).as_slice(), [open, number, close] if open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
+    matches!(without_space(side).as_slice(), [open, number, close] | [open, Token { kind: TokenKind::Operator('-'), .. }, number, close] if (!open.is_sign('(') || without_space(side).len() == 3) && open.is_one_of("([{") && close.is_one_of(")]}") && number.number().is_some())
 }
 
 /// Whether a side adds or multiplies numbers in brackets of their own, which may be those of lines or equations: (4) + (5).
@@ -525,8 +535,16 @@ fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
 /// Whether a sign parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let Some((result, rest)) = parts(sides[1]) else { return false };
+    let computes = |token: &Token| {
+        token.is_one_of("+-×·/(√")
+            || matches!(token.kind, TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Power(_))
+    };
     let holds =
         |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated;
+    // Two numbers alone are no equation.
+    if !rest.iter().chain(sides[2]).any(computes) {
+        return false;
+    }
     // The sign may be the first of the second equation: 5 · 3 = 15   −5 · 3 = −15.
     let signed = &sides[1][sides[1].len() - rest.len() - 1..];
     let signed = signed.first().is_some_and(|sign| sign.is_sign('-')) && holds(signed, sides[2]);

@@ -22,11 +22,14 @@ pub(crate) struct PrintedNumber {
     pub decimals: Option<usize>,
     digits: usize,
     trailing_zeros: usize,
+    /// Whether dots stand for the digits that follow.
+    goes_on: bool,
 }
 
 impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
     pub(crate) fn read(text: &str) -> Option<Self> {
+        let (text, goes_on) = text.strip_suffix('…').map_or((text, false), |text| (text, true));
         let plain: String = text.chars().filter(|c| *c != ',').collect();
         let allowed = |c: char| c.is_ascii_digit() || c == '.';
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
@@ -35,8 +38,11 @@ impl PrintedNumber {
         let value: f64 = plain.parse().ok().filter(|value: &f64| value.is_finite())?;
         let decimals = plain.split_once('.').map(|(_, behind)| behind.len());
         let trailing = plain.len() - plain.trim_end_matches('0').len();
+        // What follows the dots is anything up to the next digit.
+        let more = if goes_on { 0.5 * power_of_ten(-(decimals.unwrap_or(0) as f64)) } else { 0.0 };
         Some(Self {
-            value,
+            value: value + more,
+            goes_on,
             decimals,
             digits: plain.trim_start_matches('0').len(),
             trailing_zeros: if value == 0.0 || decimals.is_some() { 0 } else { trailing },
@@ -48,7 +54,7 @@ impl PrintedNumber {
     pub(crate) fn open(&self, mode: Mode, scaled: bool) -> (f64, f64) {
         if let Some(decimals) = self.decimals {
             let unit = power_of_ten(-(decimals as f64));
-            return (if mode == Mode::Point { 0.0 } else { unit / 2.0 }, unit);
+            return (if mode == Mode::Point && !self.goes_on { 0.0 } else { unit / 2.0 }, unit);
         }
         let exact_one = self.value == 1.0;
         match mode {

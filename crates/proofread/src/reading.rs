@@ -50,6 +50,12 @@ impl ReadingChoices {
     /// An exponent behind the brackets of a function's argument belongs to the function: `ln(2)^2` is the square of ln 2.
     pub(crate) const POWER_OUTSIDE: Self = Self(1 << 19);
 
+    /// The remainder is one of the factor before it alone, and has its sign: `2 + 17 mod 5` is 4.
+    pub(crate) const REMAINDER_OF_FACTOR: Self = Self(1 << 20);
+
+    /// A sum over an index goes on behind the next plus or minus sign.
+    pub(crate) const SUM_OF_ALL: Self = Self(1 << 21);
+
     /// Whether all choices of another set are in this one.
     pub(crate) fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
@@ -85,7 +91,7 @@ impl ReadingChoices {
 
     /// The choices in words.
     pub(crate) fn descriptions(self) -> Vec<&'static str> {
-        const WORDS: [(ReadingChoices, &str); 19] = [
+        const WORDS: [(ReadingChoices, &str); 21] = [
             (ReadingChoices::DEGREES, "angles in degrees"),
             (ReadingChoices::TURNS, "a revolution counted as 1"),
             (ReadingChoices::POINTS, "temperatures on the scale"),
@@ -105,6 +111,8 @@ impl ReadingChoices {
             (ReadingChoices::ZERO_DEGREES, "an exponent of zero as a degree sign"),
             (ReadingChoices::SHARE, "a percentage as a factor"),
             (ReadingChoices::POWER_OUTSIDE, "a power of the function"),
+            (ReadingChoices::REMAINDER_OF_FACTOR, "the remainder of one factor"),
+            (ReadingChoices::SUM_OF_ALL, "all that follows under the sign of the sum"),
         ];
         WORDS.iter().filter(|(choice, _)| self.contains(*choice)).map(|(_, words)| *words).collect()
     }

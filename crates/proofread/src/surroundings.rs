@@ -9,7 +9,7 @@ use crate::unit::unit;
 /// Most bytes of text that are looked at on each side.
 const NEAR: usize = 160;
 
-fn text_around(text: &str, span: Span) -> (String, String) {
+pub(crate) fn text_around(text: &str, span: Span) -> (String, String) {
     let range = span.range();
     let bound = |mut at: usize| {
         while !text.is_char_boundary(at) {
@@ -444,41 +444,6 @@ pub(crate) fn follows_label(text: &str, span: Span) -> bool {
     let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
     let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
     !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
-}
-
-/// Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
-pub(crate) fn speaks_of_other_arithmetic(text: &str, span: Span) -> bool {
-    const WORDS: [&str; 16] = [
-        "overflow",
-        "overflows",
-        "saturation",
-        "uint",
-        "mod",
-        "pmod",
-        "bmod",
-        "modulo",
-        "boolean",
-        "xor",
-        "binary",
-        "octal",
-        "hexadecimal",
-        "two\u{2019}s complement",
-        "two's complement",
-        "in base",
-    ];
-    let (before, after) = text_around(text, span);
-    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
-    let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
-    let near = format!("{sentence} {rest}").to_lowercase();
-    let source = text.get(span.range()).unwrap_or_default();
-    let is_word = |of: &str, at: usize, word: &str| {
-        let letter = |c: char| c.is_ascii_alphabetic();
-        !of[..at].ends_with(letter) && !of[at + word.len()..].starts_with(letter)
-    };
-    let has = |of: &str| WORDS.iter().any(|word| of.match_indices(word).any(|(at, word)| is_word(of, at, word)));
-    has(&near)
-        || has(source)
-        || ["mathbb{z}", "mathbb z", "mathbb{f", "mathbb f", "gf("].iter().any(|field| near.contains(field))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.

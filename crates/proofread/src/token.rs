@@ -79,10 +79,52 @@ pub enum MathFunction {
     Sinh,
     Cosh,
     Tanh,
+    /// The largest of several numbers.
+    Max,
+    /// The smallest of several numbers.
+    Min,
+    /// The greatest common divisor of integers.
+    Gcd,
+    /// The least common multiple of integers.
+    Lcm,
+}
+
+/// An operation that is written with signs of its own and has two arguments or more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NamedOperation {
+    /// A binomial or multinomial coefficient: of how many, and how many are chosen.
+    Binomial,
+    /// How many ordered choices there are: of how many, and how many are chosen.
+    Permutations,
+    /// A falling factorial: the number, and how many factors.
+    Falling,
+    /// A rising factorial: the number, and how many factors.
+    Rising,
+    /// A sum over an index: the index, its first and its last value.
+    Sum,
+    /// A product over an index: the index, its first and its last value.
+    Product,
+    /// A determinant: its rows, each with cells.
+    Determinant,
+}
+
+impl NamedOperation {
+    /// A name to show.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Binomial => "C",
+            Self::Permutations => "P",
+            Self::Falling => "falling",
+            Self::Rising => "rising",
+            Self::Sum => "∑",
+            Self::Product => "∏",
+            Self::Determinant => "det",
+        }
+    }
 }
 
 impl MathFunction {
-    const ALL: [(&'static str, Self); 20] = [
+    const ALL: [(&'static str, Self); 24] = [
         ("sin", Self::Sin),
         ("cos", Self::Cos),
         ("tan", Self::Tan),
@@ -103,11 +145,20 @@ impl MathFunction {
         ("tanh", Self::Tanh),
         ("tg", Self::Tan),
         ("lg", Self::Lg),
+        ("max", Self::Max),
+        ("min", Self::Min),
+        ("gcd", Self::Gcd),
+        ("lcm", Self::Lcm),
     ];
 
     /// The function of this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function)
+    }
+
+    /// Whether it takes a list of numbers.
+    pub(crate) fn takes_list(self) -> bool {
+        matches!(self, Self::Max | Self::Min | Self::Gcd | Self::Lcm)
     }
 
     /// Its usual name.
@@ -180,6 +231,8 @@ pub enum TokenKind {
     Power(Vec<Token>),
     /// A unit vector: 1, 2 and 3 for i, j and k.
     Basis(u8),
+    /// An operation by its name, with its arguments.
+    Call(NamedOperation, Vec<Vec<Token>>),
     /// A bar behind an expression, with the lower and the upper limit between which it is taken.
     Limits(Vec<Token>, Vec<Token>),
     /// What has no meaning here.
@@ -248,7 +301,7 @@ impl TokenKind {
             Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => vec![a, b],
             Self::Scripts(a, b, c) => vec![a, b, c],
             Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => vec![a],
-            Self::Table(rows) => rows.iter().map(Vec::as_slice).collect(),
+            Self::Table(rows) | Self::Call(_, rows) => rows.iter().map(Vec::as_slice).collect(),
             _ => Vec::new(),
         }
     }
@@ -264,7 +317,7 @@ impl TokenKind {
             Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => vec![a, b],
             Self::Scripts(a, b, c) => vec![a, b, c],
             Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => vec![a],
-            Self::Table(rows) => rows.iter_mut().collect(),
+            Self::Table(rows) | Self::Call(_, rows) => rows.iter_mut().collect(),
             _ => Vec::new(),
         }
     }
@@ -391,6 +444,18 @@ fn show_into(tokens: &[Token], out: &mut String) {
                     out.push(' ');
                     show_into(row, out);
                 }
+            }
+            TokenKind::Call(operation, arguments) => {
+                out.push_str(operation.name());
+                out.push('(');
+                for (at, argument) in arguments.iter().enumerate() {
+                    out.push_str(if at > 0 { "; " } else { "" });
+                    for (cell, of) in argument.split(|token| token.kind == TokenKind::Cell).enumerate() {
+                        out.push_str(if cell > 0 { ", " } else { "" });
+                        show_into(of, out);
+                    }
+                }
+                out.push(')');
             }
             TokenKind::Power(exponent) => {
                 out.push('^');

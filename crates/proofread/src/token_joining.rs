@@ -5,6 +5,7 @@
 //! a [`TokenKind::Power`] behind what it belongs to.
 
 use crate::equation_columns;
+use crate::joined_operations::join_operations;
 use crate::split_units::{self, prefixed_unit, pressure_column};
 use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
 
@@ -99,6 +100,8 @@ fn without_comma(token: Token) -> Token {
 }
 
 fn flatten(tokens: &[Token]) -> Vec<Token> {
+    let joined = join_operations(tokens);
+    let tokens = joined.as_deref().unwrap_or(tokens);
     let mut out: Vec<Token> = Vec::new();
     let mut related = false;
     for (at, token) in tokens.iter().enumerate() {
@@ -151,6 +154,12 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
             TokenKind::Root(of, index) => {
                 out.push(Token::new(TokenKind::Root(join_inner(of), join_inner(index)), span))
             }
+            TokenKind::Call(operation, arguments) => {
+                out.push(Token::new(
+                    TokenKind::Call(*operation, arguments.iter().map(|of| join_cells(of)).collect()),
+                    span,
+                ));
+            }
             TokenKind::Operator(c) if "∫∂∮∇∬∯…⋯∏∑".contains(*c) => {
                 out.push(unknown(&c.to_string(), span))
             }
@@ -164,6 +173,21 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                 }
                 out.push(token.clone());
             }
+        }
+    }
+    out
+}
+
+/// An argument of an operation, whose cells stay apart.
+fn join_cells(tokens: &[Token]) -> Vec<Token> {
+    let mut out = Vec::new();
+    for part in tokens.split_inclusive(|token| token.kind == TokenKind::Cell) {
+        match part.split_last() {
+            Some((cell, rest)) if cell.kind == TokenKind::Cell => {
+                out.extend(join_inner(rest));
+                out.push(cell.clone());
+            }
+            _ => out.extend(join_inner(part)),
         }
     }
     out
@@ -258,7 +282,7 @@ fn join_superscript(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Tok
             out.pop();
         }
         let takes = out.last().is_some_and(|last| match last.kind {
-            TokenKind::Operator(c) => ")]".contains(c),
+            TokenKind::Operator(c) => ")]⌋⌉".contains(c),
             TokenKind::Word(_)
             | TokenKind::Number(_)
             | TokenKind::Name(_)

@@ -100,6 +100,8 @@ pub(crate) struct SideValue {
     pub operations: u32,
     pub bound: bool,
     pub literal: Literal,
+    /// Whether its components are those of a tuple, an interval or a column.
+    pub is_tuple: bool,
     /// How many base units of the SI one unit of the printed number is.
     pub factor: f64,
 }
@@ -143,8 +145,32 @@ impl SideValue {
             operations: (self.operations + other.operations).saturating_add(operations),
             bound: self.bound || other.bound,
             literal: Literal::No,
+            is_tuple: self.is_tuple || other.is_tuple,
             factor: 1.0,
         }
+    }
+
+    /// The tuple of two or three numbers.
+    pub(crate) fn from_components(values: &[Self]) -> Evaluated<Self> {
+        let Some(first) = values.first().filter(|_| values.len() <= 3) else {
+            return Err(Obstacle::Unclear("a list of more than three numbers"));
+        };
+        let mut tuple = Self { parts: Parts::default(), is_tuple: true, ..first.clone() };
+        for (at, value) in values.iter().enumerate() {
+            let zero = value.is_zero() && !value.has_unit;
+            if value.dimension != first.dimension && !zero {
+                return Err(Obstacle::MixedSum);
+            }
+            tuple.parts.0[at + 1] = Some(value.number()?);
+            tuple.has_unit |= value.has_unit;
+            if at > 0 {
+                tuple.operations = tuple.operations.saturating_add(value.operations);
+            }
+            if value.literal != Literal::Number {
+                tuple.literal = Literal::No;
+            }
+        }
+        Ok(tuple)
     }
 
     /// The sum; `loosely` adds whatever the units are.
@@ -193,6 +219,7 @@ impl SideValue {
         if both && product.parts == Parts::default() {
             product.parts = Parts::scalar(Interval::exact(0.0));
         }
+        product.is_tuple &= product.parts.is_vector();
         Ok(product)
     }
 

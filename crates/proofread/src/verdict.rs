@@ -285,6 +285,9 @@ impl ComparedSides<'_> {
         let left = self.value(0, Mode::Point, reading, &mut used);
         let right = self.value(1, Mode::Point, reading, &mut used);
         let mut points = [left?, right?];
+        if points[0].is_tuple != points[1].is_tuple {
+            return Err(Obstacle::Unclear("a list beside a number"));
+        }
         used.sort();
         used.dedup();
         let literal = [points[0].is_literal(), points[1].is_literal()];
@@ -482,7 +485,7 @@ fn is_within(points: &[SideValue; 2], printed: &SideValue, halves: f64) -> bool 
 fn is_plain_sum(side: &[Token]) -> bool {
     let is_term = |token: &Token| match &token.kind {
         TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
-        TokenKind::Operator(c) => "+-()[]|".contains(*c),
+        TokenKind::Operator(c) => "+-()[]|,;".contains(*c),
         _ => false,
     };
     let products =

@@ -150,7 +150,7 @@ fn vectors_sets_intervals_and_matrices_are_no_numbers() {
 }
 
 #[test]
-fn remainders_and_other_bases_are_not_computed() {
+fn congruences_and_other_bases_are_no_differences() {
     quiet(
         TextFormat::Markdown,
         &[

@@ -15,6 +15,7 @@ mod growth;
 mod inclusions;
 mod judged;
 mod notations;
+mod operations;
 mod plain;
 mod readings;
 mod remarks;

@@ -132,7 +132,7 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
                 let opens = at > 1 && tokens[at - 2].is_one_of("([{");
                 let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
                 // A pair in brackets may be a point of the plane.
-                seen.commas += usize::from(!(opens && closes) && !is_pair(tokens, at));
+                seen.commas += usize::from(!(opens && closes || is_pair(tokens, at)));
                 seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
             }
             // The number of an equation.

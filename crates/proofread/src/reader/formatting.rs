@@ -1,6 +1,6 @@
 //! Commands of TeX that change how their arguments look, or stand for something that is not part of the formula.
 
-use crate::token::{Token, TokenKind, span_of};
+use crate::token::{NamedOperation, Token, TokenKind, span_of};
 
 /// What a command does with what stands behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,9 +89,11 @@ pub(crate) fn long_arrow_sign(name: &str) -> Option<char> {
     })
 }
 
-/// Fractions of what stands before and behind `\over` in a group or cell.
+/// Fractions and binomial coefficients of what stands before and behind `\over` and `\choose` in a group or cell.
 pub(super) fn with_over_fractions(tokens: Vec<Token>) -> Vec<Token> {
-    let is_over = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "\\over");
+    let is_choose = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "\\choose");
+    let is_over =
+        |token: &Token| is_choose(token) || matches!(&token.kind, TokenKind::Unknown(name) if name == "\\over");
     if !tokens.iter().any(is_over) {
         return tokens;
     }
@@ -104,8 +106,13 @@ pub(super) fn with_over_fractions(tokens: Vec<Token>) -> Vec<Token> {
         };
         match part.iter().position(is_over) {
             Some(at) if !part.iter().any(|token| token.is_one_of("=≈")) && !part[at + 1..].iter().any(is_over) => {
-                let fraction = TokenKind::Fraction(part[..at].to_vec(), part[at + 1..].to_vec());
-                out.push(Token::new(fraction, span_of(part)));
+                let (above, below) = (part[..at].to_vec(), part[at + 1..].to_vec());
+                let kind = if is_choose(&part[at]) {
+                    TokenKind::Call(NamedOperation::Binomial, vec![above, below])
+                } else {
+                    TokenKind::Fraction(above, below)
+                };
+                out.push(Token::new(kind, span_of(part)));
             }
             _ => out.extend(part.iter().cloned()),
         }

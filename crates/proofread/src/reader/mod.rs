@@ -11,6 +11,7 @@ mod latex;
 mod markdown;
 mod markup;
 mod mathml;
+mod matrix;
 mod notebook;
 mod plain;
 mod pretext;

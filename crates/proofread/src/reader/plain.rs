@@ -267,7 +267,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     TokenKind::Name("π".to_owned())
                 } else if word == "sqrt" {
                     TokenKind::Operator('√')
-                } else if let Some(function) = MathFunction::from_name(&word).filter(|_| word != "sec") {
+                } else if let Some(function) =
+                    MathFunction::from_name(&word).filter(|_| word != "sec" && (calls || !word.starts_with('m')))
+                {
                     TokenKind::Function(function)
                 } else if follows_unit
                     && unit(&word).is_some()
@@ -279,7 +281,12 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 } else if word == "of" && of_numbers {
                     TokenKind::Word(word)
                 } else if word == "mod" {
-                    TokenKind::Unknown(word)
+                    // The modulus alone says how the whole line is meant.
+                    if (counted || follows_number) && before_number {
+                        TokenKind::Word(word)
+                    } else {
+                        TokenKind::Unknown(word)
+                    }
                 } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
                     // What is counted has no unit that is known.
                     TokenKind::Word(word)

@@ -6,7 +6,9 @@ use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
-use crate::token::{ENDLESS, MathFunction, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show};
+use crate::token::{
+    ENDLESS, MathFunction, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show,
+};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -214,7 +216,11 @@ impl Tex<'_> {
                 }
                 '^' | '_' => {
                     self.stack.pop();
-                    let script = self.argument(depth);
+                    let factorial = if c == '^' { self.factorial_power() } else { None };
+                    let mut script = self.argument(depth);
+                    if let Some(operation) = factorial {
+                        script = vec![token(TokenKind::Call(operation, vec![without_line(script)]), span)];
+                    }
                     attach_script(&mut out, c == '^', script, span);
                 }
                 '\'' | '′' => {
@@ -442,10 +448,15 @@ impl Tex<'_> {
                 self.row_space();
                 push(out, TokenKind::Line);
             }
-            "begin" | "end" => self.environment(&name, span, out),
+            "begin" | "end" => self.environment(&name, span, depth, out),
             "square" | "Box" if !self.ends() => push(out, TokenKind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, TokenKind::Space(2)),
-            "pmod" | "bmod" => push(out, TokenKind::Unknown(name)),
+            "pmod" => push(out, TokenKind::Unknown(name)),
+            "bmod" | "mod" => push(out, TokenKind::Word("mod".to_owned())),
+            "binom" | "dbinom" | "tbinom" => {
+                let arguments = vec![self.argument(depth), self.argument(depth)];
+                push(out, TokenKind::Call(NamedOperation::Binomial, arguments));
+            }
             name => {
                 if let Some(command) = formatting::formatting_command(name) {
                     self.format_argument(name, command, span, depth, out);
@@ -490,7 +501,8 @@ impl Tex<'_> {
         if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
             out.push(token(TokenKind::Space(2), span_of_chars(&raw)));
         }
-        if let Some(function) = MathFunction::from_name(text.trim()) {
+        let is_minute = text.trim() == "min" && command != "operatorname";
+        if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute) {
             out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
             return;
         }
@@ -527,16 +539,19 @@ impl Tex<'_> {
     }
 
     /// Reads characters, the last one first, as a formula inside this one.
-    fn read_inside(&mut self, reversed: Vec<SourceChar>, depth: usize) -> Vec<Token> {
+    pub(super) fn read_inside(&mut self, reversed: Vec<SourceChar>, depth: usize) -> Vec<Token> {
         let outer = std::mem::replace(&mut self.stack, reversed);
         let inner = self.tokens(depth + 1, &[]);
         self.stack = outer;
         inner
     }
 
-    fn environment(&mut self, command: &str, span: Span, out: &mut Vec<Token>) {
+    fn environment(&mut self, command: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
         let name: String = self.raw_group().iter().map(|sign| sign.c).collect();
         let base = name.trim_end_matches('*');
+        if command == "begin" && base.ends_with("matrix") && self.matrix(&name, span, depth, out) {
+            return;
+        }
         if command == "begin" && matches!(base, "array" | "tabular" | "alignat" | "alignedat") {
             self.optional();
             self.skip_space();
@@ -563,6 +578,14 @@ impl Tex<'_> {
             "subequations",
         ];
         out.push(token(if ROWS.contains(&base) { TokenKind::Line } else { TokenKind::Unknown(name) }, span));
+    }
+}
+
+/// What a line is drawn above or below.
+fn without_line(script: Vec<Token>) -> Vec<Token> {
+    match script.as_slice() {
+        [Token { kind: TokenKind::Accent(inner, _) | TokenKind::Group(inner), .. }] => inner.clone(),
+        _ => script,
     }
 }
 

@@ -246,7 +246,9 @@ fn word(signs: &[SourceChar], out: &mut Vec<Token>) {
     let kind = if !subscript.is_empty() {
         let base: String = signs.iter().map(|sign| sign.c).filter(|c| subscript_char(*c).is_none()).collect();
         TokenKind::Name(format!("{base}_{subscript}"))
-    } else if let Some(function) = MathFunction::from_name(&text).filter(|function| *function != MathFunction::Sec) {
+    } else if let Some(function) = MathFunction::from_name(&text)
+        .filter(|function| *function != MathFunction::Sec && !(function.takes_list() && text.starts_with('m')))
+    {
         TokenKind::Function(function)
     } else {
         let mut letters = text.chars();

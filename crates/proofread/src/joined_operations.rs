@@ -1,0 +1,177 @@
+//! Operations and numbers that readers leave in pieces: sums with printed limits, numbers of choices, repeating decimals, dots behind
+//! decimals.
+
+use crate::token::{NamedOperation, Token, TokenKind, trim_space};
+
+/// Decimals to which a period is written out.
+const DECIMALS: usize = 15;
+
+/// The tokens with these operations as one token each, or none if there are none.
+pub(crate) fn join_operations(tokens: &[Token]) -> Option<Vec<Token>> {
+    let mut out: Vec<Token> = Vec::new();
+    let (mut at, mut found) = (0, false);
+    while at < tokens.len() {
+        let rest = &tokens[at..];
+        let joined = over_index(rest)
+            .or_else(|| scripted_choices(rest))
+            .or_else(|| typed_choices(rest, &tokens[..at]))
+            .or_else(|| called_choices(rest))
+            .or_else(|| period(rest))
+            .or_else(|| dots(rest));
+        match joined {
+            Some((kind, taken)) => {
+                if !found {
+                    out.extend_from_slice(&tokens[..at]);
+                    found = true;
+                }
+                let span = rest[..taken].iter().fold(rest[0].span, |span, token| span.join(token.span));
+                out.push(Token::new(kind, span));
+                at += taken;
+            }
+            None => {
+                if found {
+                    out.push(rest[0].clone());
+                }
+                at += 1;
+            }
+        }
+    }
+    found.then_some(out)
+}
+
+fn is_integer(token: &Token) -> bool {
+    token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))
+}
+
+fn choices_of(letter: &Token) -> Option<NamedOperation> {
+    match &letter.kind {
+        TokenKind::Name(name) | TokenKind::Word(name) if name == "C" => Some(NamedOperation::Binomial),
+        TokenKind::Name(name) | TokenKind::Word(name) if name == "P" => Some(NamedOperation::Permutations),
+        _ => None,
+    }
+}
+
+/// A sum or product with an index and its limits below and above the sign.
+fn over_index(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let TokenKind::Scripts(base, sub, sup) = &rest.first()?.kind else { return None };
+    let [sign] = trim_space(base) else { return None };
+    let operation = match sign.kind {
+        TokenKind::Operator('∑') => NamedOperation::Sum,
+        TokenKind::Operator('∏') => NamedOperation::Product,
+        _ => return None,
+    };
+    let equals = sub.iter().position(|token| token.is_sign('='))?;
+    let (index, first) = (trim_space(&sub[..equals]), trim_space(&sub[equals + 1..]));
+    let named = matches!(index, [Token { kind: TokenKind::Name(_), .. }]);
+    (named && !first.is_empty() && !sup.is_empty())
+        .then(|| (TokenKind::Call(operation, vec![index.to_vec(), first.to_vec(), sup.clone()]), 1))
+}
+
+/// The number of choices with its numbers beside a letter: ₅C₂.
+fn scripted_choices(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let TokenKind::Scripts(nothing, below, above) = &rest.first()?.kind else { return None };
+    let nothing = nothing.iter().all(|token| matches!(&token.kind, TokenKind::Group(of) if of.is_empty()));
+    let n = match (below.as_slice(), above.as_slice()) {
+        (n, []) | ([], n) if nothing && !n.is_empty() => n,
+        _ => return None,
+    };
+    let next = 1 + rest[1..].iter().take_while(|token| token.is_space()).count();
+    let TokenKind::Scripts(letter, k, power) = &rest.get(next)?.kind else { return None };
+    let [letter] = trim_space(letter) else { return None };
+    let operation = choices_of(letter).filter(|_| power.is_empty() && !k.is_empty())?;
+    Some((TokenKind::Call(operation, vec![n.to_vec(), k.clone()]), next + 1))
+}
+
+/// The number of choices typed in a line: 7C2.
+fn typed_choices(rest: &[Token], before: &[Token]) -> Option<(TokenKind, usize)> {
+    let [n, letter, k, ..] = rest else { return None };
+    // In running text, a digit behind a letter is taken for its exponent.
+    let k = match &k.kind {
+        TokenKind::Scripts(base, below, raised) if base.is_empty() && below.is_empty() => match raised.as_slice() {
+            [raised] => raised,
+            _ => return None,
+        },
+        _ => k,
+    };
+    let touch = n.span.end == letter.span.start && letter.span.end == k.span.start;
+    let operation = choices_of(letter).filter(|_| touch && is_integer(n) && is_integer(k))?;
+    let digits = |token: &Token| token.number().and_then(|digits| digits.parse::<u32>().ok());
+    let ends = rest.get(3).is_none_or(|next| {
+        next.is_space() || next.is_one_of("=≈+-·×/),.;") || matches!(next.kind, TokenKind::Line | TokenKind::Cell)
+    });
+    let starts = before.last().is_none_or(|before| {
+        before.is_space() || before.is_one_of("=≈+-·×/(,.;") || matches!(before.kind, TokenKind::Line | TokenKind::Cell)
+    });
+    let ordered = digits(n).zip(digits(k)).is_some_and(|(n, k)| k > 0 && n >= k && n < 100);
+    (ends && starts && ordered).then(|| (TokenKind::Call(operation, vec![vec![n.clone()], vec![k.clone()]]), 3))
+}
+
+/// The binomial coefficient as a function of two integers: C(7, 4).
+fn called_choices(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let letter = rest.first()?;
+    if !matches!(&letter.kind, TokenKind::Name(name) | TokenKind::Word(name) if name == "C") {
+        return None;
+    }
+    let end = rest.iter().take(12).position(|token| token.is_sign(')'))?;
+    let solid: Vec<&Token> = rest[1..=end].iter().filter(|token| !token.is_space()).collect();
+    let [open, n, comma, k, _] = solid.as_slice() else { return None };
+    let digits = |token: &Token| token.number().and_then(|digits| digits.parse::<u32>().ok());
+    let ordered = digits(n).zip(digits(k)).is_some_and(|(n, k)| n >= k);
+    (open.is_sign('(') && comma.is_sign(',') && ordered)
+        .then(|| (TokenKind::Call(NamedOperation::Binomial, vec![vec![(*n).clone()], vec![(*k).clone()]]), end + 1))
+}
+
+/// A repeating decimal whose period has a line above it.
+fn period(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let whole = rest.first()?.number().filter(|digits| !digits.contains('…'))?;
+    let points = usize::from(rest.get(1)?.is_sign('.'));
+    let TokenKind::Accent(base, sign) = &rest.get(1 + points)?.kind else { return None };
+    let [period] = trim_space(base) else { return None };
+    let digits = period.number().filter(|_| is_integer(period))?;
+    let single = digits.len() == 1 && sign == "˙";
+    if !(single || sign == "¯") || (points == 1) == whole.contains('.') {
+        return None;
+    }
+    let start = if points == 1 { format!("{whole}.") } else { whole.to_owned() };
+    Some((TokenKind::Number(repeated(&start, digits)), 2 + points))
+}
+
+/// Decimals with a period behind them, written out.
+fn repeated(start: &str, period: &str) -> String {
+    let decimals = start.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let more: String = period.chars().cycle().take(DECIMALS.saturating_sub(decimals)).collect();
+    format!("{start}{more}")
+}
+
+/// Decimals that go on with dots: with a period that is printed twice they are known to the end.
+fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let first = rest.first()?;
+    let number = first.number().filter(|digits| digits.contains('.') && !digits.contains('…'))?;
+    let next = rest.get(1)?;
+    let is_dots = match &next.kind {
+        TokenKind::Unknown(dots) => dots == "…",
+        TokenKind::Operator('…') => true,
+        _ => false,
+    };
+    let typed = rest.get(1..4).is_some_and(|three| three.iter().all(|token| token.is_sign('.')));
+    let taken = if typed { 4 } else { 2 };
+    let behind = rest.get(taken..).unwrap_or_default().iter().find(|token| !token.is_space());
+    let ends = behind.is_none_or(|behind| match &behind.kind {
+        TokenKind::Operator(c) => "=≈)]}.;/-·×".contains(*c),
+        TokenKind::Word(_) | TokenKind::Line | TokenKind::Cell | TokenKind::Space(_) => true,
+        _ => false,
+    });
+    if !(is_dots || typed) || first.span.end < next.span.start || !ends {
+        return None;
+    }
+    let (_, decimals) = number.split_once('.')?;
+    let repeats = |length: usize| {
+        let Some(start) = decimals.len().checked_sub(2 * length) else { return false };
+        decimals[start..start + length] == decimals[start + length..]
+    };
+    let written = match (1..=6).find(|length| repeats(*length)) {
+        Some(length) => repeated(number, &decimals[decimals.len() - length..]),
+        None => format!("{number}…"),
+    };
+    Some((TokenKind::Number(written), taken))
+}

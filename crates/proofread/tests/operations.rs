@@ -1,0 +1,209 @@
+//! Operations with names and signs of their own: each in a chain of ours that must not be listed, beside one that must.
+
+use crate::report;
+use proofread::{ReportSection, TextFormat};
+
+/// Each of these holds, and it is compared.
+#[track_caller]
+fn holds(texts: &[&str]) {
+    for text in texts {
+        let found = report(text, TextFormat::Markdown).findings;
+        assert!(!found.is_empty(), "nothing is compared in {text}");
+        assert!(found.iter().all(|of| of.section == ReportSection::Agreeing), "{text}: {found:#?}");
+    }
+}
+
+/// Each of these is listed.
+#[track_caller]
+fn fails(texts: &[&str]) {
+    for text in texts {
+        let found = report(text, TextFormat::Markdown).findings;
+        assert!(found.iter().any(|of| of.section == ReportSection::Numbers), "{text}: {found:#?}");
+    }
+}
+
+/// Nothing is compared in these.
+#[track_caller]
+fn silent(texts: &[&str]) {
+    for text in texts {
+        let found = report(text, TextFormat::Markdown).findings;
+        assert!(found.iter().all(|of| of.section != ReportSection::Numbers), "{text}: {found:#?}");
+    }
+}
+
+#[test]
+fn choices_are_counted() {
+    holds(&[
+        r"$\binom{8}{3} = 56$ and $\dbinom83 = \frac{8!}{3!\,5!}$",
+        r"${9 \choose 2} = 36$",
+        r"${}_8C_3 = 56$ and $_8P_2 = 56$ and ${}^8C_3 = 56$",
+        r"$C(9,2) = 36$ and $9C2 = 36$",
+        "9P2 = 9 × 8 = 72",
+        r"$\binom{9}{2,3,4} = 1260$",
+        r"$\binom{60}{30} \approx 1.18\times10^{17}$",
+    ]);
+    fails(&[
+        r"$\binom{8}{3} = 65$",
+        r"${9 \choose 2} = 63$",
+        r"${}_8C_3 = 65$",
+        r"$C(9,2) = 63$",
+        "9C2 = 63",
+        r"$\binom{9}{2,3,4} = 1620$",
+    ]);
+    silent(&[r"$\binom{n}{3} = 56$", r"$P(9,2) = 0.5$", r"$\binom{1000000}{500000} = 3$"]);
+}
+
+#[test]
+fn factorials_may_fall_and_rise() {
+    holds(&[
+        r"$8^{\underline{3}} = 8\cdot7\cdot6 = 336$",
+        r"$5^{\overline{3}} = 210$",
+        r"$x^{\underline2}$ and $6^{\underline2}=30$",
+    ]);
+    fails(&[r"$8^{\underline{3}} = 363$", r"$5^{\overline{3}} = 201$"]);
+}
+
+#[test]
+fn lists_have_a_largest_number_and_a_divisor() {
+    holds(&[
+        r"$\max(3, 8) = 8$ and $\min\{9, 2+5\} = 7$",
+        r"$\gcd(18,24) = 6$ and $\operatorname{lcm}(6, 8) = 24$",
+        r"$\gcd(462,198) = 66$",
+        r"$\max(0.25, 0.31) = 0.31$",
+    ]);
+    fails(&[
+        r"$\max(3, 8) = 3$",
+        r"$\min\{9, 2+5\} = 9$",
+        r"$\gcd(18,24) = 8$",
+        r"$\operatorname{lcm}(6, 8) = 48$",
+        r"$\gcd(462,198) = 62$",
+    ]);
+    silent(&[r"$\max f = 3$", r"$\gcd(a,b) = 3$", r"in 5 min = 300 s"]);
+}
+
+#[test]
+fn remainders_are_computed() {
+    holds(&[
+        r"$23 \bmod 7 = 2$ and $-3 \bmod 8 = 5$",
+        r"$4 + 23 \bmod 7 = 6$",
+        "Then 41 mod 6 = 5.",
+        r"$(7\cdot8) \bmod 9 = 56 \bmod 9 = 2$",
+    ]);
+    fails(&[
+        r"$23 \bmod 7 = 3$",
+        r"$123 = 5 \bmod 7$",
+        "Then 41 mod 6 = 4.",
+        r"Modulo $11$ it holds since $9\cdot5 = 46 = 4\cdot11+1$.",
+    ]);
+    silent(&[
+        r"In $\mathbb{Z}_7$, $5+4=2$.",
+        r"Modulo $11$, $9\cdot5 = 1$ and $9^{-1} = 5$.",
+        "On a clock 10 + 4 = 2.",
+        r"$23 = 2 \bmod 7$",
+        r"$20 \% -4 = 0$",
+    ]);
+}
+
+#[test]
+fn integer_parts_are_computed() {
+    holds(&[
+        r"$\lfloor 9/2 \rfloor = 4$ and $\left\lceil\frac{20}{3}\right\rceil = 7$",
+        r"$\lfloor\log_2 500\rfloor+1 = 9$",
+        r"$[\![4.6]\!] = 4$",
+        "The middle is ⌊(3 + 8)/2⌋ = 5.",
+        r"$\lfloor\pi\rfloor = 3$",
+        r"$\lfloor -2.5\rfloor = -3$",
+    ]);
+    fails(&[
+        r"$\lfloor 9/2 \rfloor = 5$",
+        r"$\lceil 6.1 \rceil = 6$",
+        r"$[\![4.6]\!] = 5$",
+        "The middle is ⌊(3 + 8)/2⌋ = 6.",
+    ]);
+    silent(&[r"$\{-2.3\} = -2.3+3 = 0.7$", r"$\lfloor x\rfloor = 3$"]);
+}
+
+#[test]
+fn decimals_may_go_on() {
+    holds(&[
+        r"$0.\overline{6} = \frac23$ and $0.58\overline{3} = \frac{7}{12}$",
+        r"$\frac{3}{7} = 0.4285\ldots$",
+        "5/6 = 0.8333… ≈ 0.83",
+        r"$1 - \frac13 = 66.66...\%$",
+    ]);
+    fails(&[
+        r"$0.\overline{6} = \frac35$",
+        r"$\frac{3}{7} = 0.4385\ldots$",
+        "5/6 = 0.8333… ≈ 0.93",
+        r"$1 - \frac13 = 67.66...\%$",
+        r"$2+4+6+\cdots+100 = 50\cdot51 = 2505$",
+    ]);
+    silent(&[r"$0.5, 0.25, \ldots = 1$"]);
+}
+
+#[test]
+fn tuples_are_compared_by_their_components() {
+    holds(&[
+        r"$(4-0.5, 4+0.5) = (3.5, 4.5)$",
+        r"$7 \pm 3 = (4, 10)$",
+        r"$(1,4)+(2,5) = (3,9)$ and $3(1,4) = (3,12)$ and $(1,4)\cdot(2,5) = 22$",
+        r"$\begin{pmatrix}1\\4\end{pmatrix}+\begin{pmatrix}2\\5\end{pmatrix}=\begin{pmatrix}3\\9\end{pmatrix}$",
+        r"$\frac{5\pm\sqrt{9}}{2} = \frac{5\pm3}{2}$",
+    ]);
+    fails(&[
+        r"$(4-0.5, 4+0.5) = (3.5, 4.6)$",
+        r"$7 \pm 3 = (4, 11)$",
+        r"$(1,4)+(2,5) = (3,8)$",
+        r"$(1,4)\cdot(2,5) = 24$",
+        r"$\begin{bmatrix}1\\4\end{bmatrix}+\begin{bmatrix}2\\5\end{bmatrix}=\begin{bmatrix}3\\8\end{bmatrix}$",
+        r"$12.5\pm2.0\cdot0.6 = 12.5\pm1.8$",
+    ]);
+    silent(&[
+        r"$\frac{5\pm3}{2} = 4$",
+        r"$(12,18) = 6$",
+        r"$(1\,2)(2\,3) = 4$",
+        r"$5.0\pm0.2\,\text{cm} = 5\,\text{cm}$",
+        r"$(2.0\pm0.3)+(3.0\pm0.4) = 5.0\pm0.5$",
+    ]);
+}
+
+#[test]
+fn sums_over_an_index_are_computed() {
+    holds(&[
+        r"$\sum_{k=1}^{5} k^2 = 55$ and $\prod_{i=1}^{5} i = 120$",
+        r"$\sum_{k=1}^{6}(2k-1) = 36$",
+        r"$\sum_{n=0}^{3} 2n+1 = 16$",
+        r"$\sum_{j=1}^{4}\frac{1}{2^j} = \frac{15}{16}$",
+    ]);
+    fails(&[
+        r"$\sum_{k=1}^{5} k^2 = 56$",
+        r"$\prod_{i=1}^{5} i = 102$",
+        r"$\sum_{j=1}^{4}\frac{1}{2^j} = \frac{17}{16}$",
+    ]);
+    silent(&[
+        r"$\sum_{k=1}^{n} k = 3$",
+        r"$\sum_{k=1}^{1000000} k = 3$",
+        r"$\sum_{k=1}^{3}\sum_{j=1}^{3} kj = 3$",
+        r"$\sum x_i = 12$",
+    ]);
+}
+
+#[test]
+fn determinants_are_computed() {
+    holds(&[
+        r"$\begin{vmatrix}4&2\\1&3\end{vmatrix} = 12-2 = 10$",
+        r"$\det\begin{pmatrix}2&0&1\\1&3&2\\0&1&1\end{pmatrix} = 3$",
+    ]);
+    fails(&[r"$\begin{vmatrix}4&2\\1&3\end{vmatrix} = 14$", r"$\begin{vmatrix}4&2\\1&3\end{vmatrix} = 12-2 = 11$"]);
+    silent(&[
+        r"$\begin{vmatrix}a&2\\1&3\end{vmatrix} = 14$",
+        r"$\begin{pmatrix}4&2\\1&3\end{pmatrix} = 14$",
+        r"$\begin{pmatrix}4&2\\1&3 = 14$",
+    ]);
+}
+
+#[test]
+fn a_mixed_number_may_be_improper() {
+    holds(&[r"$2\tfrac75 = 3\tfrac25$"]);
+    fails(&[r"$2\tfrac75 = 3\tfrac35$"]);
+}
