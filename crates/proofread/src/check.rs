@@ -7,6 +7,7 @@ use crate::effort::{self, CheckEffort};
 use crate::explanation::{DifferingPair, agrees};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::hint;
+use crate::matrix_sides;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadableText};
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
@@ -290,6 +291,10 @@ impl DocumentCheck<'_> {
         if left.tokens.is_empty() || right.tokens.is_empty() {
             return;
         }
+        if !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right) {
+            self.compare_matrices(chain, formula, [left, right], relation);
+            return;
+        }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {
             let bound = |side: &ChainSide| evaluate_freely(&side.tokens, bindings).is_ok();
@@ -322,6 +327,23 @@ impl DocumentCheck<'_> {
             self.results.record(formula.scope, left, right, &values);
         }
         self.record(formula, chain, [left, right], judgement, relation);
+    }
+
+    /// Compares each entry of a matrix with that of another one.
+    fn compare_matrices(
+        &mut self,
+        chain: &Chain,
+        formula: &Formula,
+        [left, right]: [&ChainSide; 2],
+        relation: Relation,
+    ) {
+        let Some(entries) = matrix_sides::paired_entries(left, right) else { return };
+        for [left, right] in entries {
+            if is_known(&evaluate_freely(&left.tokens, None)) && is_known(&evaluate_freely(&right.tokens, None)) {
+                let judgement = judge(&left.tokens, &right.tokens, relation, None);
+                self.record(formula, chain, [&left, &right], judgement, relation);
+            }
+        }
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.

@@ -24,6 +24,7 @@ mod hint;
 mod interval;
 mod joined_operations;
 mod line_index;
+mod matrix_sides;
 mod notation;
 mod numeral;
 mod operation;

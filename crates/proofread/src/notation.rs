@@ -4,7 +4,7 @@
 use crate::chain::{ChainSide, ROW_END, Relation};
 use crate::reader::{Formula, FormulaStyle};
 use crate::substitution::without_space;
-use crate::token::{MathFunction, Token, TokenKind, any};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
 use crate::unit::unit;
 use crate::value::{AngleUnit, SideValue};
 use crate::verdict::{ChainVerdict, judge};
@@ -46,6 +46,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
+    each(&as_columns);
     each(&under_function);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
@@ -209,6 +210,20 @@ fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
     let (last, rest) = side.split_last()?;
     let counts = last.word().is_some_and(|word| ["thousand", "million", "billion", "trillion"].contains(&word));
     (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
+}
+
+/// A side in which what looks like a binomial coefficient is a column of two numbers.
+fn as_columns(side: &[Token]) -> Option<Vec<Token>> {
+    let mut found = false;
+    let changed = side.iter().map(|token| match &token.kind {
+        TokenKind::Call(NamedOperation::Binomial, rows) => {
+            found = true;
+            Token::new(TokenKind::Call(NamedOperation::Matrix, rows.clone()), token.span)
+        }
+        _ => token.clone(),
+    });
+    let changed = changed.collect();
+    found.then_some(changed)
 }
 
 /// Both sides as remainders, if the modulus stands behind the right one alone: `17 = 2 mod 5`.

@@ -200,6 +200,7 @@ impl Evaluator<'_> {
                 return self.over_index(operation, [index, first, last], cursor);
             }
             (NamedOperation::Determinant, rows) => self.determinant(rows)?,
+            (NamedOperation::Matrix, rows) => return self.column(rows),
             (_, [n, k]) => self.count_choices(operation, n, k)?,
             _ => return Err(Obstacle::Unclear("an operation without its arguments")),
         };
@@ -338,6 +339,20 @@ impl Evaluator<'_> {
             values.push(self.evaluate_all(piece)?);
         }
         SideValue::from_components(&values).map(Some)
+    }
+
+    /// A row or column of two or three numbers.
+    fn column(&mut self, rows: &[Vec<Token>]) -> Evaluated<SideValue> {
+        let cells: Vec<&[Token]> =
+            rows.iter().flat_map(|row| row.split(|token| token.kind == TokenKind::Cell)).collect();
+        if !(2..=3).contains(&cells.len()) || (rows.len() > 1 && cells.len() > rows.len()) {
+            return Err(Obstacle::Unclear("a matrix"));
+        }
+        let mut values = Vec::new();
+        for cell in cells {
+            values.push(self.evaluate_all(cell)?);
+        }
+        SideValue::from_components(&values)
     }
 
     /// The determinant of the rows, whose cells are parted.

@@ -106,6 +106,8 @@ pub enum NamedOperation {
     Product,
     /// A determinant: its rows, each with cells.
     Determinant,
+    /// A matrix: its rows, each with cells.
+    Matrix,
 }
 
 impl NamedOperation {
@@ -119,6 +121,7 @@ impl NamedOperation {
             Self::Sum => "∑",
             Self::Product => "∏",
             Self::Determinant => "det",
+            Self::Matrix => "",
         }
     }
 }

@@ -203,6 +203,31 @@ fn determinants_are_computed() {
 }
 
 #[test]
+fn matrices_are_compared_by_their_entries() {
+    let m = |cells: &str| format!(r"\begin{{pmatrix}}{cells}\end{{pmatrix}}");
+    let [a, b] = [m(r"2&1\\0&3"), m(r"1&4\\2&1")];
+    let squared = r"\left[\begin{array}{cc}2&1\\0&3\end{array}\right]^2".to_owned();
+    let cases = [
+        (format!("{a}+{b}"), m(r"3&5\\2&4"), m(r"3&5\\2&5")),
+        (format!("{a}{b}"), m(r"4&9\\6&3"), m(r"4&9\\6&7")),
+        (format!(r"\frac12{a}-{b}"), m(r"0&-3.5\\-2&0.5"), m(r"0&-3.5\\-2&0.8")),
+        (squared, m(r"4&5\\0&9"), m(r"4&5\\0&8")),
+        (format!("{a}{}", m(r"3\\4")), m(r"10\\12"), m(r"10\\14")),
+        (m(r"2\cdot3&1+1\\4&0"), m(r"6&2\\4&0"), m(r"6&3\\4&0")),
+    ];
+    for (side, right, wrong) in &cases {
+        holds(&[&format!("${side} = {right}$")]);
+        fails(&[&format!("${side} = {wrong}$")]);
+    }
+    silent(&[
+        &format!("$({b})^{{-1}} = {a}$ and ${a}^T = {b}$ and ${a} = 5$"),
+        &format!("$k{a} = {b}$ and ${a}{} = {b}$", m(r"1\\2\\3")),
+        r"$\frac12\binom{4}{6} = \binom{2}{3}$",
+        r"$\left[\begin{array}{l}2+3=5\\4+5=9\end{array}\right.$",
+    ]);
+}
+
+#[test]
 fn a_mixed_number_may_be_improper() {
     holds(&[r"$2\tfrac75 = 3\tfrac25$"]);
     fails(&[r"$2\tfrac75 = 3\tfrac35$"]);

@@ -30,33 +30,26 @@ impl Tex<'_> {
         let Some(inside) = self.take_environment(name) else { return false };
         let whole = inside.iter().fold(span, |span, sign| span.join(sign.span));
         let tokens = self.read_inside(inside.into_iter().rev().collect(), depth);
+        // Equations in brackets are rows of their own.
+        if tokens.iter().any(|token| token.is_one_of("=≈")) {
+            out.push(token(TokenKind::Line, span));
+            out.extend(tokens);
+            out.push(token(TokenKind::Line, whole));
+            return true;
+        }
         let rows: Vec<Vec<Token>> = tokens
             .split(|token| token.kind == TokenKind::Line)
             .map(|row| trim_space(row).to_vec())
             .filter(|row| !row.is_empty())
             .collect();
-        let columns = rows.iter().map(|row| row.iter().filter(|token| token.kind == TokenKind::Cell).count() + 1);
-        let columns = columns.max().unwrap_or(0);
         let has_det = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "\\det");
         let last = out.iter().rposition(|token| !token.is_space());
         let det = last.filter(|at| has_det(&out[*at]));
         if name.starts_with('v') || det.is_some() {
             out.truncate(det.unwrap_or(out.len()));
             out.push(token(TokenKind::Call(NamedOperation::Determinant, rows), whole));
-        } else if (columns == 1 || rows.len() == 1) && "pb".contains(name.get(..1).unwrap_or("?")) {
-            let cells: Vec<&[Token]> = match rows.as_slice() {
-                [row] => row.split(|token| token.kind == TokenKind::Cell).collect(),
-                rows => rows.iter().map(Vec::as_slice).collect(),
-            };
-            let mark = |sign| token(TokenKind::Operator(sign), Span { start: whole.start, end: whole.start + 1 });
-            out.push(mark('('));
-            for (at, cell) in cells.into_iter().enumerate() {
-                out.extend((at > 0).then(|| mark(',')));
-                out.extend_from_slice(cell);
-            }
-            out.push(token(TokenKind::Operator(')'), Span { start: whole.end.saturating_sub(1), end: whole.end }));
         } else {
-            out.push(token(TokenKind::Unknown("a matrix".to_owned()), whole));
+            out.push(token(TokenKind::Call(NamedOperation::Matrix, rows), whole));
         }
         true
     }
@@ -87,5 +80,13 @@ impl Tex<'_> {
             }
         }
         None
+    }
+}
+
+/// What a line is drawn above or below.
+pub(super) fn without_line(script: Vec<Token>) -> Vec<Token> {
+    match script.as_slice() {
+        [Token { kind: TokenKind::Accent(inner, _) | TokenKind::Group(inner), .. }] => inner.clone(),
+        _ => script,
     }
 }

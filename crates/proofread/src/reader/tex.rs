@@ -2,6 +2,7 @@
 
 use super::definitions::Macros;
 use super::formatting::{self, with_over_fractions};
+use super::matrix::without_line;
 use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
@@ -549,7 +550,13 @@ impl Tex<'_> {
     fn environment(&mut self, command: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
         let name: String = self.raw_group().iter().map(|sign| sign.c).collect();
         let base = name.trim_end_matches('*');
-        if command == "begin" && base.ends_with("matrix") && self.matrix(&name, span, depth, out) {
+        let held =
+            |out: &[Token]| out.iter().rev().find(|token| !token.is_space()).is_some_and(|of| of.is_one_of("(["));
+        let is_matrix = base.ends_with("matrix") || (base == "array" && held(out));
+        if command == "begin" && base == "array" && is_matrix {
+            self.raw_group();
+        }
+        if command == "begin" && is_matrix && self.matrix(&name, span, depth, out) {
             return;
         }
         if command == "begin" && matches!(base, "array" | "tabular" | "alignat" | "alignedat") {
@@ -578,14 +585,6 @@ impl Tex<'_> {
             "subequations",
         ];
         out.push(token(if ROWS.contains(&base) { TokenKind::Line } else { TokenKind::Unknown(name) }, span));
-    }
-}
-
-/// What a line is drawn above or below.
-fn without_line(script: Vec<Token>) -> Vec<Token> {
-    match script.as_slice() {
-        [Token { kind: TokenKind::Accent(inner, _) | TokenKind::Group(inner), .. }] => inner.clone(),
-        _ => script,
     }
 }
 
