@@ -167,6 +167,8 @@ fn variants(tokens: &[Token], near: EditNearness, tries: &mut Tries<'_>) -> Cont
         let span = token.span;
         let mut push = |tokens: Vec<Token>, words: String| tries(Edit { tokens, words, at: span });
         match &token.kind {
+            // Decimals that go on are not printed digit by digit.
+            TokenKind::Number(text) if text.ends_with('…') || text.len() > LONGEST_NUMBER => {}
             TokenKind::Number(text) if near == EditNearness::Digit => {
                 for other in digits(text) {
                     push(with(vec![number(other.clone(), span)], 1), format!("`{other}` for `{text}`"))?;
@@ -332,6 +334,9 @@ fn commas(text: &str) -> Vec<String> {
     }
     out
 }
+
+/// Most characters of a number that may be misprinted.
+const LONGEST_NUMBER: usize = 16;
 
 /// The number with its point elsewhere.
 fn shifted(text: &str) -> Vec<String> {

@@ -6,7 +6,7 @@ fn given(variable: &str, usual: u64) -> u64 {
     std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-const SEEDS: [(TextFormat, &str); 7] = [
+const SEEDS: [(TextFormat, &str); 8] = [
     (
         TextFormat::Markdown,
         "# A\n\nIt is $v = \\frac{3.0\\,\\mathrm{m}}{2.0\\ \\text{s}} = 1.5\\,\\mathrm{m/s}$ and `code`.\n\n$$x_1^2 = [\\sin^{-1} \
@@ -34,10 +34,15 @@ const SEEDS: [(TextFormat, &str); 7] = [
         TextFormat::Plain,
         "F = (2.0 kg)(3.0 m/s²) = 7.0 N\nv = 500 sin 17.6°\nv = 151.2\n1.5e-3 * 2 = 3.1e-3; 10 % or 0.1\n",
     ),
+    (
+        TextFormat::Markdown,
+        "$\\sum_{k=1}^{4} k^2 + \\binom{7}{4} = {7 \\choose 3} \\pm 2 = (3, 7)$, $17 \\bmod 5 = \\lfloor 7/2 \\rfloor = 0.1\\overline{6}$ and \
+         $\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}^2 = \\det\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix} = \\max(2, 5)! = 7^{\\underline{3}} = 1.43\\ldots$",
+    ),
     (TextFormat::Plain, "2 3/4 = 2.75 ± 3 °C = 276 K, 5 rev = 31.4 rad, 1,234.5 J/kg·K"),
 ];
 
-const PIECES: [&str; 55] = [
+const PIECES: [&str; 69] = [
     "\\frac",
     "{",
     "}",
@@ -93,6 +98,20 @@ const PIECES: [&str; 55] = [
     "\\x",
     "\\DeclareSIUnit\\metre{\\x",
     "\\NewDocumentCommand{\\v}{O{",
+    "\\binom",
+    "\\sum_{k=1}^{9}",
+    "\\begin{pmatrix}",
+    "\\end{pmatrix}",
+    "\\begin{vmatrix}1&2\\\\",
+    "\\lfloor",
+    "⌋",
+    "\\bmod",
+    "…",
+    "\\overline{3}",
+    "^{\\underline{3}}",
+    "\\gcd(",
+    "7C2",
+    ",",
 ];
 
 fn mutated(text: &str, dice: &mut fastrand::Rng) -> String {

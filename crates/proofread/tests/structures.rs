@@ -128,7 +128,7 @@ fn markdown() -> Vec<Structure> {
 /// One formula each.
 fn formulas() -> Vec<Structure> {
     let units = "\\kilo\\metre\\per\\second";
-    let formulas: [(&str, Grown); 44] = [
+    let formulas: [(&str, Grown); 58] = [
         ("a chain", repeated("$", "1+1=2=", "2$")),
         ("a wrong chain", numbered("$", |i| format!("{i}.5+1={}.5=", i + 3), "2$")),
         ("a sum", repeated("$", "1.1+", "1=3$")),
@@ -172,6 +172,30 @@ fn formulas() -> Vec<Structure> {
         ("roots of signs", repeated("$", "\\surd", " 2=5$")),
         ("a long number of siunitx", repeated("$\\qty{2e", "9", "}{m}=\\num{3e-9}$")),
         ("cells", repeated("$$", "1&", "=2$$")),
+        ("matrices", repeated("$$", "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}", "=2$$")),
+        ("matrices without an end", repeated("$$", "\\begin{pmatrix}1&2", "=2$$")),
+        ("matrices in each other", nested("$$", "\\begin{vmatrix}", "1", "\\end{vmatrix}", "=2$$")),
+        (
+            "sums of matrices",
+            repeated(
+                "$$",
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}+",
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}=\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}$$",
+            ),
+        ),
+        (
+            "formulas with matrices",
+            repeated("", "$\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}^2=\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}$ ", ""),
+        ),
+        ("sums over an index", repeated("$", "\\sum_{k=1}^{99}", "k=2$")),
+        ("formulas with sums", repeated("", "$\\sum_{k=1}^{99}k=4951$ and ", "")),
+        ("choices", repeated("$", "\\binom{400}{200}+", "1=2$")),
+        ("choices in each other", nested("$", "\\binom{", "4", "}{2}", "=2$")),
+        ("integer parts", nested("$", "\\lfloor ", "4.5", "\\rfloor", "=2$")),
+        ("remainders", repeated("$", "17 \\bmod ", "5=2$")),
+        ("tuples in each other", nested("$", "(1,", "2", ")", "=2$")),
+        ("repeating decimals", repeated("$", "0.\\overline{3}+", "1=2$")),
+        ("lists of numbers", repeated("$\\max(", "1,", "2)=3$")),
         ("dots", repeated("$", "1.", "=2$")),
     ];
     let long = Box::new(move |n: usize| format!("$\\SI{{2}}{{{}}}=5$", units.repeat(n / units.len() + 1)));

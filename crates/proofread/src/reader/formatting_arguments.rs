@@ -60,4 +60,21 @@ impl Tex<'_> {
         }
         out
     }
+
+    /// Skips the space between two rows, `[4pt]`, which is told from a row that begins with a bracket by being a length.
+    pub(super) fn row_space(&mut self) {
+        let mut ahead = self.stack.iter().rev().map(|sign| sign.c).skip_while(|c| c.is_whitespace());
+        if ahead.next() != Some('[') {
+            return;
+        }
+        let inside: String = ahead.take(20).take_while(|c| *c != ']').collect();
+        let inside = inside.trim();
+        let is_length = inside.contains(|c: char| c.is_ascii_digit() || c == '\\')
+            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"]
+                .iter()
+                .any(|end| inside.ends_with(end));
+        if is_length {
+            self.optional();
+        }
+    }
 }

@@ -27,7 +27,10 @@ impl Tex<'_> {
 
     /// Reads a matrix up to its end, which is taken; whether there is one.
     pub(super) fn matrix(&mut self, name: &str, span: Span, depth: usize, out: &mut Vec<Token>) -> bool {
-        let Some(inside) = self.take_environment(name) else { return false };
+        let Some(inside) = self.take_environment(name) else {
+            self.has_open_matrix = true;
+            return false;
+        };
         let whole = inside.iter().fold(span, |span, sign| span.join(sign.span));
         let tokens = self.read_inside(inside.into_iter().rev().collect(), depth);
         // Equations in brackets are rows of their own.
@@ -56,6 +59,9 @@ impl Tex<'_> {
 
     /// The characters up to the end of an environment, which is taken; none if it has no end.
     fn take_environment(&mut self, name: &str) -> Option<Vec<SourceChar>> {
+        if self.has_open_matrix {
+            return None;
+        }
         let is_at = |stack: &[SourceChar], end: usize, text: &str| {
             text.chars()
                 .enumerate()

@@ -34,8 +34,14 @@ pub(crate) fn formula(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<Token> {
     if signs.len() > LONGEST {
         return vec![token(TokenKind::Unknown(TOO_LONG.to_owned()), span_of_chars(signs))];
     }
-    let mut reader =
-        Tex { stack: signs.iter().rev().copied().collect(), macros, expanded: 0, outermost: None, upright: false };
+    let mut reader = Tex {
+        stack: signs.iter().rev().copied().collect(),
+        macros,
+        expanded: 0,
+        outermost: None,
+        upright: false,
+        has_open_matrix: false,
+    };
     reader.tokens(0, &[])
 }
 
@@ -49,6 +55,8 @@ pub(super) struct Tex<'m> {
     pub(super) outermost: Option<(String, usize)>,
     /// Whether the rest of the group is upright, as behind `\rm`.
     upright: bool,
+    /// Whether a matrix was met that has no end near; no other one is looked for then.
+    pub(super) has_open_matrix: bool,
 }
 
 pub(super) fn token(kind: TokenKind, span: Span) -> Token {
@@ -469,23 +477,6 @@ impl Tex<'_> {
                     push(out, symbol(name));
                 }
             }
-        }
-    }
-
-    /// Skips the space between two rows, `[4pt]`, which is told from a row that begins with a bracket by being a length.
-    fn row_space(&mut self) {
-        let mut ahead = self.stack.iter().rev().map(|sign| sign.c).skip_while(|c| c.is_whitespace());
-        if ahead.next() != Some('[') {
-            return;
-        }
-        let inside: String = ahead.take(20).take_while(|c| *c != ']').collect();
-        let inside = inside.trim();
-        let is_length = inside.contains(|c: char| c.is_ascii_digit() || c == '\\')
-            && ["pt", "em", "ex", "cm", "mm", "in", "skip", "jot", "size", "height"]
-                .iter()
-                .any(|end| inside.ends_with(end));
-        if is_length {
-            self.optional();
         }
     }
 
