@@ -535,7 +535,9 @@ impl<'b> Evaluator<'b> {
             let value = self.in_points(|inside| inside.evaluate_all(middle))?;
             return self.whole(value, '⌊', cursor);
         }
-        if let Some(value) = self.tuple(inner)? {
+        // The order of a set says nothing.
+        let is_set = cursor.previous().is_some_and(|close| close.is_sign('}'));
+        if let Some(value) = self.tuple(inner, is_set)? {
             return self.with_powers(value, cursor);
         }
         let mut value = self.evaluate_all(inner)?;

@@ -326,10 +326,13 @@ impl Evaluator<'_> {
     }
 
     /// The components of a tuple, an interval or a vector of two or three numbers; none if there is no list in the brackets.
-    pub(crate) fn tuple(&mut self, inner: &[Token]) -> Evaluated<Option<SideValue>> {
+    pub(crate) fn tuple(&mut self, inner: &[Token], is_set: bool) -> Evaluated<Option<SideValue>> {
         let pieces = listed(inner);
         if pieces.len() == 1 {
             return Ok(None);
+        }
+        if is_set {
+            return Err(Obstacle::Unclear("a set"));
         }
         if pieces.len() > 3 {
             return Err(Obstacle::Unclear("a list of more than three numbers"));

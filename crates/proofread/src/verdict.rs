@@ -485,12 +485,12 @@ fn is_within(points: &[SideValue; 2], printed: &SideValue, halves: f64) -> bool 
 fn is_plain_sum(side: &[Token]) -> bool {
     let is_term = |token: &Token| match &token.kind {
         TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
-        TokenKind::Operator(c) => "+-()[]|,;".contains(*c),
+        TokenKind::Operator(c) => "+-±()[]|,;".contains(*c),
         _ => false,
     };
     let products =
         side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
-    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-")) && !products
+    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-±")) && !products
 }
 
 /// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².

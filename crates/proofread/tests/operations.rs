@@ -146,6 +146,8 @@ fn tuples_are_compared_by_their_components() {
     holds(&[
         r"$(4-0.5, 4+0.5) = (3.5, 4.5)$",
         r"$7 \pm 3 = (4, 10)$",
+        r"$0.50 \pm 0.03 = [0.47, 0.53]$",
+        r"$(1,2,3)\times(4,5,6) = (-3,6,-3)$",
         r"$(1,4)+(2,5) = (3,9)$ and $3(1,4) = (3,12)$ and $(1,4)\cdot(2,5) = 22$",
         r"$\begin{pmatrix}1\\4\end{pmatrix}+\begin{pmatrix}2\\5\end{pmatrix}=\begin{pmatrix}3\\9\end{pmatrix}$",
         r"$\frac{5\pm\sqrt{9}}{2} = \frac{5\pm3}{2}$",
@@ -153,6 +155,8 @@ fn tuples_are_compared_by_their_components() {
     fails(&[
         r"$(4-0.5, 4+0.5) = (3.5, 4.6)$",
         r"$7 \pm 3 = (4, 11)$",
+        r"$0.50 \pm 0.03 = [0.47, 0.54]$",
+        r"$(1,2,3)\times(4,5,6) = (-3,6,-5)$",
         r"$(1,4)+(2,5) = (3,8)$",
         r"$(1,4)\cdot(2,5) = 24$",
         r"$\begin{bmatrix}1\\4\end{bmatrix}+\begin{bmatrix}2\\5\end{bmatrix}=\begin{bmatrix}3\\8\end{bmatrix}$",
@@ -161,6 +165,7 @@ fn tuples_are_compared_by_their_components() {
     silent(&[
         r"$\frac{5\pm3}{2} = 4$",
         r"$(12,18) = 6$",
+        r"$2 \pm 3 = \{5, -1\}$ and $\{1,2\} = \{2,1\}$",
         r"$(1\,2)(2\,3) = 4$",
         r"$5.0\pm0.2\,\text{cm} = 5\,\text{cm}$",
         r"$(2.0\pm0.3)+(3.0\pm0.4) = 5.0\pm0.5$",

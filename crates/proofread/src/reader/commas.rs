@@ -81,7 +81,10 @@ fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
     // Between them is no more than a comma, or one in braces.
     let near = behind.span.start.saturating_sub(before.span.end) <= 3;
     let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is_sign(','));
-    let number = |at: usize| tokens.get(at).is_some_and(|token| digits(token).is_some());
+    let number = |at: usize| {
+        let signed = tokens.get(at).is_some_and(|token| token.is_sign('-'));
+        tokens.get(at + usize::from(signed)).is_some_and(|token| digits(token).is_some())
+    };
     // A list, unless the next comma is followed by space.
     let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
     let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
