@@ -66,7 +66,7 @@ impl Ledger {
         let count = |verdict| (verdict, judged.iter().filter(|judged| judged.plain() == verdict).count());
         let differing = judged.iter().filter(|judged| !judged.matches_record());
         let complaint = |judged: &&Judged| format!("{}: {}", judged.claim.id, judged.complaints().join("; "));
-        let mut contradictions: Vec<String> = differing.map(|judged| complaint(judged)).collect();
+        let mut contradictions: Vec<String> = differing.map(complaint).collect();
         let mut numbers = 0;
         for document in self.mirrored() {
             for line in document.lines()? {

@@ -5,8 +5,8 @@ use crate::token::Span;
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use std::ops::Range;
 
-/// Tags that part the characters on their sides: MathML's numbers, raised and lowered signs, line breaks.
-const PARTING: [&str; 4] = ["mn", "sup", "sub", "br"];
+/// Tags that part the digits on their sides: MathML's numbers, raised and lowered signs. A line break parts all characters.
+const PARTING: [&str; 3] = ["mn", "sup", "sub"];
 
 /// The shown characters of each line of a file, in the order of the lines: what is markup, code, comment or address is left out, and
 /// the numbers of a list in Markdown are, too. A line that shows nothing is empty.
@@ -53,7 +53,8 @@ pub fn shown_lines(text: &str, format: TextFormat) -> Result<Vec<String>, Unread
             line.push(' ');
         } else {
             let between = text.get(before.range().end..start).unwrap_or_default();
-            if is_parting(between) {
+            let [is_digit, was_digit] = [c.is_ascii_digit(), line.ends_with(|c: char| c.is_ascii_digit())];
+            if is_digit && was_digit && has_tag(between, &PARTING) || has_tag(between, &["br"]) {
                 line.push(' ');
             }
             line.push(c);
@@ -63,13 +64,11 @@ pub fn shown_lines(text: &str, format: TextFormat) -> Result<Vec<String>, Unread
     Ok(lines)
 }
 
-/// Whether a stretch of markup parts the characters on its sides.
-fn is_parting(between: &str) -> bool {
-    let is_tag = |name: &str| {
-        let mut opened = between.split('<').skip(1).map(|tag| tag.trim_start_matches('/'));
-        opened.any(|tag| tag.strip_prefix(name).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric())))
-    };
-    PARTING.iter().any(|name| is_tag(name))
+/// Whether a stretch of markup has a tag of one of these names.
+fn has_tag(between: &str, names: &[&str]) -> bool {
+    let tags = between.split('<').skip(1).map(|tag| tag.trim_start_matches('/').split([' ', '>', '/']).next());
+    // A name may begin with that of its space: `m:mn`.
+    tags.flatten().any(|tag| names.contains(&tag.rsplit(':').next().unwrap_or_default()))
 }
 
 /// Where the numbers are that a text in Markdown gives the items of its lists: a page counts them itself.
@@ -103,9 +102,8 @@ mod tests {
         let page =
             "<p id=\"2\">\nIt is 10<sup>3</sup> m,<br>1<td>2</td>\n<style>\na { width: 7px }\n</style>\nor 8.</p>";
         assert_eq!(shown(page, TextFormat::Html), ["", "It is 10^(3) m, 1 2", "", "", "", "or 8."]);
-        let xml =
-            "<para id=\"p-9\">It is 10<sup>3</sup>,\n<math><mn>4</mn><mn>5</mn><mo>=</mo></math> <b>6</b>7</para>\n";
-        assert_eq!(shown(xml, TextFormat::Xml), ["It is 10 3 ,", "4 5 = 67"]);
+        let xml = "<para id=\"p-9\">It is 10<sup>3</sup>,\n<m:math><m:mn>4</m:mn><m:mn>5</m:mn><m:mo>=</m:mo><m:mn>3</m:mn><m:mtext>.</m:mtext><m:mn>0</m:mn></m:math> <b>6</b>7</para>\n";
+        assert_eq!(shown(xml, TextFormat::Xml), ["It is 10 3,", "4 5=3.0 67"]);
         assert_eq!(shown("1 and\r\n\r\n2", TextFormat::Plain), ["1 and", "", "2"]);
         assert!(shown("", TextFormat::Plain).is_empty());
     }
