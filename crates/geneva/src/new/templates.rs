@@ -120,9 +120,7 @@ fn written_claims(slug: &str, claims: &[FirstClaim]) -> String {
                 let id = format!("{slug}.{}", kind.word());
                 let holes = [
                     ("@line@", (claim.line + 1).to_string()),
-                    ("@id@", format!("{id:?}")),
-                    ("@printed@", rust_literal(&claim.printed)),
-                    ("@unit@", format!("{:?}", claim.unit)),
+                    ("@call@", arguments(&id, claim)),
                     ("@slug@", slug.to_owned()),
                 ];
                 let holes = holes.each_ref().map(|(name, value)| (*name, value.as_str()));
@@ -130,9 +128,26 @@ fn written_claims(slug: &str, claims: &[FirstClaim]) -> String {
                 filled(there, &holes).unwrap_or_default()
             },
         );
+        // A blank line between the kinds.
+        written += if written.is_empty() { "" } else { "\n" };
         written += &text;
     }
     written
+}
+
+/// What a claim is made with, in one line or in one for each, as `rustfmt` has it.
+fn arguments(id: &str, claim: &FirstClaim) -> String {
+    let mut all = vec![format!("{id:?}"), rust_literal(&claim.printed)];
+    if claim.kind == FirstKind::Value {
+        all.push(format!("{:?}", claim.unit));
+    }
+    all.push(format!("{:?}", claim.kind.word().replace('-', " ")));
+    let line = all.join(", ");
+    if line.chars().count() <= 60 {
+        return line;
+    }
+    let indented: String = all.iter().map(|argument| format!("                {argument},\n")).collect();
+    format!("\n{indented}            ")
 }
 
 /// A string in Rust; one with backslashes is easier to read as it is.
