@@ -65,7 +65,15 @@ impl Ledger {
         let judged = self.verdicts();
         let count = |verdict| (verdict, judged.iter().filter(|judged| judged.plain() == verdict).count());
         let differing = judged.iter().filter(|judged| !judged.matches_record());
-        let complaint = |judged: &&Judged| format!("{}: {}", judged.claim.id, judged.complaints().join("; "));
+        let complaint = |judged: &&Judged| {
+            let computed = match (judged.computed, judged.witnessed) {
+                (Some(one), Some(other)) => {
+                    format!("printed {}, and the routes give {one} and {other}; ", judged.printed)
+                }
+                _ => String::new(),
+            };
+            format!("{}: {computed}{}", judged.claim.id, judged.complaints().join("; "))
+        };
         let mut contradictions: Vec<String> = differing.map(complaint).collect();
         let mut numbers = 0;
         for document in self.mirrored() {
@@ -175,7 +183,7 @@ mod tests {
     fn the_number_of_lines_to_do_can_only_fall() {
         check_unfinished(&BEGUN_LEDGER, 3);
         let fewer = complaint(|| check_unfinished(&BEGUN_LEDGER, 4));
-        assert!(fewer.starts_with("1 faults:\n3 lines are still to be accounted for, and 4 are on record"), "{fewer}");
+        assert!(fewer.starts_with("1 fault:\n3 lines are still to be accounted for, and 4 are on record"), "{fewer}");
         let more = complaint(|| check_unfinished(&BEGUN_LEDGER, 2));
         assert!(more.contains("and only 2 are on record") && more.ends_with("notes, line 5: no entry"), "{more}");
         let finished = complaint(|| check(&BEGUN_LEDGER));

@@ -162,5 +162,6 @@ pub fn check_guarded(guarded: Guarded) {
         all.extend(guard(guarded).faults.iter().map(|fault| format!("{asks}: {fault}")));
     }
     all.extend(lines_differing(guarded));
-    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+    let plural = if all.len() == 1 { "" } else { "s" };
+    assert!(all.is_empty(), "{} fault{plural}:\n{}", all.len(), all.join("\n"));
 }

@@ -8,7 +8,7 @@ use geneva_evidence::{Cache, Document, InventoryFile, intern, number_tokens};
 use proofread::TextFormat;
 
 /// The files with holes: where each is to be, and its text.
-const FILES: [(&str, &str); 14] = [
+const FILES: [(&str, &str); 15] = [
     ("Cargo.toml", include_str!("../../new/Cargo.toml.in")),
     ("README.md", include_str!("../../new/README.md.in")),
     (".gitignore", include_str!("../../new/gitignore.in")),
@@ -16,6 +16,7 @@ const FILES: [(&str, &str); 14] = [
     ("src/lib.rs", include_str!("../../new/lib.rs.in")),
     ("src/document.rs", include_str!("../../new/document.rs.in")),
     ("src/claims.rs", include_str!("../../new/claims.rs.in")),
+    ("src/kinds.rs", include_str!("../../new/kinds.rs.in")),
     ("src/book.rs", include_str!("../../new/book.rs.in")),
     ("tests/ledger.rs", include_str!("../../new/ledger-test.rs.in")),
     ("book/book.toml", include_str!("../../new/book.toml.in")),
@@ -128,8 +129,8 @@ fn written_claims(slug: &str, claims: &[FirstClaim]) -> String {
                 filled(there, &holes).unwrap_or_default()
             },
         );
-        // A blank line between the kinds.
-        written += if written.is_empty() { "" } else { "\n" };
+        // A blank line before each claim but the first.
+        written += if written.is_empty() || claim.is_none() { "" } else { "\n" };
         written += &text;
     }
     written
