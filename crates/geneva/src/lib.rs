@@ -271,7 +271,7 @@ In a book of mdBook, two lines in book.toml add pages on what is wrong and on wh
 
 Exit codes: 0 all numbers are right, 1 something differs or is undecided, 2 bad usage or bad input.")]
     Check(check::CheckArguments),
-    /// Make a crate in which you check a document of yours, claim by claim, with a book on it
+    /// Make a crate in which you check a document of yours, claim by claim
     #[command(after_help = "\
 Examples:
   geneva new my-check --from notes.md

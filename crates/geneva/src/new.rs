@@ -61,18 +61,16 @@ pub(crate) fn page(wanted: &NewArguments, layout: TextLayout) -> anyhow::Result<
     let printing = source.shown.iter().map(|line| number_tokens(line).len()).filter(|numbers| *numbers > 0);
     let (lines, numbers) = printing.fold((0, 0), |(lines, sum), numbers| (lines + 1, sum + numbers));
     let made = format!(
-        "{} is a crate for {}, which prints {} in {}. Next:",
+        "{} is a crate for {}, which prints {} in {}. In this folder,",
         shown_path(&wanted.folder),
         shown_path(&wanted.from),
         count(numbers, "number"),
         count(lines, "line")
     );
-    let steps = format!(
-        "  cd {}\n  cargo run      builds the book and says what is not yet accounted for\n  cargo test     fails if \
-         something is wrong with the ledger\n",
-        shown_path(&wanted.folder)
-    );
-    Ok(layout.wrapped("", &made) + &steps + &layout.wrapped("", "README.md in it leads to the first verdict."))
+    Ok(layout.wrapped("", &made)
+        + &layout.wrapped("  cargo run   ", "builds the book and says what is not yet accounted for;")
+        + &layout.wrapped("  cargo test  ", "says what is wrong with the ledger;")
+        + &layout.wrapped("  README.md   ", "leads to the first verdict."))
 }
 
 impl SourceText {

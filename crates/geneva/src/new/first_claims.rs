@@ -189,6 +189,9 @@ fn unit_behind(rest: &str) -> Option<String> {
     let rest = rest.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}']);
     let rest =
         ["\\,", "\\;", "\\ ", "\\:"].iter().find_map(|space| rest.strip_prefix(space)).unwrap_or(rest).trim_start();
+    // In a page, an exponent is raised.
+    let raised = [("^(2)", "²"), ("^(3)", "³"), ("^(-1)", "⁻¹"), ("^(−1)", "⁻¹")];
+    let rest = &raised.iter().fold(rest.to_owned(), |rest, (shown, sign)| rest.replace(shown, sign));
     let in_braces = ["\\mathrm{", "\\text{", "\\textrm{", "{\\rm "].iter().find_map(|opens| rest.strip_prefix(opens));
     let word = match in_braces {
         Some(inside) => inside.split('}').next()?.trim(),
