@@ -7,9 +7,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
 
+type SampleText = (&'static str, &'static str, &'static [(u32, &'static str)], &'static [&'static str]);
+
 /// A text of each format: its name, its characters, the numbers that it shows by their lines, and the claims that are offered.
 /// Digits of markup, code, comments and addresses are sevens.
-const TEXTS: [(&str, &str, &[(u32, &str)], &[&str]); 6] = [
+const TEXTS: [SampleText; 6] = [
     (
         "Notes 2.md",
         "---\ndate: 7777-07-07\n---\n# Falling\n\n1. It falls for 3.19 s.\n\nSo is, for `7` and <b id=\"s7\">all</b>,\n$$v = g t$$\nand \

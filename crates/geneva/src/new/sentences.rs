@@ -89,7 +89,8 @@ fn ends_sentence(paragraph: &[Placed], start: usize, at: usize) -> bool {
     let before: String = paragraph[start..at].iter().map(|(c, ..)| *c).collect();
     let word = before.rsplit(|c: char| c.is_whitespace() || c == '(').next().unwrap_or_default().to_lowercase();
     // A letter with a point is an initial.
-    !ABBREVIATED.contains(&word.as_str()) && !(word.chars().count() == 1 && word.chars().all(char::is_alphabetic))
+    let is_initial = word.chars().count() == 1 && word.chars().all(char::is_alphabetic);
+    !(is_initial || ABBREVIATED.contains(&word.as_str()))
 }
 
 fn sentence(placed: &[Placed]) -> Option<Sentence> {
