@@ -219,20 +219,24 @@ fn record_disagreement(
     [value, witnessed]: [f64; 2],
     digits: &Decimal,
 ) {
-    let agrees = match (first.agreement, witness.agreement) {
-        (_, Agreement::ToPrintedDigits) => digits.is_rounding_of(witnessed),
-        (Agreement::Within(one), Agreement::Within(other)) => {
-            if one.relative > other.relative { one } else { other }.agrees(value, witnessed)
-        }
-        (Agreement::ToPrintedDigits, Agreement::Within(tolerance)) => tolerance.agrees(value, witnessed),
-    };
-    if !agrees {
-        judged.faults.push(match witness.agreement {
-            Agreement::ToPrintedDigits => {
-                format!("the witness ({witness}) gives {witnessed}, of which the digits are not a rounding")
+    let tolerance = match (first.agreement, witness.agreement) {
+        (_, Agreement::ToPrintedDigits) => {
+            if !digits.is_rounding_of(witnessed) {
+                let fault =
+                    format!("the witness ({witness}) gives {witnessed}, of which the digits are not a rounding");
+                judged.faults.push(fault);
             }
-            Agreement::Within(_) => format!("the witness ({witness}) gives {witnessed}, not {value}"),
-        });
+            return;
+        }
+        (Agreement::Within(one), Agreement::Within(other)) if one.relative > other.relative => one,
+        (_, Agreement::Within(tolerance)) => tolerance,
+    };
+    if !tolerance.agrees(value, witnessed) {
+        let (relative, name) = (tolerance.relative, tolerance.name);
+        judged.faults.push(format!(
+            "the witness ({witness}) gives {witnessed}, not {value}; by the tolerance \"{name}\" of these kinds of evidence they may \
+             differ by {relative:e} of their size"
+        ));
     }
 }
 

@@ -17,6 +17,7 @@ mod pretext;
 mod recognised;
 mod running;
 mod shown;
+mod shown_lines;
 mod siunitx;
 mod symbols;
 mod tags;
@@ -106,6 +107,8 @@ pub enum UnreadableText {
     Notebook(String),
     /// It is longer than a document may be.
     TooLong,
+    /// Its file has several of its lines in one, and was to be read by the lines of the file.
+    LinesInOne,
 }
 
 impl std::fmt::Display for UnreadableText {
@@ -113,6 +116,9 @@ impl std::fmt::Display for UnreadableText {
         match self {
             Self::Notebook(why) => write!(f, "this is not a Jupyter notebook: {why}"),
             Self::TooLong => write!(f, "the text has more than {} MiB; split it", LONGEST >> 20),
+            Self::LinesInOne => f.write_str(
+                "lines of the notebook's text share a line of its file; give what `jupyter nbconvert --to markdown` makes of it",
+            ),
         }
     }
 }
@@ -264,6 +270,7 @@ pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
 pub(crate) use running::RunningText;
 pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
+pub use shown_lines::shown_lines;
 pub(crate) use symbols::unit_sign;
 
 /// The tokens of running text that starts `base` bytes into the document.

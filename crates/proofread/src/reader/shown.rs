@@ -403,7 +403,10 @@ fn element(text: &str, tag: &Tag<'_>, format: TextFormat, shown: &mut ShownText)
         _ => push("\n\n"),
     }
     shown.leave_out(LeftOut::Argument, &text[place.range()]);
-    let is_head = format == TextFormat::Html && ["title", "template", "noscript"].contains(&name);
+    let is_head = match format {
+        TextFormat::Html => ["title", "template", "noscript"].contains(&name),
+        _ => name == "metadata",
+    };
     let is_struck = ["del", "s", "strike"].contains(&name);
     if tag.closes || tag.empty || !(SILENT.contains(&name) || is_head || is_struck) {
         return tag.end;
