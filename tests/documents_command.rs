@@ -39,11 +39,12 @@ const OTHERS: [(&str, &str); 15] = [
 ];
 
 /// Commands that name a command of ours and leave the rest open, which is all that may be wrong with them.
-const NAMES: [&str; 7] = [
+const NAMES: [&str; 8] = [
     "proofread --format jsonl",
     "geneva escapement --friction MU",
     "geneva mimic check",
     "geneva mimic sort",
+    "geneva new",
     "geneva proofread",
     "geneva wheel",
     "geneva wheel …",

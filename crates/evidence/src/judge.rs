@@ -107,7 +107,16 @@ impl Judged {
     pub fn complaints(&self) -> Vec<String> {
         let mut lines = Vec::new();
         if self.verdict != self.claim.expected {
-            lines.push(format!("recorded as {}, but found {}", self.claim.expected, self.verdict));
+            let remedy = match self.verdict {
+                Verdict::Truncated => {
+                    "; if its digits were cut off, write `.corrected(\"…\", slip)` and `.expecting(Verdict::Truncated)`"
+                }
+                Verdict::NotReproduced => {
+                    "; read the document again, or write `.corrected(\"…\", slip)` with what is right"
+                }
+                _ => "",
+            };
+            lines.push(format!("recorded as {}, but found {}{remedy}", self.claim.expected, self.verdict));
         }
         lines.extend(self.faults.iter().cloned());
         lines

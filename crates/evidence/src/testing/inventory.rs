@@ -66,6 +66,9 @@ pub fn dropped_entries(guarded: Guarded) -> Report {
     Report::new(tried, faults)
 }
 
+/// A reason that is no longer than this, in bytes, says nothing.
+const LEAST_REASON: usize = 20;
+
 /// The claims that stand in no line of their document or in two, and the entries that refer to nothing: to no claim, to dots that are
 /// not there or come later, to an equation or figure that no locator names; exceptions without a reason or that are claims.
 pub fn misplaced_entries(guarded: Guarded) -> Report {
@@ -104,7 +107,10 @@ pub fn misplaced_entries(guarded: Guarded) -> Report {
                     fault(!named, "nothing is numbered so");
                 }
                 Entry::Exception { id, reason, .. } => {
-                    fault(reason.len() <= 20, "say why it is no claim");
+                    fault(
+                        reason.len() <= LEAST_REASON,
+                        "its reason is too short: say in a sentence why there is nothing to check",
+                    );
                     fault(document.claim(id).is_some(), "it is a claim now: remove the exception");
                     fault(exceptions.contains(id), "it stands twice");
                     exceptions.push(id);
