@@ -51,14 +51,9 @@ pub fn coverage_page(report: &NumbersReport, link: &TextLink<'_>) -> String {
                 (None, None) => String::new(),
             };
             let computed = [number.value.as_deref(), number.second.as_deref()].into_iter().flatten();
-            let computed = cell(&computed.collect::<Vec<_>>().join(" and "));
-            let row = [
-                cell(&number.before),
-                cell(&printed(number)),
-                from,
-                computed,
-                number.kind.verdict().words().to_owned(),
-            ];
+            let computed = cell(computed.collect::<Vec<_>>().join(" and "));
+            let row =
+                [cell(&number.before), cell(printed(number)), from, computed, number.kind.verdict().words().to_owned()];
             let _ = writeln!(out, "| {} |", row.join(" | "));
         }
         out += "\n</details>\n";
