@@ -115,9 +115,6 @@ pub(crate) static BOOK: Book = Book {
         Page::new("errata", "Errata", PagePlace::In("Part")).with_role(PageRole::Slips(&[Consequence::Result])),
         Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
     ],
-    sections: &[],
-    own_numbers: Default::default,
-    own_words: &[],
     keys: &[PlaceholderKey::new(
         "double",
         "a number twice",
@@ -136,12 +133,6 @@ pub(crate) static BOOK: Book = Book {
         Table::with_rows(Cells::Numbers, [1_u32]).column("x", |x| *x).column("y", |x| 2 * x).finish()
     })],
     works: &[work("alon", "Alon"), work("johnson", "Johnson")],
-    open_groups: &[],
-    notation: Vec::new,
-    letter_units: &[],
-    address_and_day: |_| None,
-    synonyms: &[],
-    field_meanings: &[],
     modules: &[PageModule {
         attributes: &["data-live", "data-given"],
         name: "live",
