@@ -154,7 +154,7 @@ const MOST_HINTS: usize = 300;
 /// ```
 pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
-    let lines = RunningText::from_page(text, format);
+    let lines = RunningText::new(text, format, options.definitions);
     let mut check = DocumentCheck {
         text,
         options,

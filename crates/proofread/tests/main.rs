@@ -7,6 +7,7 @@ mod command;
 mod commas;
 mod conventions;
 mod definitions;
+mod directives;
 mod doubts;
 mod formats;
 mod fuzz;
