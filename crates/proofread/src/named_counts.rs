@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 /// Most names that are told apart.
 const MOST_NAMES: usize = 200;
 /// Longest name, in characters.
-const LONGEST_NAME: usize = 40;
+const LONGEST_NAME: usize = 60;
 /// What stands for all further names.
 const OTHERS: &str = "others";
 
@@ -14,7 +14,7 @@ const OTHERS: &str = "others";
 /// ```
 /// use proofread::{CheckOptions, TextFormat, UncheckedKind, proofread};
 ///
-/// let report = proofread(r"$\foo{7} = 36$, $x + 1 = 2$, $y = 3$", TextFormat::Markdown, CheckOptions::default())?;
+/// let report = proofread(r"$\foo{7} = 36$, $x + 1 = 2$, $2 - y = 3$", TextFormat::Markdown, CheckOptions::default())?;
 /// let counts: Vec<_> = report.not_checked.iter().collect();
 /// assert_eq!(counts, [(UncheckedKind::Command, "\\foo", 1), (UncheckedKind::Letter, "", 2)]);
 /// # Ok::<(), proofread::UnreadableText>(())

@@ -2,6 +2,9 @@
 
 use crate::check::CheckTally;
 use crate::finding::ReportSection;
+use crate::named_counts::NamedCounts;
+use crate::reader::{INDENTED, UnreadKind, UnreadParts};
+use crate::unchecked::UncheckedKind;
 use crate::verdict::ChainVerdict;
 
 /// "1 chain", "2 chains", "12,345 chains".
@@ -12,6 +15,11 @@ use crate::verdict::ChainVerdict;
 /// assert_eq!([1, 2, 12_345].map(|number| describe_count(number, "chain")), ["1 chain", "2 chains", "12,345 chains"]);
 /// ```
 pub fn describe_count(number: usize, thing: &str) -> String {
+    format!("{} {thing}{}", digits(number), if number == 1 { "" } else { "s" })
+}
+
+/// A number with its thousands parted.
+fn digits(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (at, digit) in digits.char_indices() {
@@ -20,7 +28,7 @@ pub fn describe_count(number: usize, thing: &str) -> String {
         }
         text.push(digit);
     }
-    format!("{text} {thing}{}", if number == 1 { "" } else { "s" })
+    text
 }
 
 /// How many findings there are and on which lists, such as `2 findings: 1 on a number, 1 on units alone`; `number_on` tells how
@@ -50,20 +58,111 @@ pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<S
     (!parts.is_empty()).then(|| format!("{}: {}", describe_count(all, "finding"), parts.join(", ")))
 }
 
-/// The chains that arithmetic cannot check, in a sentence; none if there are none.
+/// Most reasons of a kind that a sentence names.
+const MOST_NAMED: usize = 8;
+
+/// The chains that were not checked, in a sentence with the reasons; none if there are none.
 ///
 /// ```
-/// use proofread::{CheckTally, summary::describe_unchecked_chains};
+/// use proofread::{CheckOptions, TextFormat, proofread, summary::describe_unchecked_chains};
 ///
-/// let tally = CheckTally { chains: 3, checkable: 1, checked: 1, ..CheckTally::default() };
-/// let words = describe_unchecked_chains(&tally).expect("two chains");
-/// assert_eq!(words, "2 other chains only define something or contain letters.");
+/// let text = r"$\foo{7} = 36$, $\foo{3} = 1$, $x + 1 = 2$";
+/// let report = proofread(text, TextFormat::Markdown, CheckOptions::default())?;
+/// let words = describe_unchecked_chains(&report.not_checked).expect("three chains");
+/// assert_eq!(words, "Not checked: 2 chains with `\\foo`, 1 with letters.");
+/// # Ok::<(), proofread::UnreadableText>(())
 /// ```
-pub fn describe_unchecked_chains(tally: &CheckTally) -> Option<String> {
-    match tally.chains.saturating_sub(tally.checkable.max(tally.checked)) {
-        0 => None,
-        1 => Some("1 other chain only defines something or contains letters.".to_owned()),
-        others => Some(format!("{} only define something or contain letters.", describe_count(others, "other chain"))),
+pub fn describe_unchecked_chains(counts: &NamedCounts<UncheckedKind>) -> Option<String> {
+    let mut named: Vec<(UncheckedKind, &str, usize)> = counts.iter().filter(|(kind, ..)| kind.has_names()).collect();
+    named.sort_by_key(|(kind, name, times)| (std::cmp::Reverse(*times), *kind, *name));
+    let rest: usize = named.iter().skip(MOST_NAMED).map(|(.., times)| times).sum();
+    named.truncate(MOST_NAMED);
+    let mut parts: Vec<(usize, String)> = named
+        .into_iter()
+        .map(|(kind, name, times)| {
+            let is_phrase = ["a ", "an ", "two ", "the ", "dots"].iter().any(|start| name.starts_with(start));
+            let words = match kind {
+                UncheckedKind::Notation if is_phrase => format!("with {name}"),
+                UncheckedKind::Notation => format!("with this: {name}"),
+                _ => format!("with `{name}`"),
+            };
+            (times, words)
+        })
+        .collect();
+    parts.extend((rest > 0).then(|| (rest, "with other things that are not known".to_owned())));
+    let of_kind = |wanted| counts.iter().filter(|(kind, ..)| *kind == wanted).map(|(.., times)| times).sum();
+    for (kind, words) in [
+        (UncheckedKind::Letter, "with letters"),
+        (UncheckedKind::Definition, "that only give a letter a value"),
+        (UncheckedKind::Word, "with words that are no units"),
+        (UncheckedKind::Cut, "with a side that is missing or goes on elsewhere"),
+        (UncheckedKind::Denied, "that the text asks about or denies"),
+    ] {
+        let times: usize = of_kind(kind);
+        parts.extend((times > 0).then(|| (times, words.to_owned())));
+    }
+    let first = parts.first()?.0;
+    let listed: Vec<String> = parts.iter().map(|(times, words)| format!("{} {words}", digits(*times))).collect();
+    let chains = if first == 1 { " chain " } else { " chains " };
+    Some(format!("Not checked: {}.", listed.join(", ").replacen(' ', chains, 1)))
+}
+
+/// The chains that were checked in part, in a sentence; none if there are none.
+///
+/// ```
+/// use proofread::{CheckTally, summary::describe_partly_checked_chains};
+///
+/// let words = describe_partly_checked_chains(&CheckTally { partly: 2, ..CheckTally::default() });
+/// assert_eq!(words.as_deref(), Some("2 chains were checked in part."));
+/// ```
+pub fn describe_partly_checked_chains(tally: &CheckTally) -> Option<String> {
+    let verb = if tally.partly == 1 { "was" } else { "were" };
+    (tally.partly > 0).then(|| format!("{} {verb} checked in part.", describe_count(tally.partly, "chain")))
+}
+
+/// The parts and files that were not read, in a sentence; none if there are none.
+///
+/// ```
+/// use proofread::{CheckOptions, TextFormat, proofread, summary::describe_unread_parts};
+///
+/// let text = "~~~python\nx = 2 + 3\n~~~\n\n<!-- 2 + 2 = 5 -->\n";
+/// let report = proofread(text, TextFormat::Markdown, CheckOptions::default())?;
+/// let words = describe_unread_parts(&report.not_read).expect("two parts");
+/// assert_eq!(words, "Not read, with an equals sign and a digit: 1 fence of `python`, 1 comment.");
+/// # Ok::<(), proofread::UnreadableText>(())
+/// ```
+pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
+    let words = |(kind, name, times): (UnreadKind, &str, usize)| {
+        let (one, many) = match kind {
+            UnreadKind::Fence if name == INDENTED => return describe_count(times, "block") + " of indented code",
+            UnreadKind::File if name.starts_with("a ") => return describe_count(times, name.trim_start_matches("a ")),
+            UnreadKind::Fence if name.is_empty() => ("fence without a language", "fences without a language"),
+            UnreadKind::Fence => ("fence of", "fences of"),
+            UnreadKind::Code => ("piece of code in a line", "pieces of code in a line"),
+            UnreadKind::Cell => ("cell that is no text", "cells that are no text"),
+            UnreadKind::Environment => ("environment", "environments"),
+            UnreadKind::Element => ("element", "elements"),
+            UnreadKind::Comment => ("comment", "comments"),
+            UnreadKind::File => ("file of", "files of"),
+        };
+        let name = if name.is_empty() { String::new() } else { format!(" `{name}`") };
+        format!("{} {}{name}", digits(times), if times == 1 { one } else { many })
+    };
+    let listed = |is_whole: bool| {
+        let mut some: Vec<_> = parts.iter().filter(|(kind, ..)| kind.is_whole() == is_whole).collect();
+        some.sort_by_key(|(kind, _, times)| (*kind, std::cmp::Reverse(*times)));
+        let rest: usize = some.iter().skip(2 * MOST_NAMED).map(|(.., times)| times).sum();
+        some.truncate(2 * MOST_NAMED);
+        let rest = (rest > 0).then(|| format!("{} others", digits(rest)));
+        let words: Vec<String> = some.into_iter().map(words).chain(rest).collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    };
+    let with_sign = listed(false).map(|words| format!("with an equals sign and a digit: {words}"));
+    match (listed(true), with_sign) {
+        (None, None) => None,
+        (Some(whole), None) => Some(format!("Not read: {whole}.")),
+        (None, Some(some)) => Some(format!("Not read, {some}.")),
+        (Some(whole), Some(some)) => Some(format!("Not read: {whole}; and, {some}.")),
     }
 }
 
@@ -145,11 +244,24 @@ mod tests {
         assert_eq!(describe_findings(doubt).as_deref(), Some("1 finding: 1 in doubt"));
         let tally = CheckTally { doubts: 2, ..CheckTally::default() };
         assert!(describe_doubts(&tally).is_some_and(|said| said.starts_with("2 differences are set aside")));
-        let tally = CheckTally { chains: 3, checkable: 1, checked: 2, ..CheckTally::default() };
+        let mut counts = NamedCounts::default();
+        assert_eq!(describe_unchecked_chains(&counts), None);
+        counts.count(UncheckedKind::Letter, "", 1539);
+        assert_eq!(describe_unchecked_chains(&counts).as_deref(), Some("Not checked: 1,539 chains with letters."));
+        counts.count(UncheckedKind::Notation, "an uncertainty", 1);
         assert_eq!(
-            describe_unchecked_chains(&tally).as_deref(),
-            Some("1 other chain only defines something or contains letters.")
+            describe_unchecked_chains(&counts).as_deref(),
+            Some("Not checked: 1 chain with an uncertainty, 1,539 with letters.")
         );
+        let mut parts = UnreadParts::default();
+        parts.count(UnreadKind::Comment, "", 2);
+        parts.count(UnreadKind::File, ".rst", 3);
+        assert_eq!(
+            describe_unread_parts(&parts).as_deref(),
+            Some("Not read: 3 files of `.rst`; and, with an equals sign and a digit: 2 comments.")
+        );
+        let tally = CheckTally { partly: 1, ..CheckTally::default() };
+        assert_eq!(describe_partly_checked_chains(&tally).as_deref(), Some("1 chain was checked in part."));
         assert_eq!((describe_unit_differences(&tally), describe_unread_formulas(&tally)), (None, None));
         let tally = CheckTally { unread: 2, ..CheckTally::default() };
         assert!(

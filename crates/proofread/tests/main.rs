@@ -24,6 +24,7 @@ mod running;
 mod since;
 mod structures;
 mod thresholds;
+mod unchecked;
 mod units;
 mod unrounded;
 mod unusual;

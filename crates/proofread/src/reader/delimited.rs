@@ -175,7 +175,7 @@ fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, 
     let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
     let apart = opens_apart || (before.is_ascii_whitespace() && !spaced);
     let is_one = || {
-        text.get(at + 1..end).is_some_and(|inside| is_plainly_formula(inside))
+        text.get(at + 1..end).is_some_and(is_plainly_formula)
             && !bytes.get(end + 1).is_some_and(u8::is_ascii_alphanumeric)
     };
     (!digit_behind && text.is_char_boundary(end) && (!apart || is_one())).then_some((1, end, 1))

@@ -97,8 +97,7 @@ fn directive(info: &str) -> Option<bool> {
 
 /// What a fence is called: the first word behind its mark, without braces and options.
 pub(super) fn name_of_fence(info: &str) -> &str {
-    let word = info.trim_start_matches(['{', '.', ' ']).split([' ', ',', '}', '\t']).next().unwrap_or_default();
-    if word.is_empty() { "no language" } else { word }
+    info.trim_start_matches(['{', '.', ' ']).split([' ', ',', '}', '\t']).next().unwrap_or_default()
 }
 
 /// The text with other signs, as many as there are bytes, for what would keep other programs from reading it: the marks of

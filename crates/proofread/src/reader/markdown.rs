@@ -3,7 +3,7 @@
 use super::adjoining::Joiner;
 use super::delimited::{self, Dollars};
 use super::fences::{Fences, name_of_fence, with_plain_fences};
-use super::unread::{UnreadKind, UnreadParts, note};
+use super::unread::{INDENTED, UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, markup, plain, tex};
 use crate::token::{Span, signs};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -109,13 +109,9 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
 
 /// The stretches that are no text, and the content of fences that say they are maths.
 fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
-    let (mut skip, mut fences) = (super::withdrawn_ranges(text), Vec::new());
-    for range in skip.iter().filter(|range| !text[(*range).clone()].starts_with("://")) {
-        note(unread, UnreadKind::Comment, "", &text[range.clone()]);
-    }
+    let (mut skip, mut fences) = (Vec::new(), Vec::new());
     let (plain, marks) = with_plain_fences(text).unzip();
-    skip.extend(marks.into_iter().flatten());
-    let mut maths = false;
+    let (mut maths, mut withdrawn) = (false, Vec::new());
     for (event, range) in Parser::new_ext(plain.as_deref().unwrap_or(text), Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
@@ -125,12 +121,7 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
                     let first = block.lines().next().unwrap_or_default();
                     let info = first.trim_start_matches([' ', '`', '~']).trim();
                     let indented = kind == CodeBlockKind::Indented;
-                    note(
-                        unread,
-                        UnreadKind::Fence,
-                        if indented { "indented code" } else { name_of_fence(info) },
-                        block,
-                    );
+                    note(unread, UnreadKind::Fence, if indented { INDENTED } else { name_of_fence(info) }, block);
                 }
                 skip.push(range);
             }
@@ -146,6 +137,17 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
             _ => {}
         }
     }
+    // What is withdrawn in code is counted with the code; neither is in something else of its kind.
+    for range in super::withdrawn_ranges(text) {
+        let before = skip.partition_point(|code: &Range<usize>| code.start <= range.start);
+        let in_code = before.checked_sub(1).and_then(|at| skip.get(at)).is_some_and(|code| range.start < code.end);
+        if !in_code && !text[range.clone()].starts_with("://") {
+            note(unread, UnreadKind::Comment, "", &text[range.clone()]);
+        }
+        withdrawn.push(range);
+    }
+    skip.append(&mut withdrawn);
+    skip.extend(marks.into_iter().flatten());
     skip.sort_by_key(|range| range.start);
     (skip, fences)
 }

@@ -21,7 +21,15 @@ pub enum UnreadKind {
     File,
 }
 
+/// The name of fences that are none: code is set in from the text.
+pub(crate) const INDENTED: &str = "indented code";
+
 impl UnreadKind {
+    /// Whether all such parts are counted, whatever is in them.
+    pub(crate) fn is_whole(self) -> bool {
+        matches!(self, Self::Cell | Self::File)
+    }
+
     /// A name for programs.
     ///
     /// ```
