@@ -60,7 +60,8 @@ fn running_text_of_latex_is_read() {
     let page = |text: &str| {
         format!("\\documentclass[a=1+1=3]{{x}}\n\\begin{{document}}\n{text}\n\\end{{document}}\n1 + 1 = 3")
     };
-    let right = "The sum is 1.2 + 0.5 = 1.7, \\emph{and} 20\\% of 50 = 10.\n\\textbf{2~+~3~=~5}. Pages 3--5 = 3 pages.";
+    let right =
+        "The sum is 1.2 + 0.5 = 1.7, \\emph{and} 20\\% of 50 = 10.\n\n\\textbf{2~+~3~=~5}. Pages 3--5 = 3 pages.";
     assert_eq!(wrong(&page(right), Latex), [""; 0]);
     assert!(report(&page(right), Latex).tally.checked > 2);
     for (text, found) in [
@@ -68,6 +69,7 @@ fn running_text_of_latex_is_read() {
         ("Here \\textbf{20\\% of 50 = 11}.", "20% × 50 | 11"),
         ("\\begin{tabular}{l}Sum & 3 + 4 = 8 \\\\ \\end{tabular}", "3 + 4 | 8"),
         ("\\item 3 + 4 = 8", "3 + 4 | 8"),
+        ("The sum is 1.2 +\n0.5 % so\n  = 1.8.", "1.2 + 0.5 | 1.8"),
     ] {
         assert_eq!(wrong(&page(text), Latex), [found], "{text}");
     }
@@ -81,6 +83,7 @@ fn running_text_of_latex_is_read() {
         "\\includegraphics[width=1 + 1 = 3]{a}",
         "$x$ + 1 = 3",
         "\\half + 1 = 3",
+        "The range is 26.\n86 - 23.13 = 3.73",
     ] {
         assert_eq!(wrong(&page(text), Latex), [""; 0], "{text}");
     }

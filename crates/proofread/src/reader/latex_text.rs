@@ -4,6 +4,7 @@ use super::definitions::{Macros, NamedMacros};
 use super::latex::{LatexPart, group_text, parts};
 use super::running::RunningText;
 use super::shown;
+use super::unread::UnreadKind;
 use crate::token::Span;
 use std::ops::Range;
 
@@ -18,23 +19,28 @@ const BREAKS: &str = " item par newline linebreak newpage clearpage pagebreak se
 /// Environments whose words are no text.
 const NO_TEXT: &str = " axis circuitikz pspicture picture forest algorithmic algorithm algorithm2e sagesilent sageblock pycode \
     pyblock pyconsole asy asydef luacode Schunk Sinput Soutput filecontents alltt lstcode dot2tex ";
+/// Longest line that takes in the next one of its paragraph, in bytes.
+const LONGEST_LINE: usize = 3000;
 /// Longest argument in square brackets, in bytes.
 const LONGEST_OPTION: usize = 300;
 
 /// The lines of a document.
 pub(super) fn running_text(text: &str, elsewhere: Option<&NamedMacros>) -> RunningText {
     const BEGIN: &str = "\\begin{document}";
-    let mut out = LatexText { text, lines: RunningText::default() };
+    let mut out = LatexText { text, lines: RunningText::default(), line_start: 0 };
     let mut at = text.find(BEGIN).map_or(0, |at| at + BEGIN.len());
     let macros = Macros::from_text(text, text.len(), elsewhere);
     parts(text, &macros, &mut |part| {
-        let (range, is_formula) = match part {
+        let (range, is_printed) = match part {
             LatexPart::Formula { whole, .. } => (whole, true),
-            LatexPart::Hidden(range, _) => (range, false),
+            LatexPart::Hidden(range, kind) => {
+                let code = |(kind, _)| matches!(kind, UnreadKind::Code | UnreadKind::Environment);
+                (range, kind.is_some_and(code))
+            }
         };
         if range.start >= at {
             at = out.prose(at..range.start).max(range.end);
-            if is_formula || !text[range.clone()].starts_with('%') {
+            if is_printed {
                 out.lines.edge(Span::new(range.start, range.end));
             }
         }
@@ -46,9 +52,29 @@ pub(super) fn running_text(text: &str, elsewhere: Option<&NamedMacros>) -> Runni
 struct LatexText<'t> {
     text: &'t str,
     lines: RunningText,
+    /// Where the last line begins.
+    line_start: usize,
 }
 
 impl LatexText<'_> {
+    fn end_line(&mut self, place: Span) {
+        self.lines.push('\n', place);
+        self.line_start = self.lines.text.len();
+    }
+
+    /// Takes the end of a line of the source, which is space unless a blank line follows.
+    fn end_source_line(&mut self, at: usize) {
+        let place = Span::new(at, at + 1);
+        let behind = self.text[at + 1..].trim_start_matches([' ', '\t', '\r']);
+        let is_long = self.lines.text.len() > self.line_start + LONGEST_LINE;
+        match behind.starts_with('\n') {
+            true => (0..2).for_each(|_| self.end_line(place)),
+            false if is_long => self.end_line(place),
+            false if self.lines.text.ends_with(['\n', ' ']) => {}
+            false => self.lines.push(' ', place),
+        }
+    }
+
     /// Adds what is between two formulas; the byte up to which the text is done, which may be behind it.
     fn prose(&mut self, range: Range<usize>) -> usize {
         let mut at = range.start;
@@ -62,7 +88,8 @@ impl LatexText<'_> {
                 }
                 '{' | '}' => {}
                 '~' => self.lines.push(' ', place),
-                '&' => self.lines.push('\n', place),
+                '&' => self.end_line(place),
+                '\n' => self.end_source_line(at),
                 '$' | '^' | '_' => self.lines.edge(place),
                 '-' if dash() > 1 => {
                     let end = at + dash();
@@ -90,7 +117,7 @@ impl LatexText<'_> {
             match c {
                 '%' | '$' | '&' | '#' | '{' | '}' => self.lines.push(c, place),
                 ',' | ';' | ':' | ' ' | '!' | '/' => self.lines.push(' ', place),
-                '\\' => self.lines.push('\n', place),
+                '\\' => self.end_line(place),
                 _ => self.lines.edge(place),
             }
             return end;
@@ -114,7 +141,7 @@ impl LatexText<'_> {
         }
         let place = Span::new(at, end);
         if is_one_of(BREAKS) {
-            self.lines.push('\n', place);
+            self.end_line(place);
         } else if is_one_of(LOOKS) {
             self.lines.push(' ', place);
         } else {
