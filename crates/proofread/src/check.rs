@@ -13,7 +13,9 @@ use crate::reader::{
 };
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
-use crate::unchecked::{ChainOutcome, UncheckedChain, UncheckedKind, is_numeric, is_unread};
+use crate::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
+#[cfg(feature = "cli")]
+use crate::unchecked_chain::UncheckedChain;
 use crate::unrounded::EarlierResults;
 use crate::value::{Literal, Obstacle, SideValue};
 use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
@@ -41,6 +43,7 @@ pub struct CheckOptions<'d> {
     /// Whether pairs that agree are kept, too.
     pub agreeing: bool,
     /// Whether the chains that were not checked are kept, each with its reason; the report counts them in any case.
+    #[cfg(feature = "cli")]
     pub unchecked: bool,
     /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
     pub hints: usize,
@@ -56,6 +59,7 @@ impl Default for CheckOptions<'_> {
         Self {
             name_policy: NamePolicy::default(),
             agreeing: false,
+            #[cfg(feature = "cli")]
             unchecked: false,
             hints: MOST_HINTS,
             hint_effort: hint::MOST_FOR_ALL,
@@ -139,7 +143,8 @@ pub struct CheckReport {
     pub tally: CheckTally,
     /// The chains that were not checked, by their reason and by the name of what stands in them.
     pub not_checked: NamedCounts<UncheckedKind>,
-    /// These chains, with those that were checked in part or set aside, in the order of the text; none unless they are asked for.
+    /// These chains, with those that were checked in part, in the order in which they were read; none unless they are asked for.
+    #[cfg(feature = "cli")]
     pub unchecked: Vec<UncheckedChain>,
     /// The parts of the text that were not read although a chain may be in them.
     pub not_read: UnreadParts,
@@ -181,6 +186,9 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         results: EarlierResults::default(),
         factors: Factors::default(),
         budget: options.hint_effort,
+        #[cfg(feature = "cli")]
+        unchecked_before: None,
+        #[cfg(feature = "cli")]
         shows_source: !matches!(format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook),
     };
     if options.name_policy == NamePolicy::Once && text.len() <= ONE_PROBLEM {
@@ -194,7 +202,9 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     let mut in_lines = None;
     let not_read = reader::read_with(text, format, options.definitions, &lines, &mut |formula, from| {
         if from == SpanSource::Lines && in_lines.is_none() {
-            in_lines = Some((check.report.findings.len(), check.report.unchecked.len()));
+            in_lines = Some(check.report.findings.len());
+            #[cfg(feature = "cli")]
+            check.unchecked_before.replace(check.report.unchecked.len());
             (check.text, check.before) = (&lines.text, None);
         }
         check.check_formula(&formula);
@@ -203,17 +213,15 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
     check.report.not_read = not_read;
-    if let Some((at, unchecked_at)) = in_lines {
+    if let Some(at) = in_lines {
         let findings = &mut check.report.findings;
         findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
         findings.sort_by_key(|finding| finding.span);
-        let unchecked = &mut check.report.unchecked[unchecked_at..];
-        unchecked.iter_mut().for_each(|chain| chain.span = lines.span_in_page(chain.span));
     }
-    if options.unchecked {
-        let aside = check.report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
-        check.report.unchecked.extend(aside);
-        check.report.unchecked.sort_by_key(|chain| chain.span);
+    #[cfg(feature = "cli")]
+    if let Some(at) = check.unchecked_before {
+        let unchecked = &mut check.report.unchecked[at..];
+        unchecked.iter_mut().for_each(|chain| chain.span = lines.span_in_page(chain.span));
     }
     let hints = options.hint_effort - check.budget;
     check.report.effort = CheckEffort { steps: effort::steps().saturating_sub(steps), hints };
@@ -250,7 +258,11 @@ struct DocumentCheck<'t> {
     factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
+    /// How many chains that were not checked are in the formulas, before those of running text.
+    #[cfg(feature = "cli")]
+    unchecked_before: Option<usize>,
     /// Whether a formula can be read as it is written, and not only by programs.
+    #[cfg(feature = "cli")]
     shows_source: bool,
 }
 
@@ -259,6 +271,7 @@ impl DocumentCheck<'_> {
         self.report.tally.formulas += 1;
         if any(&formula.tokens, &TokenKind::is_unread) {
             self.report.tally.unread += 1;
+            #[cfg(feature = "cli")]
             self.keep_unchecked(|text| UncheckedChain::unread(text, formula));
         }
         let chains = split_chains(&formula.tokens);
@@ -332,10 +345,16 @@ impl DocumentCheck<'_> {
         } else {
             self.report.not_checked.count(kind, if kind.has_names() { &name } else { "" }, 1);
         }
-        let source = if self.shows_source { self.text } else { "" };
-        self.keep_unchecked(|_| UncheckedChain::new((kind, name), chain, source, partly));
+        #[cfg(feature = "cli")]
+        {
+            let source = if self.shows_source { self.text } else { "" };
+            self.keep_unchecked(|_| UncheckedChain::new((kind, name), chain, source, partly));
+        }
+        #[cfg(not(feature = "cli"))]
+        let _ = chain;
     }
 
+    #[cfg(feature = "cli")]
     fn keep_unchecked(&mut self, chain: impl FnOnce(&str) -> UncheckedChain) {
         if self.options.unchecked && self.report.unchecked.len() < MOST_FINDINGS {
             self.report.unchecked.push(chain(self.text));

@@ -169,6 +169,7 @@ fn line(chain: &Chain, right: &ChainSide, printed: &ChainSide) -> (String, Range
 }
 
 /// The start of a chain as one line.
+#[cfg(feature = "cli")]
 pub(crate) fn chain_line(chain: &Chain) -> String {
     line_around(chain, 0, None).0
 }

@@ -36,6 +36,8 @@ mod surroundings;
 mod token;
 mod token_joining;
 mod unchecked;
+#[cfg(feature = "cli")]
+mod unchecked_chain;
 mod unit;
 mod unit_product;
 mod units_after;
@@ -54,7 +56,9 @@ pub use line_index::{LineColumn, LineIndex};
 pub use named_counts::NamedCounts;
 pub use reader::{Definitions, TextFormat, UnreadKind, UnreadParts, UnreadableText};
 pub use token::Span;
-pub use unchecked::{UncheckedChain, UncheckedKind};
+pub use unchecked::UncheckedKind;
+#[cfg(feature = "cli")]
+pub use unchecked_chain::UncheckedChain;
 pub use unit::{MeasurementUnit, UnitDimension};
 pub use unit_product::unit_named;
 pub use verdict::ChainVerdict;

@@ -1,7 +1,5 @@
 //! Counts by kind and name.
 
-use std::collections::BTreeMap;
-
 /// Most names that are told apart.
 const MOST_NAMES: usize = 200;
 /// Longest name, in characters.
@@ -20,20 +18,25 @@ const OTHERS: &str = "others";
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NamedCounts<K>(BTreeMap<(K, String), usize>);
+pub struct NamedCounts<K>(Vec<(K, String, usize)>);
 
 impl<K> Default for NamedCounts<K> {
     fn default() -> Self {
-        Self(BTreeMap::new())
+        Self(Vec::new())
     }
 }
 
 impl<K: Copy + Ord> NamedCounts<K> {
     /// Counts one more, or several.
     pub(crate) fn count(&mut self, kind: K, name: &str, times: usize) {
-        let short: String = name.chars().take(LONGEST_NAME).filter(|c| !c.is_control()).collect();
-        let known = self.0.len() < MOST_NAMES || self.0.contains_key(&(kind, short.clone()));
-        *self.0.entry((kind, if known { short } else { OTHERS.to_owned() })).or_default() += times;
+        let name = name.char_indices().nth(LONGEST_NAME).map_or(name, |(end, _)| &name[..end]);
+        let place =
+            |name: &str| self.0.binary_search_by(|(its, of, _)| its.cmp(&kind).then_with(|| of.as_str().cmp(name)));
+        let name = if place(name).is_err() && self.0.len() >= MOST_NAMES { OTHERS } else { name };
+        match place(name) {
+            Ok(at) => self.0[at].2 += times,
+            Err(at) => self.0.insert(at, (kind, name.to_owned(), times)),
+        }
     }
 
     /// Adds other counts.
@@ -41,13 +44,13 @@ impl<K: Copy + Ord> NamedCounts<K> {
         other.iter().for_each(|(kind, name, times)| self.count(kind, name, times));
     }
 
-    /// Kinds, names and counts, in the order of the kinds.
+    /// Kinds, names and counts, in the order of the kinds and of the names.
     pub fn iter(&self) -> impl Iterator<Item = (K, &str, usize)> {
-        self.0.iter().map(|((kind, name), times)| (*kind, name.as_str(), *times))
+        self.0.iter().map(|(kind, name, times)| (*kind, name.as_str(), *times))
     }
 
     /// All counts together.
     pub fn total(&self) -> usize {
-        self.0.values().sum()
+        self.iter().map(|(.., times)| times).sum()
     }
 }

@@ -3,7 +3,7 @@
 use crate::check::CheckTally;
 use crate::finding::ReportSection;
 use crate::named_counts::NamedCounts;
-use crate::reader::{INDENTED, UnreadKind, UnreadParts};
+use crate::reader::{UnreadKind, UnreadParts};
 use crate::unchecked::UncheckedKind;
 use crate::verdict::ChainVerdict;
 
@@ -73,38 +73,58 @@ const MOST_NAMED: usize = 8;
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn describe_unchecked_chains(counts: &NamedCounts<UncheckedKind>) -> Option<String> {
-    let mut named: Vec<(UncheckedKind, &str, usize)> = counts.iter().filter(|(kind, ..)| kind.has_names()).collect();
-    named.sort_by_key(|(kind, name, times)| (std::cmp::Reverse(*times), *kind, *name));
-    let rest: usize = named.iter().skip(MOST_NAMED).map(|(.., times)| times).sum();
-    named.truncate(MOST_NAMED);
-    let mut parts: Vec<(usize, String)> = named
-        .into_iter()
-        .map(|(kind, name, times)| {
-            let is_phrase = ["a ", "an ", "two ", "the ", "dots"].iter().any(|start| name.starts_with(start));
-            let words = match kind {
-                UncheckedKind::Notation if is_phrase => format!("with {name}"),
-                UncheckedKind::Notation => format!("with this: {name}"),
-                _ => format!("with `{name}`"),
-            };
-            (times, words)
-        })
-        .collect();
-    parts.extend((rest > 0).then(|| (rest, "with other things that are not known".to_owned())));
-    let of_kind = |wanted| counts.iter().filter(|(kind, ..)| *kind == wanted).map(|(.., times)| times).sum();
-    for (kind, words) in [
-        (UncheckedKind::Letter, "with letters"),
-        (UncheckedKind::Definition, "that only give a letter a value"),
-        (UncheckedKind::Word, "with words that are no units"),
-        (UncheckedKind::Cut, "with a side that is missing or goes on elsewhere"),
-        (UncheckedKind::Denied, "that the text asks about or denies"),
-    ] {
-        let times: usize = of_kind(kind);
-        parts.extend((times > 0).then(|| (times, words.to_owned())));
+    let (mut named, mut others) = (Vec::new(), Vec::new());
+    for (kind, name, times) in counts.iter() {
+        let is_phrase = ["a ", "an ", "two ", "the ", "dots"].iter().any(|start| name.starts_with(start));
+        let words = match kind {
+            UncheckedKind::Letter => "with letters",
+            UncheckedKind::Definition => "that only give a letter a value",
+            UncheckedKind::Word => "with words that are no units",
+            UncheckedKind::Denied => "that the text asks about or denies",
+            UncheckedKind::Notation if is_phrase => "with ",
+            UncheckedKind::Notation => "with this: ",
+            UncheckedKind::Command | UncheckedKind::Environment | UncheckedKind::Function => "with `",
+            _ => "with a side that is missing or goes on elsewhere",
+        };
+        match kind {
+            UncheckedKind::Notation => named.push((times, [words, name].concat())),
+            _ if kind.has_names() => named.push((times, [words, name, "`"].concat())),
+            _ => others.push((times, words.to_owned())),
+        }
     }
-    let first = parts.first()?.0;
-    let listed: Vec<String> = parts.iter().map(|(times, words)| format!("{} {words}", digits(*times))).collect();
+    let mut listed = most_frequent(named, MOST_NAMED, "with other things that are not known");
+    listed.append(&mut others);
+    let first = listed.first()?.0;
     let chains = if first == 1 { " chain " } else { " chains " };
-    Some(format!("Not checked: {}.", listed.join(", ").replacen(' ', chains, 1)))
+    Some(["Not checked: ", &in_list(&listed).replacen(' ', chains, 1), "."].concat())
+}
+
+/// The most frequent of some things, with one more for all others.
+fn most_frequent(mut things: Vec<(usize, String)>, most: usize, others: &str) -> Vec<(usize, String)> {
+    for end in 1..things.len() {
+        let mut at = end;
+        while at > 0 && things[at - 1].0 < things[at].0 {
+            things.swap(at - 1, at);
+            at -= 1;
+        }
+    }
+    if things.len() > most {
+        let rest = things.drain(most..).map(|(times, _)| times).sum();
+        things.push((rest, others.to_owned()));
+    }
+    things
+}
+
+/// Things with how many there are of each.
+fn in_list(things: &[(usize, String)]) -> String {
+    let mut text = String::new();
+    for (times, words) in things {
+        text += if text.is_empty() { "" } else { ", " };
+        text += &digits(*times);
+        text += " ";
+        text += words;
+    }
+    text
 }
 
 /// The chains that were checked in part, in a sentence; none if there are none.
@@ -132,39 +152,37 @@ pub fn describe_partly_checked_chains(tally: &CheckTally) -> Option<String> {
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
-    let words = |(kind, name, times): (UnreadKind, &str, usize)| {
+    let (mut whole, mut some) = (Vec::new(), Vec::new());
+    for (kind, name, times) in parts.iter() {
         let (one, many) = match kind {
-            UnreadKind::Fence if name == INDENTED => return describe_count(times, "block") + " of indented code",
-            UnreadKind::File if name.starts_with("a ") => return describe_count(times, name.trim_start_matches("a ")),
             UnreadKind::Fence if name.is_empty() => ("fence without a language", "fences without a language"),
             UnreadKind::Fence => ("fence of", "fences of"),
+            UnreadKind::Indented => ("block of indented code", "blocks of indented code"),
             UnreadKind::Code => ("piece of code in a line", "pieces of code in a line"),
             UnreadKind::Cell => ("cell that is no text", "cells that are no text"),
             UnreadKind::Environment => ("environment", "environments"),
             UnreadKind::Element => ("element", "elements"),
             UnreadKind::Comment => ("comment", "comments"),
             UnreadKind::File => ("file of", "files of"),
+            UnreadKind::Link => ("symbolic link", "symbolic links"),
         };
-        let name = if name.is_empty() { String::new() } else { format!(" `{name}`") };
-        format!("{} {}{name}", digits(times), if times == 1 { one } else { many })
-    };
-    let listed = |is_whole: bool| {
-        let mut some: Vec<_> = parts.iter().filter(|(kind, ..)| kind.is_whole() == is_whole).collect();
-        some.sort_by_key(|(kind, _, times)| (*kind, std::cmp::Reverse(*times)));
-        let rest: usize = some.iter().skip(2 * MOST_NAMED).map(|(.., times)| times).sum();
-        some.truncate(2 * MOST_NAMED);
-        let rest = (rest > 0).then(|| format!("{} others", digits(rest)));
-        let words: Vec<String> = some.into_iter().map(words).chain(rest).collect();
-        (!words.is_empty()).then(|| words.join(", "))
-    };
-    let with_sign = listed(false).map(|words| format!("with an equals sign and a digit: {words}"));
-    match (listed(true), with_sign) {
-        (None, None) => None,
-        (Some(whole), None) => Some(format!("Not read: {whole}.")),
-        (None, Some(some)) => Some(format!("Not read, {some}.")),
-        (Some(whole), Some(some)) => Some(format!("Not read: {whole}; and, {some}.")),
+        let mut words = (if times == 1 { one } else { many }).to_owned();
+        if !name.is_empty() {
+            words += &[" `", name, "`"].concat();
+        }
+        (if kind.is_whole() { &mut whole } else { &mut some }).push((times, words));
+    }
+    let [whole, some] = [whole, some].map(|of| in_list(&most_frequent(of, 2 * MOST_NAMED, "others")));
+    match (whole.is_empty(), some.is_empty()) {
+        (true, true) => None,
+        (false, true) => Some(["Not read: ", &whole, "."].concat()),
+        (true, false) => Some(["Not read, ", WITH_SIGN, &some, "."].concat()),
+        (false, false) => Some(["Not read: ", &whole, "; and, ", WITH_SIGN, &some, "."].concat()),
     }
 }
+
+/// What is said before the parts of a text that were not read.
+const WITH_SIGN: &str = "with an equals sign and a digit: ";
 
 /// The formulas that are not read to their end, in a sentence; none if there are none.
 ///

@@ -141,6 +141,13 @@ fn what_is_not_checked_is_summed_up_and_listed_on_request() {
         "{out}"
     );
     assert!(out.contains("not checked: the letter x has no value\n"), "{out}");
+    let aside = Path::new(&file).with_file_name("b.md");
+    fs::write(&aside, "$1 = 0.08$").expect("written");
+    let (code, told, _) = run(&["--unchecked", aside.to_str().expect("UTF-8")]);
+    assert!(
+        code == 0 && told.contains("not checked: set aside, since a number may be part of something else"),
+        "{told}"
+    );
     let (_, lines, _) = run(&["--unchecked", "--format", "jsonl", &file]);
     let first: Value = serde_json::from_str(lines.lines().next().expect("a line")).expect("JSON");
     let document = &first["document"];

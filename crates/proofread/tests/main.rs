@@ -24,6 +24,7 @@ mod running;
 mod since;
 mod structures;
 mod thresholds;
+#[cfg(feature = "cli")]
 mod unchecked;
 mod units;
 mod unrounded;

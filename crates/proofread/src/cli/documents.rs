@@ -172,7 +172,7 @@ fn folder(
             folder(&entry.path(), input, depth + 1, out, unread);
         } else if kind.is_symlink() && file(&entry.path(), None).is_some() {
             // A link may lead anywhere, and around in circles.
-            unread.count(UnreadKind::File, "a symbolic link", 1);
+            unread.count(UnreadKind::Link, "", 1);
         } else if kind.is_file() {
             // Whatever the input is said to be, only files whose name tells a text are taken from a folder.
             if let Some(found) =

@@ -8,7 +8,8 @@ use crate::line_index::{LineColumn, LineIndex};
 use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::token::Span;
-use crate::unchecked::{UncheckedChain, UncheckedKind};
+use crate::unchecked::UncheckedKind;
+use crate::unchecked_chain::UncheckedChain;
 use crate::verdict::ChainVerdict;
 use serde_json::{Map, Value, json};
 

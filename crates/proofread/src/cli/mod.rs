@@ -17,7 +17,8 @@ use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
-use crate::unchecked::{UncheckedChain, UncheckedKind};
+use crate::unchecked::UncheckedKind;
+use crate::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;
 use documents::{Document, Source};
@@ -280,6 +281,11 @@ impl<'a> CommandRun<'a> {
         let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
+        }
+        if unchecked {
+            let aside = report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
+            report.unchecked.extend(aside);
+            report.unchecked.sort_by_key(|chain| chain.span);
         }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,

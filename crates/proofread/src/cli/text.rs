@@ -6,7 +6,7 @@ use crate::finding::{ChainFinding, ReportSection};
 use crate::line_index::LineIndex;
 use crate::reader::TextFormat;
 use crate::summary::{self, describe_count};
-use crate::unchecked::UncheckedChain;
+use crate::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
 use geneva_host::printable::escaped;

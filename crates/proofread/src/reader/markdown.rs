@@ -3,7 +3,7 @@
 use super::adjoining::Joiner;
 use super::delimited::{self, Dollars};
 use super::fences::{Fences, name_of_fence, with_plain_fences};
-use super::unread::{INDENTED, UnreadKind, UnreadParts, note};
+use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, markup, plain, tex};
 use crate::token::{Span, signs};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -120,8 +120,11 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
                     let block = &text[range.clone()];
                     let first = block.lines().next().unwrap_or_default();
                     let info = first.trim_start_matches([' ', '`', '~']).trim();
-                    let indented = kind == CodeBlockKind::Indented;
-                    note(unread, UnreadKind::Fence, if indented { INDENTED } else { name_of_fence(info) }, block);
+                    if kind == CodeBlockKind::Indented {
+                        note(unread, UnreadKind::Indented, "", block);
+                    } else {
+                        note(unread, UnreadKind::Fence, name_of_fence(info), block);
+                    }
                 }
                 skip.push(range);
             }

@@ -272,7 +272,6 @@ pub(crate) use pretext::macros_text;
 pub(crate) use running::RunningText;
 pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
 pub(crate) use symbols::unit_sign;
-pub(crate) use unread::INDENTED;
 pub use unread::{UnreadKind, UnreadParts};
 
 /// The tokens of running text that starts `base` bytes into the document.

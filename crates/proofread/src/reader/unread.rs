@@ -7,6 +7,8 @@ use crate::named_counts::NamedCounts;
 pub enum UnreadKind {
     /// A fence of code, with its language.
     Fence,
+    /// Code that is set in from the text.
+    Indented,
     /// Code in a line of text.
     Code,
     /// A cell of a notebook, with its type.
@@ -19,15 +21,14 @@ pub enum UnreadKind {
     Comment,
     /// A file in a folder, whose format is not read, with the ending of its name.
     File,
+    /// A symbolic link in a folder.
+    Link,
 }
-
-/// The name of fences that are none: code is set in from the text.
-pub(crate) const INDENTED: &str = "indented code";
 
 impl UnreadKind {
     /// Whether all such parts are counted, whatever is in them.
     pub(crate) fn is_whole(self) -> bool {
-        matches!(self, Self::Cell | Self::File)
+        matches!(self, Self::Cell | Self::File | Self::Link)
     }
 
     /// A name for programs.
@@ -38,12 +39,14 @@ impl UnreadKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Fence => "fence",
+            Self::Indented => "indented",
             Self::Code => "code",
             Self::Cell => "cell",
             Self::Environment => "environment",
             Self::Element => "element",
             Self::Comment => "comment",
             Self::File => "file",
+            Self::Link => "link",
         }
     }
 }
