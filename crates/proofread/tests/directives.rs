@@ -13,7 +13,13 @@ fn directives_are_read_however_they_nest() {
     assert_eq!(report(&text("5"), Markdown).tally.checked, 3);
     assert_eq!(wrong(&text("5"), Markdown), [""; 0]);
     assert_eq!(wrong(&text("6"), Markdown), ["2 + 3 | 6"]);
-    for fence in ["```{solution-start} ex:1", "~~~{note}", "```{prf:example} Sums", "- a\n\n  ```{tip}"] {
+    for fence in [
+        "```{solution-start} ex:1",
+        "~~~{note}",
+        "```{prf:example} Sums",
+        "- a\n\n  ```{tip}",
+        "```{block2, type='note'}",
+    ] {
         let end = &fence.trim_start_matches("- a\n\n  ")[..3];
         let text = format!("{fence}\n$$\n2 + 3 = 6\n$$\n{end}\n\nThen $2 + 2 = 5$.");
         assert_eq!(wrong(&text, Markdown), ["2 + 3 | 6", "2 + 2 | 5"], "{fence}");

@@ -107,10 +107,8 @@ impl Args for ProofreadArguments {
             switch("doubts").help(
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",
             ),
-            switch("unchecked").help(
-                "Also list the chains that were not checked, or not to their end, each with the reason; they count as nothing \
-                 found",
-            ),
+            switch("unchecked")
+                .help("Also list the chains that were not checked, each with the reason; they count as nothing found"),
             option("bindings", "WHEN")
                 .value_parser(value_names(&FOLLOWED))
                 .num_args(0..=1)

@@ -89,6 +89,10 @@ impl Fences {
 fn directive(info: &str) -> Option<bool> {
     let (inside, _) = info.strip_prefix('{')?.split_once('}')?;
     let name = inside.trim();
+    // Chunks of R Markdown whose content is text, whatever their options are.
+    if ["asis", "block", "block2"].contains(&name.split([',', ' ']).next().unwrap_or_default()) {
+        return Some(true);
+    }
     let plain = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "-_:.+".contains(c));
     let is_code = CODE.split_whitespace().any(|known| known == name);
     // A formula is read as one.
