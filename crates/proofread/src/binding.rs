@@ -12,9 +12,9 @@ use std::collections::HashMap;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NamePolicy {
     /// None.
+    #[default]
     Never,
     /// Of names to which the whole document gives one value.
-    #[default]
     Once,
     /// Of all names; inside an example or a section, the latest value counts.
     Always,

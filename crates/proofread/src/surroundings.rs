@@ -97,10 +97,26 @@ pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
         return false;
     }
     let plain = without_tags(between);
-    // The name and the equals sign of the second formula are between, too.
-    let words = plain.split(|c: char| !c.is_alphanumeric()).filter(|word| word.chars().count() > 3).count();
-    words == 0 && !plain.contains(['.', ';', ':']) && plain.matches('\n').count() <= 2
+    if plain.contains(['.', ';', ':']) || plain.matches('\n').count() > 2 {
+        return false;
+    }
+    // What the second formula begins with, its name and its equals sign, is between, too.
+    let words: Vec<String> = plain
+        .split(|c: char| !c.is_alphanumeric() && c != '\\')
+        .filter(|word| word.len() > 1 && !word.starts_with('\\'))
+        .map(str::to_lowercase)
+        .collect();
+    // Two values of a name in a list or a sentence, as in *r = ⅙ for a die and r = ½ for a coin*, are two values.
+    let has_arrow = ["→", "⇒", "⟹", "Rightarrow", "implies", "\\to"].iter().any(|arrow| plain.contains(arrow));
+    let is_inferred = has_arrow || words.iter().any(|word| INFERRING.contains(&&**word));
+    let in_rows = plain.contains("\\\\") || plain.contains("\\cr") || plain.contains('\n') || between.contains("mtr");
+    let says_more = words.iter().filter(|word| !INFERRING.contains(&&***word)).any(|word| word.chars().count() > 3);
+    !says_more && (is_inferred || (in_rows && words.is_empty() && !plain.contains(',')))
 }
+
+/// Words by which a second value of a name follows from the first.
+const INFERRING: [&str; 11] =
+    ["so", "thus", "hence", "therefore", "then", "which", "is", "that", "ie", "giving", "gives"];
 
 /// The text behind a place, without marks of formulas and tags at its start.
 fn text_behind(text: &str, span: Span) -> &str {

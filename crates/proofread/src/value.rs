@@ -208,10 +208,17 @@ impl SideValue {
     pub(crate) fn power(&self, exponent: Interval) -> Evaluated<Self> {
         let base = self.number()?;
         let is_exact = base.low == base.high && exponent.low == exponent.high;
-        if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 {
-            return Err(Obstacle::NoValue("it takes a root of a negative number"));
-        }
-        let raised = base.power(exponent).ok_or(Obstacle::Unclear("a power that is no number"))?;
+        // A root with an odd index has a negative value there.
+        let odd_root =
+            (base.high < 0.0 && exponent.point.fract() != 0.0).then(|| odd_fraction(exponent.point)).flatten();
+        let raised = match odd_root {
+            Some(numerator) => (-base).power(exponent).map(|root| if numerator % 2 == 0 { root } else { -root }),
+            None if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 => {
+                return Err(Obstacle::NoValue("it takes a root of a negative number"));
+            }
+            None => base.power(exponent),
+        };
+        let raised = raised.ok_or(Obstacle::Unclear("a power that is no number"))?;
         Ok(Self {
             parts: Parts::scalar(raised),
             dimension: self.dimension.power(exponent.point),
@@ -248,6 +255,16 @@ impl SideValue {
             |(a, b): (Interval, Interval)| (a.point - b.point).abs() / a.point.abs().max(b.point.abs()).max(1e-300);
         self.parts.pairs(&other.parts).map(relative).fold(0.0, f64::max)
     }
+}
+
+/// The numerator of an exponent that is a fraction with a small odd denominator.
+fn odd_fraction(exponent: f64) -> Option<i64> {
+    let denominators = (3..100).step_by(2).map(f64::from);
+    let numerator = |denominator: f64| {
+        let numerator = exponent * denominator;
+        ((numerator - libm::round(numerator)).abs() < 1e-12 * denominator).then(|| libm::round(numerator) as i64)
+    };
+    { denominators }.find_map(numerator)
 }
 
 #[cfg(test)]

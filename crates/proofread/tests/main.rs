@@ -7,6 +7,7 @@ mod command;
 mod commas;
 mod conventions;
 mod definitions;
+mod directives;
 mod doubts;
 mod formats;
 mod fuzz;
@@ -23,6 +24,8 @@ mod running;
 mod since;
 mod structures;
 mod thresholds;
+#[cfg(feature = "cli")]
+mod unchecked;
 mod units;
 mod unrounded;
 mod unusual;

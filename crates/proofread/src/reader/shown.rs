@@ -304,7 +304,7 @@ fn latex(text: &str, shown: &mut ShownText) {
 }
 
 /// Where a command ends that begins at `at`, and why it isn't read; it is read if there is no reason.
-fn command(text: &str, at: usize) -> (usize, Option<LeftOut>) {
+pub(super) fn command(text: &str, at: usize) -> (usize, Option<LeftOut>) {
     let rest = &text[at + 1..];
     let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
     let (name, behind) = (&rest[..length], at + 1 + length);
