@@ -9,6 +9,7 @@ mod documents_command;
 mod escapement_command;
 mod limits_command;
 mod mimic_command;
+mod new_command;
 mod pin_command;
 mod pipes_command;
 mod quick_return_command;
@@ -231,6 +232,7 @@ fn every_command_explains_itself_with_an_example() {
         ("help-proofread", &["proofread", "--help"]),
         ("help-record", &["record", "--help"]),
         ("help-check", &["check", "--help"]),
+        ("help-new", &["new", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-print", &["book", "print", "--help"]),

@@ -16,7 +16,7 @@ const LOADED: &str = "wheel --stations 6 --rpm 360 --crank-radius 25 --inertia 0
                       --pin-material steel --wheel-material phosphor-bronze --at -20";
 
 /// Command lines, answered and refused; in `@` is a folder with files.
-const LINES: [&str; 48] = [
+const LINES: [&str; 50] = [
     "claims --source pin",
     "claims --source wild",
     "errata --source jazar",
@@ -52,6 +52,8 @@ const LINES: [&str; 48] = [
     "proofread @/text.md --units --doubts",
     "record @",
     "check @",
+    "new @/made --from @/text.md",
+    "new @/made --from @/nowhere.md",
     "proofread @/nowhere.md",
     "book build --output @/text.md",
     "book print --output @/nowhere/book.pdf",

@@ -115,6 +115,35 @@ fn staged_files_count_in_place_of_those_on_the_disk() {
     assert_eq!(answered(&["check", "--staged", shown(folder.path())]).code, 1);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_hook_reads_what_is_being_committed() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = copy();
+    let git = |arguments: &[&str]| {
+        let identity = ["-c", "user.name=A", "-c", "user.email=a@example.org"];
+        let done = Command::new("git").arg("-C").arg(folder.path()).args(identity).args(arguments).output();
+        done.is_ok_and(|output| output.status.success())
+    };
+    if !git(&["init", "--quiet"]) {
+        return;
+    }
+    let hook = folder.path().join(".git/hooks/pre-commit");
+    fs::create_dir_all(hook.parent().expect("a folder")).expect("made");
+    let program = geneva(&[]).get_program().to_string_lossy().into_owned();
+    fs::write(&hook, format!("#!/bin/sh\nexec '{program}' check --staged .\n")).expect("written");
+    fs::set_permissions(&hook, fs::Permissions::from_mode(0o755)).expect("made a program");
+    assert!(git(&["add", "--all"]) && git(&["commit", "-qm", "all is right"]));
+    let paper = folder.path().join("paper.tex");
+    let text = fs::read_to_string(&paper).expect("a text");
+    fs::write(&paper, text.replace("2.1532", "2.1523")).expect("written");
+    // Git makes an index for these commits alone.
+    assert!(!git(&["commit", "-qam", "a wrong digit"]) && !git(&["commit", "-qm", "a wrong digit", "paper.tex"]));
+    assert!(git(&["add", "--all"]) && !git(&["commit", "-qm", "a wrong digit"]));
+    fs::write(&paper, text.replace("An amplitude", "Any amplitude")).expect("written");
+    assert!(git(&["commit", "-qam", "another word"]));
+}
+
 /// A book of mdBook with a chapter, its values and its record.
 fn book(chapter: &str) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");

@@ -10,7 +10,7 @@ mod kinds;
 mod slips;
 
 /// The ledger, and what is an exception in it.
-const GUARDED: Guarded = Guarded { ledger: &LEDGER, free_numbers: FREE_NUMBERS };
+const GUARDED: Guarded = Guarded { ledger: &LEDGER, free_numbers: FREE_NUMBERS, lines_to_do: 0 };
 
 /// Sentences with a number that may be another, and why.
 const FREE_NUMBERS: &[(&str, &str)] = &[

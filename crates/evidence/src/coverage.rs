@@ -29,13 +29,37 @@ pub fn line_gap(document: &'static Document, line: &Line) -> Option<String> {
         let numbers = entry_numbers(document, entry);
         match ahead.strip_prefix(&numbers[..]) {
             Some(behind) => ahead = behind,
-            None => {
-                let (has, there) = (joined_or_none(&numbers), joined_or_none(ahead));
-                return Some(format!("{entry} has {has}, the line there {there}"));
-            }
+            None => return Some(apart(entry, &numbers, ahead)),
         }
     }
     (!ahead.is_empty()).then(|| format!("no entry accounts for {}", joined_or_none(ahead)))
+}
+
+/// The numbers of a line that its entries leave over, in their order. An entry may skip numbers that no entry accounts for yet.
+///
+/// # Errors
+///
+/// In words, the first entry whose numbers are not in the line behind those of the entries before it.
+pub fn numbers_left(document: &'static Document, line: &Line) -> Result<Vec<String>, String> {
+    let (mut ahead, mut left) = (&line.numbers[..], Vec::new());
+    for entry in &line.entries {
+        let numbers = entry_numbers(document, entry);
+        let mut places = 0..=ahead.len().saturating_sub(numbers.len());
+        let Some(at) = places.find(|at| ahead[*at..].starts_with(&numbers)) else {
+            return Err(apart(entry, &numbers, ahead));
+        };
+        // What says no number stands anywhere.
+        let skipped = if numbers.is_empty() { 0 } else { at };
+        left.extend_from_slice(&ahead[..skipped]);
+        ahead = &ahead[skipped + numbers.len()..];
+    }
+    left.extend_from_slice(ahead);
+    Ok(left)
+}
+
+/// How an entry differs from what the line has in its place.
+fn apart(entry: &Entry, numbers: &[String], ahead: &[String]) -> String {
+    format!("{entry} has {}, the line there {}", joined_or_none(numbers), joined_or_none(ahead))
 }
 
 /// What comes after the n-th dots of a claim's printed characters; before the first ones for n = 0.
@@ -107,6 +131,13 @@ mod tests {
         assert_eq!(gap("1", labels()).as_deref(), Some("label 1-2 has 1 2, the line there 1"));
         assert_eq!(gap("1 2 5.3 7", labels()).as_deref(), Some("no entry accounts for 7"));
         assert_eq!(gap("1 2", vec![Entry::Claim("none"), Entry::Label("1-2")]), None);
+        let left = |numbers, entries| numbers_left(&SUM, &Line { number: 1, numbers: number_tokens(numbers), entries });
+        assert_eq!(left("1 2 5.3", labels()), Ok(Vec::new()));
+        assert_eq!(left("7 1 2 8 5.3 9", labels()), Ok(number_tokens("7 8 9")));
+        assert_eq!(left("5.3 1 2", labels()), Err("label 5.3 has 5.3, the line there none".to_owned()));
+        assert_eq!(left("1", labels()), Err("label 1-2 has 1 2, the line there 1".to_owned()));
+        assert_eq!(left("4 1 2", vec![Entry::Claim("none"), Entry::Label("1-2")]), Ok(number_tokens("4")));
+        assert_eq!(left("4", Vec::new()), Ok(number_tokens("4")));
         let lines = SUM.lines().expect("an inventory");
         assert_eq!(line_gap(&SUM, &lines[0]).as_deref(), Some("claim sum.first has 1, the line there 0.5 5.3"));
     }

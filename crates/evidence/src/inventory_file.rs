@@ -154,13 +154,14 @@ fn entry(words: &'static str, slug: &'static str) -> Result<Entry, Fault> {
 }
 
 /// The inventory file that a copy of the source asks for: every line that has numbers, and every line that the file
-/// already has without. Entries are kept where the numbers have not changed, comments everywhere.
+/// already has without. Entries are kept where the numbers have not changed, also if the line has moved, and comments everywhere.
 pub(crate) fn updated(file: &str, copy: &str) -> String {
     let (head, body) = file.split_once("\n\n").unwrap_or((file.trim_end(), ""));
-    let mut known = blocks(body);
+    let copied: Vec<Vec<String>> = copy.lines().map(number_tokens).collect();
+    let mut known = moved(blocks(body), &copied);
     let last = known.keys().last().copied().unwrap_or_default();
     let mut written = format!("{head}\n\n");
-    let mut copied = copy.lines().map(number_tokens).chain(std::iter::repeat(Vec::new()));
+    let mut copied = copied.into_iter().chain(std::iter::repeat(Vec::new()));
     for number in 1..=last.max(copy.lines().count()) {
         let numbers = copied.next().unwrap_or_default();
         let header =
@@ -176,8 +177,81 @@ pub(crate) fn updated(file: &str, copy: &str) -> String {
     written
 }
 
+/// Comments, and the block below them.
+type CommentedBlock = (String, String);
+
+/// The blocks by the lines where a copy has their numbers now. What has no numbers, or others now, stays behind what is before it.
+fn moved(blocks: BTreeMap<usize, CommentedBlock>, copied: &[Vec<String>]) -> BTreeMap<usize, CommentedBlock> {
+    let numbers_of = |block: &str| -> Vec<String> {
+        let printed = block.lines().next().and_then(|header| header.split_once(": "));
+        printed.map_or_else(Vec::new, |(_, printed)| printed.split(' ').map(str::to_owned).collect())
+    };
+    let old: Vec<(usize, Vec<String>)> = blocks
+        .iter()
+        .map(|(number, (_, block))| (*number, numbers_of(block)))
+        .filter(|(_, of)| !of.is_empty())
+        .collect();
+    let new: Vec<(usize, &Vec<String>)> =
+        copied.iter().enumerate().map(|(at, of)| (at + 1, of)).filter(|(_, of)| !of.is_empty()).collect();
+    let places: BTreeMap<usize, usize> =
+        common(&old.iter().map(|(_, of)| of).collect::<Vec<_>>(), &new.iter().map(|(_, of)| *of).collect::<Vec<_>>())
+            .into_iter()
+            .map(|(one, other)| (old[one].0, new[other].0))
+            .collect();
+    let (mut moved, mut before): (BTreeMap<usize, CommentedBlock>, _) = (BTreeMap::new(), (0, 0));
+    for (number, (comments, block)) in blocks {
+        let place = places.get(&number).copied();
+        if let Some(place) = place {
+            before = (number, place);
+        }
+        let place = place.unwrap_or(number - before.0 + before.1);
+        let there = moved.entry(place).or_default();
+        there.0 += &comments;
+        if there.1.is_empty() || places.contains_key(&number) {
+            there.1 = block.replacen(&format!("line {number}"), &format!("line {place}"), 1);
+        }
+    }
+    moved
+}
+
+/// The longest list of pairs of equal items, in the order of both lists. Of very long lists only the equal items at both ends.
+fn common<T: PartialEq>(old: &[T], new: &[T]) -> Vec<(usize, usize)> {
+    /// Most pairs that are compared.
+    const MOST: usize = 1 << 24;
+    let start = old.iter().zip(new).take_while(|(one, other)| one == other).count();
+    let (middle_old, middle_new) = (&old[start..], &new[start..]);
+    let end = middle_old.iter().rev().zip(middle_new.iter().rev()).take_while(|(one, other)| one == other).count();
+    let [rows, columns] = [middle_old.len() - end, middle_new.len() - end];
+    let mut pairs: Vec<(usize, usize)> = (0..start).map(|at| (at, at)).collect();
+    if rows.saturating_mul(columns) <= MOST {
+        // How many pairs there are behind each two items.
+        let mut behind = vec![vec![0_u32; columns + 1]; rows + 1];
+        for row in (0..rows).rev() {
+            for column in (0..columns).rev() {
+                behind[row][column] = match middle_old[row] == middle_new[column] {
+                    true => behind[row + 1][column + 1] + 1,
+                    false => behind[row + 1][column].max(behind[row][column + 1]),
+                };
+            }
+        }
+        let (mut row, mut column) = (0, 0);
+        while row < rows && column < columns {
+            if middle_old[row] == middle_new[column] {
+                pairs.push((start + row, start + column));
+                (row, column) = (row + 1, column + 1);
+            } else if behind[row + 1][column] >= behind[row][column + 1] {
+                row += 1;
+            } else {
+                column += 1;
+            }
+        }
+    }
+    pairs.extend((0..end).map(|at| (start + rows + at, start + columns + at)));
+    pairs
+}
+
 /// The blocks of a file by the line of the source, each with the comments above it.
-fn blocks(body: &str) -> BTreeMap<usize, (String, String)> {
+fn blocks(body: &str) -> BTreeMap<usize, CommentedBlock> {
     let mut blocks = BTreeMap::new();
     let (mut number, mut comments) = (0, String::new());
     for row in body.split_inclusive('\n') {
@@ -255,6 +329,13 @@ mod tests {
         let copy = "1 and 2\n22\n\nfour: 40\nno number\n";
         let written =
             "# Head.\n\nline 1: 1 2\n  label 1-2\nline 2: 22\nline 3\n  claim sum.a\n\n# Part.\nline 4: four 40\n";
+        assert_eq!(updated(file, copy), written);
+        // A line before them, and one that has changed: the others keep what is said of them.
+        let file = "# Head.\n\nline 1: 1 2\n  label 1-2\nline 3\n  claim sum.a\n\n# Part.\nline 4: 4\n  label 4\nline 5: 5\n  \
+                    label 5\n";
+        let copy = "a new line\n7\n1 and 2\n\nno number\n44\n5\n";
+        let written = "# Head.\n\nline 2: 7\nline 3: 1 2\n  label 1-2\nline 5\n  claim sum.a\n\n# Part.\nline 6: 44\nline 7: 5\n  \
+                       label 5\n";
         assert_eq!(updated(file, copy), written);
         assert_eq!(updated("# Head of a new source.\n", "none\n3.5\n"), "# Head of a new source.\n\nline 2: 3.5\n");
     }

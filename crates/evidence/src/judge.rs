@@ -107,7 +107,16 @@ impl Judged {
     pub fn complaints(&self) -> Vec<String> {
         let mut lines = Vec::new();
         if self.verdict != self.claim.expected {
-            lines.push(format!("recorded as {}, but found {}", self.claim.expected, self.verdict));
+            let remedy = match self.verdict {
+                Verdict::Truncated => {
+                    "; if its digits were cut off, write `.corrected(\"…\", slip)` and `.expecting(Verdict::Truncated)`"
+                }
+                Verdict::NotReproduced => {
+                    "; read the document again, or write `.corrected(\"…\", slip)` with what is right"
+                }
+                _ => "",
+            };
+            lines.push(format!("recorded as {}, but found {}{remedy}", self.claim.expected, self.verdict));
         }
         lines.extend(self.faults.iter().cloned());
         lines
@@ -219,20 +228,24 @@ fn record_disagreement(
     [value, witnessed]: [f64; 2],
     digits: &Decimal,
 ) {
-    let agrees = match (first.agreement, witness.agreement) {
-        (_, Agreement::ToPrintedDigits) => digits.is_rounding_of(witnessed),
-        (Agreement::Within(one), Agreement::Within(other)) => {
-            if one.relative > other.relative { one } else { other }.agrees(value, witnessed)
-        }
-        (Agreement::ToPrintedDigits, Agreement::Within(tolerance)) => tolerance.agrees(value, witnessed),
-    };
-    if !agrees {
-        judged.faults.push(match witness.agreement {
-            Agreement::ToPrintedDigits => {
-                format!("the witness ({witness}) gives {witnessed}, of which the digits are not a rounding")
+    let tolerance = match (first.agreement, witness.agreement) {
+        (_, Agreement::ToPrintedDigits) => {
+            if !digits.is_rounding_of(witnessed) {
+                let fault =
+                    format!("the witness ({witness}) gives {witnessed}, of which the digits are not a rounding");
+                judged.faults.push(fault);
             }
-            Agreement::Within(_) => format!("the witness ({witness}) gives {witnessed}, not {value}"),
-        });
+            return;
+        }
+        (Agreement::Within(one), Agreement::Within(other)) if one.relative > other.relative => one,
+        (_, Agreement::Within(tolerance)) => tolerance,
+    };
+    if !tolerance.agrees(value, witnessed) {
+        let (relative, name) = (tolerance.relative, tolerance.name);
+        judged.faults.push(format!(
+            "the witness ({witness}) gives {witnessed}, not {value}; by the tolerance \"{name}\" of these kinds of evidence they may \
+             differ by {relative:e} of their size"
+        ));
     }
 }
 

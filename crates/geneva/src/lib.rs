@@ -23,6 +23,7 @@ mod fields;
 mod fuzz;
 mod input;
 mod mimic;
+mod new;
 mod number_pages;
 mod output;
 mod pin;
@@ -112,6 +113,7 @@ Examples:
   geneva mimic run predators                   run a deck of cards in the language of 1973
   geneva proofread notes.tex chapters/         recompute every chain of numbers in texts of yours
   geneva check examples/paper                  compare the numbers of a paper with computed values
+  geneva new my-check --from notes.md          make a crate that checks a document of yours
   geneva book --open                           build the book and open it
   geneva completions bash                      shell completions for bash
 
@@ -269,6 +271,18 @@ In a book of mdBook, two lines in book.toml add pages on what is wrong and on wh
 
 Exit codes: 0 all numbers are right, 1 something differs or is undecided, 2 bad usage or bad input.")]
     Check(check::CheckArguments),
+    /// Make a crate in which you check a document of yours, claim by claim
+    #[command(after_help = "\
+Examples:
+  geneva new my-check --from notes.md
+  geneva new ../thesis-check --from thesis.tex --engine .
+
+The crate has the text, an inventory of each number that it prints, the first claims to fill in, a book, tests, and a README that \
+leads to the first verdict. It depends on the crates of this project by their folder. `cargo run` in it builds the book and says \
+which numbers are not yet accounted for. If anything fails, nothing is written.
+
+Numbers are those that a reader sees: not in markup, code, comments and addresses.")]
+    New(new::NewArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,
@@ -372,6 +386,11 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
             let (page, outcome) = check::page(&wanted, streams.layout())?;
             streams.print(&page)?;
             Ok(outcome)
+        }
+        Some(Command::New(wanted)) => {
+            let page = new::page(&wanted, streams.layout())?;
+            streams.print(&page)?;
+            Ok(Outcome::AsRecorded)
         }
         Some(Command::Book(wanted)) => book::run(wanted, streams),
         Some(Command::Completions { shell }) => {

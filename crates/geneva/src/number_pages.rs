@@ -4,7 +4,8 @@ use crate::output::{Outcome, OutputStreams};
 use crate::preprocess::{PreprocessorQuestion, read_book};
 use anyhow::Context;
 use clap::Args;
-use geneva_values::{NumbersReport, check, coverage_page, errata_page};
+use geneva_host::printable::shown_path;
+use geneva_values::{NumbersReport, TextLink, check, coverage_page, errata_page};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use std::path::{Path, PathBuf};
@@ -20,7 +21,7 @@ const PAGES: [(&str, &str, &str, Page); 2] = [
     ("{{numbers:coverage}}", "Where the numbers come from", "numbers-coverage.md", coverage_page),
 ];
 
-type Page = fn(&NumbersReport, &dyn Fn(&Path) -> Option<String>) -> String;
+type Page = fn(&NumbersReport, &TextLink<'_>) -> String;
 
 /// Options of `geneva numbers`, as mdBook gives them.
 #[derive(Args, Debug)]
@@ -60,20 +61,25 @@ fn add_pages(context: &PreprocessorContext, book: &mut Book, report: &NumbersRep
         book.for_each_chapter_mut(|chapter| {
             if chapter.content.contains(placeholder) {
                 let up = chapter.path.as_deref().map_or(0, |path| path.components().count().saturating_sub(1));
-                let page = page(report, &|text| chapters.address(text, up));
+                let page = page(report, &|text| chapters.link(text, up));
                 chapter.content = chapter.content.replace(placeholder, &page);
                 is_placed = true;
             }
         });
         if !is_placed {
-            let content = format!("# {title}\n\n{}", page(report, &|text| chapters.address(text, 0)));
+            let content = format!("# {title}\n\n{}", page(report, &|text| chapters.link(text, 0)));
             book.push_item(BookItem::Chapter(Chapter::new(title, content, path, Vec::new())));
         }
     }
 }
 
-/// The files of the chapters: where each is on the disk, and its path in the book.
-struct Chapters(Vec<(PathBuf, PathBuf)>);
+/// The files of the chapters.
+struct Chapters {
+    /// The folder of the book.
+    root: PathBuf,
+    /// Title, file and path in the book of each chapter.
+    all: Vec<(String, PathBuf, PathBuf)>,
+}
 
 impl Chapters {
     fn of(context: &PreprocessorContext, book: &mut Book) -> Self {
@@ -83,17 +89,19 @@ impl Chapters {
             if let (Some(file), Some(path)) = (&chapter.source_path, &chapter.path)
                 && let Ok(whole) = source.join(file).canonicalize()
             {
-                all.push((whole, path.clone()));
+                all.push((chapter.name.clone(), whole, path.clone()));
             }
         });
-        Self(all)
+        Self { root: context.root.clone(), all }
     }
 
-    /// The address of a text that is a chapter, from a chapter so many folders below the top.
-    fn address(&self, text: &Path, up: usize) -> Option<String> {
-        let whole = text.canonicalize().ok()?;
-        let (_, path) = self.0.iter().find(|(file, _)| *file == whole)?;
+    /// The title of a text that is a chapter, with its address from a chapter so many folders below the top; the path of another.
+    fn link(&self, text: &Path, up: usize) -> (String, Option<String>) {
+        let other = || shown_path(text.strip_prefix(&self.root).unwrap_or(text));
+        let whole = text.canonicalize().ok();
+        let chapter = whole.and_then(|whole| self.all.iter().find(|(_, file, _)| *file == whole));
+        let Some((title, _, path)) = chapter else { return (other(), None) };
         let names: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-        Some(format!("{}{}", "../".repeat(up), names.join("/")))
+        (title.clone(), Some(format!("{}{}", "../".repeat(up), names.join("/"))))
     }
 }

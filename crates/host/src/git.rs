@@ -78,6 +78,15 @@ impl Repository {
     ///
     /// git cannot be started, or fails: its own first words.
     pub fn ask<A: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = A>) -> Result<Vec<u8>, String> {
+        self.ask_with_index(None, arguments)
+    }
+
+    /// What git answers if this file is its index, or its usual one.
+    fn ask_with_index<A: AsRef<OsStr>>(
+        &self,
+        index: Option<&Path>,
+        arguments: impl IntoIterator<Item = A>,
+    ) -> Result<Vec<u8>, String> {
         let mut git = Command::new("git");
         git.arg("--no-pager").arg("--no-replace-objects").arg("--literal-pathspecs");
         for setting in SETTINGS {
@@ -85,6 +94,9 @@ impl Repository {
         }
         for name in MISLEADING {
             git.env_remove(name);
+        }
+        if let Some(index) = index {
+            git.env("GIT_INDEX_FILE", index);
         }
         // Neither a lock nor a visit to another machine, and the words of git as everybody knows them.
         git.env("GIT_OPTIONAL_LOCKS", "0").env("GIT_NO_LAZY_FETCH", "1").env("GIT_ALLOW_PROTOCOL", "none");
@@ -147,14 +159,22 @@ impl Repository {
         Ok(listed.split(|byte| *byte == 0).filter_map(entry).collect())
     }
 
-    /// The regular files that are staged for the next commit, with their paths below the top. Git reads only the list of
-    /// them, and no filter or driver of the work tree runs.
+    /// The index that git hands a hook of this repository (`GIT_INDEX_FILE`): with `git commit -a` it isn't the usual one. One outside
+    /// the repository's own folder of git doesn't count.
+    fn index_of_hook(&self) -> Option<PathBuf> {
+        let index = std::fs::canonicalize(self.top.join(std::env::var_os("GIT_INDEX_FILE")?)).ok()?;
+        let own = String::from_utf8(self.ask(["rev-parse", "--absolute-git-dir"]).ok()?).ok()?;
+        index.starts_with(std::fs::canonicalize(own.trim_end_matches('\n')).ok()?).then_some(index)
+    }
+
+    /// The regular files that are staged for the next commit, with their paths below the top; in a hook, those of the commit that is
+    /// being made. Git reads only the list of them, and no filter or driver of the work tree runs.
     ///
     /// # Errors
     ///
     /// git cannot be started or fails.
     pub fn staged_files(&self) -> Result<Vec<(PathBuf, Blob)>, String> {
-        let listed = self.ask(["ls-files", "--stage", "-z"])?;
+        let listed = self.ask_with_index(self.index_of_hook().as_deref(), ["ls-files", "--stage", "-z"])?;
         let entry = |line: &[u8]| {
             let tab = line.iter().position(|byte| *byte == b'\t')?;
             let (about, name) = line.split_at(tab);

@@ -103,21 +103,18 @@ const fn work(key: &'static str, short: &'static str) -> CitedWork {
     }
 }
 
+/// Its pages.
+const PAGES: &[Page] = &[
+    Page::new("preface", "First", PagePlace::Before),
+    Page::new("pin", "A chapter", PagePlace::In("Part")),
+    Page::new("jazar", "Another chapter", PagePlace::In("Part")),
+    Page::new("about", "Sources", PagePlace::In("Part")).with_role(PageRole::Sources),
+    Page::new("errata", "Errata", PagePlace::In("Part")).with_role(PageRole::Slips(&[Consequence::Result])),
+    Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
+];
+
 /// The book.
 pub(crate) static BOOK: Book = Book {
-    imprint: IMPRINT,
-    ledger: &LEDGER,
-    pages: &[
-        Page::new("preface", "First", PagePlace::Before),
-        Page::new("pin", "A chapter", PagePlace::In("Part")),
-        Page::new("jazar", "Another chapter", PagePlace::In("Part")),
-        Page::new("about", "Sources", PagePlace::In("Part")).with_role(PageRole::Sources),
-        Page::new("errata", "Errata", PagePlace::In("Part")).with_role(PageRole::Slips(&[Consequence::Result])),
-        Page::new("ledger", "All claims", PagePlace::Behind).with_role(PageRole::Claims),
-    ],
-    sections: &[],
-    own_numbers: Default::default,
-    own_words: &[],
     keys: &[PlaceholderKey::new(
         "double",
         "a number twice",
@@ -136,12 +133,6 @@ pub(crate) static BOOK: Book = Book {
         Table::with_rows(Cells::Numbers, [1_u32]).column("x", |x| *x).column("y", |x| 2 * x).finish()
     })],
     works: &[work("alon", "Alon"), work("johnson", "Johnson")],
-    open_groups: &[],
-    notation: Vec::new,
-    letter_units: &[],
-    address_and_day: |_| None,
-    synonyms: &[],
-    field_meanings: &[],
     modules: &[PageModule {
         attributes: &["data-live", "data-given"],
         name: "live",
@@ -150,10 +141,8 @@ pub(crate) static BOOK: Book = Book {
         script: "",
         style: "",
     }],
-    ledger_crate: None,
     examples: Examples { package: "sample", crates: &[] },
-    citation_file: "",
-    changelog: "",
+    ..Book::new(IMPRINT, &LEDGER, PAGES)
 };
 
 /// The file of the first chapter below the book's folder, that of the second, and a text of the second that leads to the first.

@@ -73,7 +73,7 @@ impl PageAnswer {
         let found: Vec<&ChainFinding> = report.findings.iter().filter(wanted).collect();
         let mut places = PlacedText::new(question.text);
         let findings = found.iter().take(MOST_SHOWN).map(|finding| places.show(finding)).collect();
-        let mut summary = words::summary(question, format, &report.tally, &found);
+        let mut summary = words::summary(question, format, &report, &found);
         if found.len() > MOST_SHOWN {
             summary.push(format!("The first {MOST_SHOWN} are shown. The command lists them all."));
         }

@@ -3,10 +3,10 @@
 use crate::fact::Fact;
 use crate::question::PageQuestion;
 use proofread::summary::{
-    describe_count, describe_doubts, describe_findings, describe_unchecked_chains, describe_unit_differences,
-    describe_unread_formulas,
+    describe_count, describe_doubts, describe_findings, describe_partly_checked_chains, describe_unchecked_chains,
+    describe_unit_differences, describe_unread_formulas, describe_unread_parts,
 };
-use proofread::{ChainFinding, CheckTally, ReportSection, TextFormat};
+use proofread::{ChainFinding, CheckReport, ReportSection, TextFormat};
 
 /// What a format is called in a sentence and in the list of choices.
 pub fn name_of_format(format: TextFormat) -> &'static str {
@@ -24,11 +24,12 @@ pub fn name_of_format(format: TextFormat) -> &'static str {
 pub(crate) fn summary(
     question: &PageQuestion<'_>,
     format: TextFormat,
-    tally: &CheckTally,
+    report: &CheckReport,
     found: &[&ChainFinding],
 ) -> Vec<String> {
     let in_list = |list: ReportSection| found.iter().filter(|finding| finding.section == list).count();
     let mut said = vec![describe_findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
+    let tally = &report.tally;
     let checkable = tally.checkable.max(tally.checked);
     said.push(match (checkable, tally.checked) {
         (0, _) => {
@@ -48,8 +49,10 @@ pub(crate) fn summary(
             format!("Read as {}, the text has {all} that arithmetic can check, and {left}.", name_of_format(format))
         }
     });
-    said.extend(describe_unchecked_chains(tally));
+    said.extend(describe_unchecked_chains(&report.not_checked));
+    said.extend(describe_partly_checked_chains(tally));
     said.extend(describe_unread_formulas(tally));
+    said.extend(describe_unread_parts(&report.not_read));
     said.extend(describe_unit_differences(tally).filter(|_| !question.units).map(|said| said + "."));
     said.extend(describe_doubts(tally).filter(|_| !question.doubts).map(|said| said + "."));
     said

@@ -8,12 +8,17 @@ use crate::explanation::{DifferingPair, agrees};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::hint;
 use crate::matrix_sides;
-use crate::reader::{self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadableText};
+use crate::named_counts::NamedCounts;
+use crate::reader::{
+    self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadParts, UnreadableText,
+};
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
-use crate::token_joining::has_letters;
+use crate::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
+#[cfg(feature = "cli")]
+use crate::unchecked_chain::UncheckedChain;
 use crate::unrounded::EarlierResults;
-use crate::value::{Evaluated, Literal, Obstacle, SideValue};
+use crate::value::{Literal, Obstacle, SideValue};
 use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 
 /// What to look for.
@@ -38,12 +43,15 @@ pub struct CheckOptions<'d> {
     pub name_policy: NamePolicy,
     /// Whether pairs that agree are kept, too.
     pub agreeing: bool,
+    /// Whether the chains that were not checked are kept, each with its reason; the report counts them in any case.
+    #[cfg(feature = "cli")]
+    pub unchecked: bool,
     /// Most findings for which a hint is searched, the first ones: the search takes longer than the rest.
     pub hints: usize,
     /// Most tokens that are evaluated in the search for hints: what is not searched for is not offered.
     pub hint_effort: usize,
-    /// What other LaTeX texts define for this one: its preamble, packages or classes. A definition of its own counts before them.
-    /// Texts in other formats are read without.
+    /// What other LaTeX texts define for this one: its preamble, packages or classes, or the macros of a book in PreTeXt. A
+    /// definition of its own counts before them. Texts in other formats than LaTeX and XML are read without.
     pub definitions: Option<&'d Definitions>,
 }
 
@@ -52,6 +60,8 @@ impl Default for CheckOptions<'_> {
         Self {
             name_policy: NamePolicy::default(),
             agreeing: false,
+            #[cfg(feature = "cli")]
+            unchecked: false,
             hints: MOST_HINTS,
             hint_effort: hint::MOST_FOR_ALL,
             definitions: None,
@@ -70,10 +80,13 @@ pub struct CheckTally {
     pub unread: usize,
     /// Chains of equal sides with a number in them.
     pub chains: usize,
-    /// Chains with two sides that are numbers and have no letters: what arithmetic can check.
+    /// Chains with two sides that are numbers without letters: what arithmetic can check. Commands, environments and functions
+    /// count as numbers, whether the program knows them or not.
     pub checkable: usize,
     /// Chains of which at least one pair of sides was compared.
     pub checked: usize,
+    /// Chains that were checked, but not all of their numbers.
+    pub partly: usize,
     /// Pairs of neighbouring sides that were compared.
     pub pairs: usize,
     /// Pairs with each verdict, in the order of [`ChainVerdict::ALL`].
@@ -113,6 +126,7 @@ impl CheckTally {
         self.chains += other.chains;
         self.checkable += other.checkable;
         self.checked += other.checked;
+        self.partly += other.partly;
         self.pairs += other.pairs;
         self.doubts += other.doubts;
         for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
@@ -128,6 +142,13 @@ pub struct CheckReport {
     pub findings: Vec<ChainFinding>,
     /// How much was checked.
     pub tally: CheckTally,
+    /// The chains that were not checked, by their reason and by the name of what stands in them.
+    pub not_checked: NamedCounts<UncheckedKind>,
+    /// These chains, with those that were checked in part, in the order in which they were read; none unless they are asked for.
+    #[cfg(feature = "cli")]
+    pub unchecked: Vec<UncheckedChain>,
+    /// The parts of the text that were not read although a chain may be in them.
+    pub not_read: UnreadParts,
     /// What it took.
     pub effort: CheckEffort,
 }
@@ -156,7 +177,7 @@ const MOST_HINTS: usize = 300;
 /// ```
 pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
-    let lines = RunningText::from_page(text, format);
+    let lines = RunningText::new(text, format, options.definitions);
     let mut check = DocumentCheck {
         text,
         options,
@@ -166,6 +187,10 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         results: EarlierResults::default(),
         factors: Factors::default(),
         budget: options.hint_effort,
+        #[cfg(feature = "cli")]
+        unchecked_before: None,
+        #[cfg(feature = "cli")]
+        shows_source: !matches!(format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook),
     };
     if options.name_policy == NamePolicy::Once && text.len() <= ONE_PROBLEM {
         let known = &mut check.known;
@@ -176,9 +201,11 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         check.options.name_policy = NamePolicy::Never;
     }
     let mut in_lines = None;
-    reader::read_with(text, format, options.definitions, &lines, &mut |formula, from| {
+    let not_read = reader::read_with(text, format, options.definitions, &lines, &mut |formula, from| {
         if from == SpanSource::Lines && in_lines.is_none() {
             in_lines = Some(check.report.findings.len());
+            #[cfg(feature = "cli")]
+            check.unchecked_before.replace(check.report.unchecked.len());
             (check.text, check.before) = (&lines.text, None);
         }
         check.check_formula(&formula);
@@ -186,10 +213,16 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
+    check.report.not_read = not_read;
     if let Some(at) = in_lines {
         let findings = &mut check.report.findings;
         findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
         findings.sort_by_key(|finding| finding.span);
+    }
+    #[cfg(feature = "cli")]
+    if let Some(at) = check.unchecked_before {
+        let unchecked = &mut check.report.unchecked[at..];
+        unchecked.iter_mut().for_each(|chain| chain.span = lines.span_in_page(chain.span));
     }
     let hints = options.hint_effort - check.budget;
     check.report.effort = CheckEffort { steps: effort::steps().saturating_sub(steps), hints };
@@ -202,11 +235,6 @@ fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
     finding.section = ReportSection::Doubts;
     finding.doubt = Some(doubt);
     finding.hint = None;
-}
-
-/// Whether it is known what a side is worth, or that it has no value.
-fn is_known(evaluated: &Evaluated<SideValue>) -> bool {
-    matches!(evaluated, Ok(_) | Err(Obstacle::NoValue(_)))
 }
 
 /// Documents up to this many bytes are taken for one problem whose names keep their meaning.
@@ -231,12 +259,22 @@ struct DocumentCheck<'t> {
     factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
+    /// How many chains that were not checked are in the formulas, before those of running text.
+    #[cfg(feature = "cli")]
+    unchecked_before: Option<usize>,
+    /// Whether a formula can be read as it is written, and not only by programs.
+    #[cfg(feature = "cli")]
+    shows_source: bool,
 }
 
 impl DocumentCheck<'_> {
     fn check_formula(&mut self, formula: &Formula) {
         self.report.tally.formulas += 1;
-        self.report.tally.unread += usize::from(any(&formula.tokens, &TokenKind::is_unread));
+        if any(&formula.tokens, &TokenKind::is_unread) {
+            self.report.tally.unread += 1;
+            #[cfg(feature = "cli")]
+            self.keep_unchecked(|text| UncheckedChain::unread(text, formula));
+        }
         let chains = split_chains(&formula.tokens);
         let numeric = |chain: &&Chain| {
             let compared = chain.sides.iter().skip(1).any(|side| side.relation != Some(Relation::Other));
@@ -267,39 +305,86 @@ impl DocumentCheck<'_> {
     /// Compares the sides of a chain; `last` says that it is the last one of its formula.
     fn check_chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
         self.report.tally.chains += 1;
-        let numbers = |side: &&ChainSide| has_number(&side.tokens) && !has_letters(&side.tokens);
-        self.report.tally.checkable += usize::from(chain.sides.iter().filter(numbers).count() >= 2);
-        let compared = self.report.tally.pairs;
-        if !chain.asked && !surroundings::is_meant_false(self.text, formula.span) {
-            let free: Vec<bool> =
-                chain.sides.iter().map(|side| is_known(&evaluate_freely(&side.tokens, None))).collect();
+        self.report.tally.checkable += usize::from(chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2);
+        let before = self.report.tally.pairs;
+        let denied = chain.asked || surroundings::is_meant_false(self.text, formula.span);
+        if denied {
+            self.count_unchecked(Some((UncheckedKind::Denied, String::new())), chain, false);
+        } else {
+            let obstacles: Vec<Option<Obstacle>> =
+                chain.sides.iter().map(|side| evaluate_freely(&side.tokens, None).err()).collect();
+            let known = |at: usize| matches!(obstacles[at], None | Some(Obstacle::NoValue(_)));
+            let mut compared = vec![false; chain.sides.len()];
+            let mut between = None;
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
                     let ends = last && at + 1 == chain.sides.len();
-                    self.compare_pair(chain, formula, at, free[at - 1] && free[at], ends);
+                    let pairs = self.report.tally.pairs;
+                    let obstacle = self.compare_pair(chain, formula, at, known(at - 1) && known(at), ends);
+                    between = between.or(obstacle);
+                    if self.report.tally.pairs > pairs {
+                        compared[at - 1..=at].fill(true);
+                    }
                 }
             }
             self.compare_with_row_before(chain, formula);
+            let checked = self.report.tally.pairs > before;
+            if (!checked || compared.contains(&true)) && !is_unread(chain) {
+                let outcome = ChainOutcome { text: self.text, chain, compared, obstacles, between };
+                self.count_unchecked(outcome.reason(), chain, checked);
+            }
         }
-        self.report.tally.checked += usize::from(self.report.tally.pairs > compared);
+        self.report.tally.checked += usize::from(self.report.tally.pairs > before);
         self.known.learn(chain, formula.scope, self.options.name_policy);
     }
 
-    fn compare_pair(&mut self, chain: &Chain, formula: &Formula, at: usize, free: bool, ends: bool) {
+    /// Counts a chain that was not checked, or not all of it, if there is a reason.
+    fn count_unchecked(&mut self, reason: Option<(UncheckedKind, String)>, chain: &Chain, partly: bool) {
+        let Some((kind, name)) = reason else { return };
+        if partly {
+            self.report.tally.partly += 1;
+        } else {
+            self.report.not_checked.count(kind, if kind.has_names() { &name } else { "" }, 1);
+        }
+        #[cfg(feature = "cli")]
+        {
+            let source = if self.shows_source { self.text } else { "" };
+            self.keep_unchecked(|_| UncheckedChain::new((kind, name), chain, source, partly));
+        }
+        #[cfg(not(feature = "cli"))]
+        let _ = chain;
+    }
+
+    #[cfg(feature = "cli")]
+    fn keep_unchecked(&mut self, chain: impl FnOnce(&str) -> UncheckedChain) {
+        if self.options.unchecked && self.report.unchecked.len() < MOST_FINDINGS {
+            self.report.unchecked.push(chain(self.text));
+        }
+    }
+
+    /// Compares two neighbouring sides; what keeps them from being compared, if anything in them does.
+    fn compare_pair(
+        &mut self,
+        chain: &Chain,
+        formula: &Formula,
+        at: usize,
+        free: bool,
+        ends: bool,
+    ) -> Option<Obstacle> {
         let (left, right) = (&chain.sides[at - 1], &chain.sides[at]);
-        let Some(relation) = right.relation.filter(|relation| *relation != Relation::Other) else { return };
+        let relation = right.relation.filter(|relation| *relation != Relation::Other)?;
         if left.tokens.is_empty() || right.tokens.is_empty() {
-            return;
+            return None;
         }
         if !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right) {
             self.compare_matrices(chain, formula, [left, right], relation);
-            return;
+            return None;
         }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {
             let bound = |side: &ChainSide| evaluate_freely(&side.tokens, bindings).is_ok();
             if bindings.is_none() || single_name(&left.tokens).is_some() || !bound(left) || !bound(right) {
-                return;
+                return None;
             }
         }
         let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
@@ -326,7 +411,9 @@ impl DocumentCheck<'_> {
         if let Some(values) = values {
             self.results.record(formula.scope, left, right, &values);
         }
+        let obstacle = judgement.obstacle.clone();
         self.record(formula, chain, [left, right], judgement, relation);
+        obstacle
     }
 
     /// Compares each entry of a matrix with that of another one.
@@ -339,7 +426,8 @@ impl DocumentCheck<'_> {
     ) {
         let Some(entries) = matrix_sides::paired_entries(left, right) else { return };
         for [left, right] in entries {
-            if is_known(&evaluate_freely(&left.tokens, None)) && is_known(&evaluate_freely(&right.tokens, None)) {
+            let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
+            if is_value(&left) && is_value(&right) {
                 let judgement = judge(&left.tokens, &right.tokens, relation, None);
                 self.record(formula, chain, [&left, &right], judgement, relation);
             }

@@ -165,6 +165,16 @@ impl ChainFinding {
 /// The chain around the side `right` as one line, and where the side `printed` is in it.
 fn line(chain: &Chain, right: &ChainSide, printed: &ChainSide) -> (String, Range<usize>) {
     let at = chain.sides.iter().position(|side| std::ptr::eq(side, right)).unwrap_or(0);
+    line_around(chain, at, Some(printed))
+}
+
+/// The start of a chain as one line.
+#[cfg(feature = "cli")]
+pub(crate) fn chain_line(chain: &Chain) -> String {
+    line_around(chain, 0, None).0
+}
+
+fn line_around(chain: &Chain, at: usize, printed: Option<&ChainSide>) -> (String, Range<usize>) {
     let shown = at.saturating_sub(SHOWN_AROUND)..chain.sides.len().min(at + SHOWN_AROUND);
     let mut line = if shown.start > 0 { "…".to_owned() } else { String::new() };
     let mut marked = 0..0;
@@ -177,7 +187,7 @@ fn line(chain: &Chain, right: &ChainSide, printed: &ChainSide) -> (String, Range
         };
         let start = line.len();
         line += &show(&side.tokens);
-        if std::ptr::eq(side, printed) {
+        if printed.is_some_and(|printed| std::ptr::eq(side, printed)) {
             marked = start..line.len();
         }
     }

@@ -105,7 +105,7 @@ fn fits(value: &Value, schema: &Value, root: &Value, at: &str) {
 fn json_is_as_the_schema_says() {
     let schema: Value = serde_json::from_str(include_str!("../schema/proofread.schema.json")).expect("a schema");
     let (_folder, file) = folder();
-    let (code, out, _) = run(&["--format", "json", "--agreeing", &file]);
+    let (code, out, _) = run(&["--format", "json", "--agreeing", "--unchecked", &file]);
     let whole: Value = serde_json::from_str(&out).expect("JSON");
     assert_eq!(code, 1);
     fits(&whole, &schema, &schema, "whole");
@@ -113,11 +113,69 @@ fn json_is_as_the_schema_says() {
     assert_eq!(first["verdict"], "last-digit");
     assert_eq!(first["recomputed"], "13.6 km/s");
     assert_eq!(first["at"]["start"]["column"], 29);
+    assert!(whole["documents"][0]["unchecked"].is_array());
     let (_, lines, _) = run(&["--format", "jsonl", &file]);
     for line in lines.lines() {
         fits(&serde_json::from_str(line).expect("JSON"), &schema["$defs"]["line"], &schema, "line");
     }
     assert_eq!(lines.lines().count(), 2);
+}
+
+#[test]
+fn what_is_not_checked_is_summed_up_and_listed_on_request() {
+    let (_folder, file) = folder();
+    fs::write(&file, "$2 + 2 = 4$, $\\foo{7} = 36$, $2x = 3y$\n\n~~~python\nx = 1\n~~~\n").expect("written");
+    let (code, out, _) = run(&[&file]);
+    assert_eq!(code, 0);
+    for line in [
+        "Checked 1 chain of 2 chains that arithmetic can check, in 3 formulas or lines and 1 document.",
+        "Not checked: 1 chain with `\\foo`, 1 with letters. --unchecked lists them.",
+        "Not read, with an equals sign and a digit: 1 fence of `python`.",
+    ] {
+        assert!(out.lines().any(|of| of == line), "{line}\nis not in\n{out}");
+    }
+    let (code, out, _) = run(&["--unchecked", &file]);
+    assert_eq!(code, 0);
+    assert!(
+        out.contains(&format!("not checked: `\\foo` is not known\n --> {file}:1:15\n  = \\foo{{7}} = 36\n")),
+        "{out}"
+    );
+    assert!(out.contains("not checked: the letter x has no value\n"), "{out}");
+    let aside = Path::new(&file).with_file_name("b.md");
+    fs::write(&aside, "$1 = 0.08$").expect("written");
+    let (code, told, _) = run(&["--unchecked", aside.to_str().expect("UTF-8")]);
+    assert!(
+        code == 0 && told.contains("not checked: set aside, since a number may be part of something else"),
+        "{told}"
+    );
+    let (_, lines, _) = run(&["--unchecked", "--format", "jsonl", &file]);
+    let first: Value = serde_json::from_str(lines.lines().next().expect("a line")).expect("JSON");
+    let document = &first["document"];
+    assert_eq!(document["unchecked"][0]["reason"], "`\\foo` is not known");
+    assert_eq!(document["unchecked"][0]["chain_at"]["start"]["column"], 15);
+    assert_eq!(document["not_checked"][0], serde_json::json!({ "kind": "command", "name": "\\foo", "count": 1 }));
+    assert_eq!(document["not_read"][0], serde_json::json!({ "kind": "fence", "name": "python", "count": 1 }));
+}
+
+#[test]
+fn files_that_are_not_read_are_counted_and_missing_ones_are_told() {
+    let (folder, _) = folder();
+    for name in ["a.rst", "b.RST", "c.docx", "d.png", "sub.typ"] {
+        fs::write(folder.path().join(name), "1 + 1 = 3").expect("written");
+    }
+    let place = folder.path().to_str().expect("UTF-8");
+    let (_, out, _) = run(&[place]);
+    let line = "Not read: 2 files of `.rst`, 1 file of `.docx`, 1 file of `.typ`.";
+    assert!(out.lines().any(|of| of == line), "{out}");
+    for missing in [format!("{place}/b.md"), format!("{place}/chapters"), format!("{place}/chapters/")] {
+        let (code, _, told) = run(&[&missing]);
+        assert_eq!(code, 2);
+        assert!(told.contains("No such file or directory"), "{told}");
+    }
+    fs::remove_file(folder.path().join("a.md")).expect("removed");
+    let (code, _, told) = run(&[place]);
+    assert_eq!(code, 2);
+    assert!(told.contains("4 have formats that are not read"), "{told}");
 }
 
 #[test]

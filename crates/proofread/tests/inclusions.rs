@@ -231,3 +231,29 @@ fn many_chapters_with_one_file_of_macros_are_read_in_a_moment() {
     let (code, out, _) = run(&[folder.path().to_str().expect("UTF-8")]);
     assert!(code == 0 && out.contains("Checked 300 chains"), "{out}");
 }
+
+#[test]
+fn the_macros_of_a_book_in_pretext_hold_in_its_files() {
+    const CHAPTER: &str = "<chapter><p><m>2 + 3 = \\val{6}</m>, <m>3\\half = 1.5</m></p></chapter>\n";
+    const MACROS: &str =
+        "<docinfo><macros>\\newcommand{\\val}[1]{#1}\n\\newcommand{\\half}{\\frac{1}{2}}</macros></docinfo>";
+    const CHAPTER_INCLUDED: &str = "<xi:include href=\"ch/one.ptx\"/>";
+    let main = format!("<pretext>{MACROS}<book>{CHAPTER_INCLUDED}</book></pretext>");
+    let apart = format!("<pretext><xi:include href='docinfo.ptx' /><book>{CHAPTER_INCLUDED}</book></pretext>");
+    let deep = format!("<pretext>{MACROS}<book><xi:include href=\"ch/all.ptx\"/></book></pretext>");
+    for files in [
+        &[("main.ptx", main.as_str())][..],
+        &[("main.ptx", apart.as_str()), ("docinfo.ptx", MACROS)],
+        &[("main.xml", deep.as_str()), ("ch/all.ptx", "<part><xi:include href=\"one.ptx\"/></part>")],
+    ] {
+        let folder = folder(&[files, &[("ch/one.ptx", CHAPTER)]].concat());
+        for given in [&["."][..], &["ch"], &["ch/one.ptx"]] {
+            let found = found(folder.path(), given);
+            let [place] = found.as_slice() else { panic!("{files:?}, {given:?}: {found:?}") };
+            assert!(place.ends_with("ch/one.ptx:1:29"), "{place}");
+        }
+    }
+    // A book that doesn't include the file says nothing of it.
+    let folder = folder(&[("main.ptx", &main.replace("one", "two")), ("ch/one.ptx", CHAPTER)]);
+    assert_eq!(found(folder.path(), &["ch"]), [""; 0]);
+}

@@ -7,6 +7,7 @@ mod command;
 mod commas;
 mod conventions;
 mod definitions;
+mod directives;
 mod doubts;
 mod formats;
 mod fuzz;
@@ -25,6 +26,8 @@ mod since;
 mod structures;
 mod symbols;
 mod thresholds;
+#[cfg(feature = "cli")]
+mod unchecked;
 mod units;
 mod unrounded;
 mod unusual;

@@ -79,7 +79,7 @@ pub(crate) fn all() -> Vec<Structure> {
 }
 
 fn markdown() -> Vec<Structure> {
-    let in_markdown: [(&str, Grown); 31] = [
+    let in_markdown: [(&str, Grown); 36] = [
         ("code beside MathML", repeated("", "`x` <math></math> ", "")),
         ("right lines", repeated("", "It is $2+2=4$ and 3.0*2.0=6.0 here.\n", "")),
         ("wrong lines", numbered("", |i| format!("It is ${}$ here.\n", wrong(i)), "")),
@@ -121,6 +121,11 @@ fn markdown() -> Vec<Structure> {
         ("fences", repeated("", "```math\n1+1=3\n```\n", "")),
         ("a long fence", repeated("```math\n", "1+1=3\n", "```\n")),
         ("struck out", repeated("", "~~ $1+1=3$ ", "")),
+        ("directives in each other", repeated("", "```{note} 1+1=3\n", "")),
+        ("directives", repeated("", "````{note} $1+1=3$\n```{tip}\n1+1=3\n```\n````\n", "")),
+        ("chunks with backticks in their options", repeated("", "```{r a=\"`1=2`\"}\n1=2\n```\n", "")),
+        ("dollar signs with space", repeated("", "$ 1+1=3 ", "$")),
+        ("functions that are not known", repeated("$", "\\foo{1}=", "2$")),
     ];
     in_markdown.into_iter().map(|(name, grown)| (name, TextFormat::Markdown, grown)).collect()
 }
@@ -206,7 +211,12 @@ fn formulas() -> Vec<Structure> {
 }
 
 fn latex() -> Vec<Structure> {
-    let in_latex: [(&str, Grown); 30] = [
+    let in_latex: [(&str, Grown); 35] = [
+        ("running text", repeated("", "Here \\emph{1+1=3} and \\foo[a]{1+1=2}. ", "")),
+        ("lines of running text", repeated("", "1.5+1=3~\\\\\n", "")),
+        ("options without an end", repeated("1=2", "\\foo[", "")),
+        ("drawings without an end", repeated("1=2", "\\begin{axis} ", "")),
+        ("dashes", repeated("1=2", "-", "")),
         ("lines", numbered("", |i| format!("It is ${}$ here.\n\n", wrong(i)), "")),
         ("a macro of itself", repeated("\\def\\a{\\a\\a}", "$\\a=1$ ", "")),
         ("macros of each other", repeated("\\def\\a{\\b\\b}\\def\\b{\\a\\a}", "$\\a=1$ ", "")),

@@ -198,7 +198,7 @@ fn missing_entries(entries: &[&NumberEntry], placement: &Placement, text: &Proje
         second: None,
         write: None,
         message: format!(
-            "{} is not in the text, recorded after \"{}\"; take the entry out with `record --prune`",
+            "{} is not in the text, recorded after \"{}\"; take the entry out with `geneva record --prune`",
             with_unit(&entry.printed, &entry.unit),
             entry.before
         ),
@@ -242,7 +242,10 @@ impl Judge<'_> {
         };
         let shown = with_unit(&number.printed, &number.unit);
         match entry.map(|entry| (&entry.tie, entry)) {
-            None => finding.message = format!("{shown} belongs to nothing; run `record` to propose what it is tied to"),
+            None => {
+                finding.message =
+                    format!("{shown} belongs to nothing; run `geneva record` to propose what it is tied to")
+            }
             Some((Tie::Open, _)) => {
                 finding.kind = FindingKind::Undecided;
                 finding.message = format!("{shown} is open in the record; give it a `value` or a `none`");
@@ -260,7 +263,9 @@ impl Judge<'_> {
                 let before = with_unit(&entry.printed, &entry.unit);
                 finding.message = match is_same {
                     true => format!("{shown} is no value: {kind}"),
-                    false => format!("printed {shown}, recorded {before} as {kind}; run `record` if that is meant"),
+                    false => {
+                        format!("printed {shown}, recorded {before} as {kind}; run `geneva record` if that is meant")
+                    }
                 };
             }
             Some((Tie::Value { key, factor }, _)) => self.value(number, key, factor.as_ref(), &mut finding),

@@ -45,7 +45,7 @@ mod values;
 
 pub use check::{FindingKind, NumberFinding, NumbersReport, check};
 pub use numbered_text::{MOST_NUMBERS, NumberedText, PrintedNumber};
-pub use pages::{coverage_page, errata_page};
+pub use pages::{TextLink, coverage_page, errata_page};
 pub use project::LARGEST;
 pub use record_file::{NO_VALUE, NumberEntry, RECORD_NAME, Record, Tie};
 pub use recording::{RecordReport, RecordRequest, record};

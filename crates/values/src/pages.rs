@@ -3,24 +3,26 @@
 use crate::check::{NumberFinding, NumbersReport, with_unit};
 use crate::report::{count, summary};
 use geneva_evidence::PlainVerdict;
-use geneva_host::printable::shown_path;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
+
+/// How a text is named in the pages, and its address in the book if it has one.
+pub type TextLink<'l> = dyn Fn(&Path) -> (String, Option<String>) + 'l;
 
 /// What a number is tied to, in the columns of the coverage, with the column's head.
 const TIES: [(&str, &str); 5] =
     [("value", "computed"), ("given", "given"), ("date", "dates"), ("reference", "references"), ("quoted", "quoted")];
 
-/// A page on where each number comes from. `link` gives the address of a text in the book; a text without one is named by its path.
+/// A page on where each number comes from. `link` names a text, and gives its address in the book.
 ///
 /// ```
 /// use geneva_values::{NumbersReport, coverage_page};
 ///
-/// let page = coverage_page(&NumbersReport::default(), &|_| None);
+/// let page = coverage_page(&NumbersReport::default(), &|_| (String::new(), None));
 /// assert!(page.starts_with("0 numbers in 0 texts."));
 /// ```
-pub fn coverage_page(report: &NumbersReport, link: &dyn Fn(&Path) -> Option<String>) -> String {
+pub fn coverage_page(report: &NumbersReport, link: &TextLink<'_>) -> String {
     let mut out = format!("{}\n\n", summary(report));
     let texts = by_text(report);
     let heads = TIES.map(|(_, head)| format!(" {head} |")).concat();
@@ -39,7 +41,7 @@ pub fn coverage_page(report: &NumbersReport, link: &dyn Fn(&Path) -> Option<Stri
         let _ = writeln!(out, "\n{values} that no number prints: {}.", keys.join(", "));
     }
     for (text, numbers) in &texts {
-        let shown = cell(&shown_path(text));
+        let shown = cell(link(text).0);
         let _ = writeln!(out, "\n<details>\n<summary>Each number of {shown}</summary>\n");
         let _ = writeln!(out, "| after the words | printed | from | computed | verdict |\n|:--|--:|:--|--:|:--|");
         for number in numbers {
@@ -49,14 +51,9 @@ pub fn coverage_page(report: &NumbersReport, link: &dyn Fn(&Path) -> Option<Stri
                 (None, None) => String::new(),
             };
             let computed = [number.value.as_deref(), number.second.as_deref()].into_iter().flatten();
-            let computed = cell(&computed.collect::<Vec<_>>().join(" and "));
-            let row = [
-                cell(&number.before),
-                cell(&printed(number)),
-                from,
-                computed,
-                number.kind.verdict().words().to_owned(),
-            ];
+            let computed = cell(computed.collect::<Vec<_>>().join(" and "));
+            let row =
+                [cell(&number.before), cell(printed(number)), from, computed, number.kind.verdict().words().to_owned()];
             let _ = writeln!(out, "| {} |", row.join(" | "));
         }
         out += "\n</details>\n";
@@ -69,9 +66,9 @@ pub fn coverage_page(report: &NumbersReport, link: &dyn Fn(&Path) -> Option<Stri
 /// ```
 /// use geneva_values::{NumbersReport, errata_page};
 ///
-/// assert_eq!(errata_page(&NumbersReport::default(), &|_| None), "No number is wrong, and none is open.\n");
+/// assert_eq!(errata_page(&NumbersReport::default(), &|_| (String::new(), None)), "No number is wrong, and none is open.\n");
 /// ```
-pub fn errata_page(report: &NumbersReport, link: &dyn Fn(&Path) -> Option<String>) -> String {
+pub fn errata_page(report: &NumbersReport, link: &TextLink<'_>) -> String {
     let of = |verdict| report.findings.iter().filter(move |finding| finding.kind.verdict() == verdict);
     let mut out = String::new();
     if of(PlainVerdict::Wrong).next().is_some() {
@@ -123,12 +120,13 @@ fn printed(number: &NumberFinding) -> String {
     with_unit(&number.printed, &number.unit)
 }
 
-fn place(text: &Path, link: &dyn Fn(&Path) -> Option<String>) -> String {
-    let shown = cell(&shown_path(text));
-    link(text).map_or_else(|| shown.clone(), |address| format!("[{shown}](<{address}>)"))
+fn place(text: &Path, link: &TextLink<'_>) -> String {
+    let (name, address) = link(text);
+    let shown = cell(name);
+    address.map_or_else(|| shown.clone(), |address| format!("[{shown}](<{address}>)"))
 }
 
-fn line_of(number: &NumberFinding, link: &dyn Fn(&Path) -> Option<String>) -> String {
+fn line_of(number: &NumberFinding, link: &TextLink<'_>) -> String {
     let place = place(&number.text, link);
     number.at.map_or_else(|| place.clone(), |[start, _]| format!("{place}, line {}", start.line))
 }
@@ -178,7 +176,7 @@ mod tests {
     fn nothing_in_a_text_is_mark_up_in_the_pages() {
         let findings = vec![number(FindingKind::Stale), number(FindingKind::Untied)];
         let report = NumbersReport { findings, texts: 1, ..NumbersReport::default() };
-        let link = |_: &Path| Some("a.html".to_owned());
+        let link = |_: &Path| ("a|b".to_owned(), Some("a.html".to_owned()));
         for page in [errata_page(&report, &link), coverage_page(&report, &link)] {
             assert!(!page.contains("{{") && !page.contains("*is*") && !page.contains("a|b"), "{page}");
         }

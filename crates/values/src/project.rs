@@ -98,7 +98,7 @@ impl Project {
             let format = TextFormat::from_extension(&extension).ok_or_else(|| {
                 format!("{shown}: the name tells no format; give a file in md, tex, xml, html, ipynb or txt")
             })?;
-            let source = self.read(&path, "a text")?;
+            let source = self.read(&path, "a text, or, if it was moved, change its path in the record")?;
             let numbered = NumberedText::read(&source, format).map_err(|why| format!("{shown}: {why}"))?;
             Ok(ProjectText { name: name.clone(), path, source, numbered })
         };
@@ -153,7 +153,10 @@ pub(crate) fn discover(folder: &Path) -> Result<Record, String> {
     let texts: Vec<String> = names.iter().filter(is_text).cloned().collect();
     let (values, second) = (of("values"), of("second"));
     if texts.is_empty() {
-        return Err(format!("{shown}: no file has a name that tells a format of texts; name the texts and --values"));
+        return Err(format!(
+            "{shown}: no file in it has a name that tells a format of texts; name texts and values, as in `geneva record src/*.md \
+             --values values.json --record numbers.toml`"
+        ));
     }
     if values.is_empty() {
         let near = nearest_name("values.json", names.iter().map(String::as_str).filter(|name| !name.ends_with(".md")));

@@ -77,7 +77,8 @@ impl Record {
     pub(crate) fn new(texts: Vec<String>, values: Vec<String>, second: Vec<String>) -> Self {
         let mut head =
             "# The numbers of these texts, each tied to the value that it prints. `geneva record` adds what is new\n\
-                        # and keeps what you decide: change an `open` or `candidates` to a `value` or to `none`.\n"
+                        # and keeps what you decide: change an `open` or `candidates` to value = \"KEY\", or to none = \"given\",\n\
+                        # \"date\", \"reference\" or \"quoted from …\" for a number that no program computes.\n"
                 .to_owned();
         let list = |names: &[String]| names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
         for (name, files) in [("texts", &texts), ("values", &values), ("second", &second)] {

@@ -136,7 +136,7 @@ pub fn record_text(report: &RecordReport, layout: TextLayout) -> String {
         out += &line(&format!("note: {what}: {missing}"));
     }
     if !report.missing.is_empty() && !report.is_pruned {
-        out += &line("note: `record --prune` takes out entries whose numbers are gone");
+        out += &line("note: `geneva record --prune` takes out entries whose numbers are gone");
     }
     let ties: Vec<String> = report.ties.iter().map(|(name, count)| format!("{count} {name}")).collect();
     let ties = if ties.is_empty() { String::new() } else { format!(" Tied to: {}.", ties.join(", ")) };

@@ -95,7 +95,10 @@ pub(crate) fn is_among_letters(text: &str, at: usize, read: &Numeral) -> bool {
                 let opener = std::mem::replace(last, word.chars().next_back().unwrap_or('\0'));
                 Some((opener, word.trim_end_matches(|c: char| !c.is_alphabetic())))
             })
-            .any(|(opener, word)| !word.is_empty() && !(opener == '\\' && SIGNS.contains(&format!(" {word} "))))
+            .any(|(opener, word)| {
+                let is_sign = opener == '\\' && SIGNS.contains(&format!(" {word} "));
+                !word.is_empty() && !is_sign
+            })
     };
     has_letter(before) || has_letter(behind)
 }

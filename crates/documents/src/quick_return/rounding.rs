@@ -6,13 +6,13 @@ use super::*;
 pub(super) const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
     reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The \
-             angular velocity of the crank is printed with three digits, the pin's distance from the lever's pivot \
-             with two and the speeds along and across the lever with three, but the results that are computed from \
-             these numbers are printed with three or four. No single rounding reproduces all of these \
+             angular velocity of the crank and the speeds along and across the lever are printed with three digits, and \
+             the pin's distance from the lever's pivot with two. But the results of these numbers are printed with three \
+             or four. No single rounding reproduces all of these \
              results. Rounding the crank's angular velocity alone is enough for four of them: speed and acceleration of \
              the pin, and angular velocity and normal acceleration of the lever. Rounding only the pin's distance from \
              the pivot is enough for these two numbers of the lever as well, and also for the Coriolis acceleration. So \
-             either rounding alone spoils the lever's angular velocity. For the last three results, we need at least \
+             each of these two roundings alone spoils the lever's angular velocity. For the last three results, we need at least \
              two roundings together.",
     witness: "Differentiating the loop closure with power series gives the corrected digits, too.",
     origin: Origin::Arithmetic,

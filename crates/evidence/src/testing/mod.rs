@@ -26,7 +26,8 @@ pub use spoiling::{
     wrong_digits, wrong_routes,
 };
 
-use crate::Ledger;
+use crate::{Ledger, UnfinishedLine};
+use std::cmp::Ordering;
 
 /// A ledger to be guarded, with what is known to be an exception in it.
 #[derive(Clone, Copy)]
@@ -36,6 +37,8 @@ pub struct Guarded {
     /// Sentences that stay true with another number in them: the id of the claim, and why. An exception that is not needed any
     /// more is reported.
     pub free_numbers: &'static [(&'static str, &'static str)],
+    /// Lines of its documents that are not yet accounted for; zero for a finished ledger.
+    pub lines_to_do: usize,
 }
 
 /// What a guard found.
@@ -81,7 +84,12 @@ pub const GUARDS: &[Guard] = &[
 impl Guarded {
     /// A ledger without exceptions.
     pub const fn new(ledger: &'static Ledger) -> Self {
-        Self { ledger, free_numbers: &[] }
+        Self { ledger, free_numbers: &[], lines_to_do: 0 }
+    }
+
+    /// Whether every line is to be accounted for.
+    pub fn is_finished(&self) -> bool {
+        self.lines_to_do == 0
     }
 }
 
@@ -110,15 +118,50 @@ pub fn check(ledger: &'static Ledger) {
     check_guarded(Guarded::new(ledger));
 }
 
+/// Runs all guards on a ledger that is still being written, of which so many lines are not yet accounted for. At zero it is the same
+/// as [`check`].
+///
+/// The number can only fall: if more lines are to do than it says, one has lost an entry, and if fewer are, it must follow.
+///
+/// # Panics
+/// If a guard finds a fault, and if the lines to do are not as many; the message has all faults and the number to write.
+#[track_caller]
+pub fn check_unfinished(ledger: &'static Ledger, lines_to_do: usize) {
+    check_guarded(Guarded { lines_to_do, ..Guarded::new(ledger) });
+}
+
+/// What differs from the record in how many lines are to do, in words.
+fn lines_differing(guarded: Guarded) -> Option<String> {
+    // What cannot be read is a fault of another guard.
+    let lines = guarded.ledger.unfinished_lines().ok()?;
+    let (found, recorded) = (lines.len(), guarded.lines_to_do);
+    let numbers = |line: &UnfinishedLine| format!("{}, {line}", line.document);
+    let listed = lines.iter().map(numbers).collect::<Vec<_>>().join("\n  ");
+    match found.cmp(&recorded) {
+        _ if guarded.is_finished() => None,
+        Ordering::Equal => None,
+        Ordering::Less => Some(format!(
+            "{found} lines are still to be accounted for, and {recorded} are on record; write {found} there, so that none is lost \
+             again"
+        )),
+        Ordering::Greater => Some(format!(
+            "{found} lines are still to be accounted for, and only {recorded} are on record; account for them, or write {found} \
+             there if the document has grown:\n  {listed}"
+        )),
+    }
+}
+
 /// Runs all guards on a ledger with exceptions.
 ///
 /// # Panics
-/// As [`check`].
+/// As [`check_unfinished`].
 #[track_caller]
 pub fn check_guarded(guarded: Guarded) {
     let mut all = Vec::new();
     for (asks, guard) in GUARDS {
         all.extend(guard(guarded).faults.iter().map(|fault| format!("{asks}: {fault}")));
     }
-    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+    all.extend(lines_differing(guarded));
+    let plural = if all.len() == 1 { "" } else { "s" };
+    assert!(all.is_empty(), "{} fault{plural}:\n{}", all.len(), all.join("\n"));
 }

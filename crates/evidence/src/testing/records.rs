@@ -2,7 +2,7 @@
 
 use super::{Guarded, Report};
 use crate::units::expected_unit;
-use crate::{Check, Claim, Kind, judge};
+use crate::{Check, Claim, Evidence, Kind, judge};
 use std::collections::HashSet;
 
 /// The claims that differ from their record, each with what contradicts it.
@@ -58,12 +58,18 @@ pub fn contradicted_slips(guarded: Guarded) -> Report {
 }
 
 /// The numbers whose unit nobody would miss: with another unit they agree with their record, or nothing says what unit they have;
-/// and the entries of a document's units that no number uses.
+/// and the entries of a document's units that no number uses, unless the ledger is unfinished.
 pub fn other_units(guarded: Guarded) -> Report {
     let (mut used, mut tried, mut faults) = (HashSet::new(), 0, Vec::new());
     for claim in guarded.ledger.claims().iter().filter(|claim| claim.kind == Kind::Value) {
         let Some((words, unit)) = expected_unit(claim) else {
-            faults.push(format!("{}: what is its unit?", claim.id));
+            faults.push(format!(
+                "{}: what is its unit? No words in the document's `units` begin its meaning, \"{}\"; add (\"{}\", \"{}\") there",
+                claim.id,
+                claim.meaning,
+                claim.meaning.split(' ').next().unwrap_or_default(),
+                claim.unit
+            ));
             continue;
         };
         used.insert((claim.document.slug, words));
@@ -77,7 +83,7 @@ pub fn other_units(guarded: Guarded) -> Report {
     }
     for document in guarded.ledger.documents() {
         for (words, _) in document.units {
-            if !used.contains(&(document.slug, words)) {
+            if guarded.is_finished() && !used.contains(&(document.slug, words)) {
                 faults.push(format!("{document}: no number is \"{words}\""));
             }
         }
@@ -99,11 +105,16 @@ pub fn unclear_symbols(guarded: Guarded) -> Report {
     Report::new(tried, faults)
 }
 
-/// The kinds of evidence that claims use and the ledger does not list, and those that it lists and no claim uses.
+/// The kinds of evidence that claims use and the ledger does not list, and those that it lists and no claim uses, unless the ledger is
+/// unfinished.
 pub fn evidence_in_use(guarded: Guarded) -> Report {
     let listed = guarded.ledger.evidence();
     let used: HashSet<_> = guarded.ledger.claims().iter().flat_map(|claim| claim.check.evidence()).collect();
-    let unlisted = used.iter().filter(|kind| !listed.contains(kind)).map(|kind| format!("{kind} is not listed"));
-    let unused = listed.iter().filter(|kind| !used.contains(*kind)).map(|kind| format!("{kind} is used by no claim"));
+    let unlisted = used
+        .iter()
+        .filter(|kind| !listed.contains(kind))
+        .map(|kind| format!("{kind} is not listed; add it to the kinds of evidence of the ledger"));
+    let is_unused = |kind: &&&Evidence| guarded.is_finished() && !used.contains(**kind);
+    let unused = listed.iter().filter(is_unused).map(|kind| format!("{kind} is used by no claim"));
     Report::new(listed.len(), unlisted.chain(unused).collect())
 }

@@ -28,6 +28,7 @@ pub use places::places_changed;
 pub use tree::By;
 pub use value::Value;
 
+use crate::Finding;
 use crate::tolerance::{DIFFERENCES, ROUTES};
 use reader::Brackets;
 use std::cell::RefCell;
@@ -166,6 +167,23 @@ impl Display {
 /// Whether an equation holds at all of these instants; none if it cannot be read.
 pub fn holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
     Display::read(tex).and_then(Display::without_number).and_then(|display| display.holds(moments)).ok()
+}
+
+/// What is found when an equation is read and evaluated at all of these instants: whether it holds, or what in it cannot be read.
+///
+/// ```
+/// use geneva_evidence::tex::{Moment, equation_finding};
+///
+/// let moment = Moment::default().with([("v", 19.62), ("g", 9.81)]);
+/// let found = equation_finding("v = g t", &[moment.clone()]);
+/// assert_eq!(found.how, "the formula cannot be evaluated: the name t stands for nothing");
+/// assert!(equation_finding("v = g t", &[moment.with([("t", 2.0)])]).holds);
+/// ```
+pub fn equation_finding<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Finding {
+    match Display::read(tex).and_then(Display::without_number).and_then(|display| display.holds(moments)) {
+        Ok(holds) => Finding::of_reading(Some(holds)),
+        Err(illegible) => Finding::not_evaluated(illegible.to_string()),
+    }
 }
 
 /// Whether an equation of joined lines holds at all of these instants; none if it cannot be read.

@@ -327,7 +327,7 @@ impl<N: Number> Moment<N> {
             Some(value) => Ok(value),
             None => match undotted() {
                 Some(of) if self.letters.contains_key(&of) => self.rate(&of, By::Time),
-                _ => Err(Illegible(format!("the name {name}"))),
+                _ => Err(Illegible(format!("the name {name} stands for nothing"))),
             },
         }
     }

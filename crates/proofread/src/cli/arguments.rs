@@ -57,6 +57,7 @@ pub struct ProofreadArguments {
     pub(crate) format: OutputFormat,
     pub(crate) units: bool,
     pub(crate) doubts: bool,
+    pub(crate) unchecked: bool,
     pub(crate) name_policy: NamePolicy,
     pub(crate) agreeing: bool,
     pub(crate) since: Option<String>,
@@ -106,11 +107,13 @@ impl Args for ProofreadArguments {
             switch("doubts").help(
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",
             ),
+            switch("unchecked")
+                .help("Also list the chains that were not checked, each with the reason; they count as nothing found"),
             option("bindings", "WHEN")
                 .value_parser(value_names(&FOLLOWED))
                 .num_args(0..=1)
                 .require_equals(true)
-                .default_value("once")
+                .default_value("never")
                 .default_missing_value("always")
                 .help(
                     "Put values that the text gives to names into formulas; once: only names with one value, in a short \
@@ -142,6 +145,7 @@ impl FromArgMatches for ProofreadArguments {
             format: choice(text("format"), &WRITTEN).unwrap_or(OutputFormat::Text),
             units: matches.get_flag("units"),
             doubts: matches.get_flag("doubts"),
+            unchecked: matches.get_flag("unchecked"),
             name_policy: choice(text("bindings"), &FOLLOWED).unwrap_or_default(),
             agreeing: matches.get_flag("agreeing"),
             since: text("since").map(str::to_owned),

@@ -2,7 +2,8 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
-use crate::reader::{LONGEST, TextFormat};
+use super::project::is_xml;
+use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
@@ -36,9 +37,14 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// The file with the folder in which it was found, if it is LaTeX.
-    pub(super) fn latex_file(&self) -> Option<(&Path, Option<&Path>)> {
-        let path = self.path.as_deref().filter(|_| self.format == Some(TextFormat::Latex))?;
+    /// The file with the folder in which it was found, if other files may define something for it.
+    pub(super) fn file_of_project(&self) -> Option<(&Path, Option<&Path>)> {
+        let in_project = |path: &&Path| match self.format {
+            Some(TextFormat::Latex) => true,
+            Some(TextFormat::Xml) => is_xml(path),
+            _ => false,
+        };
+        let path = self.path.as_deref().filter(in_project)?;
         Some((path, self.folder.as_deref()))
     }
 
@@ -54,8 +60,17 @@ const SKIPPED: [&str; 3] = ["target", "node_modules", "__pycache__"];
 /// Deepest folder that is searched.
 const DEEPEST: usize = 64;
 
-/// The sources that the arguments name, folders in the order of their names.
-pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Result<Source, String>>, String> {
+/// Endings of files that hold texts or numbers in formats that are not read.
+const UNREAD: &str = " rst rest adoc asciidoc asc org typ rnw rtex rmarkdown snw lnw mdx lyx tm texi texinfo textile wiki mediawiki \
+    tei dita docx doc docm odt rtf pages pdf ps djvu epub pptx ppt odp xlsx xls xlsm ods csv tsv nb cdf mw wxm wxmx \
+    lhs lagda markua typst mdoc ";
+
+/// The sources that the arguments name, folders in the order of their names, and how many files in them are not read.
+pub(crate) fn sources(
+    paths: &[PathBuf],
+    input: Option<Input>,
+    unread: &mut UnreadParts,
+) -> Result<Vec<Result<Source, String>>, String> {
     let mut out = Vec::new();
     for path in paths {
         if path.as_os_str() == STANDARD_INPUT {
@@ -63,13 +78,16 @@ pub(crate) fn sources(paths: &[PathBuf], input: Option<Input>) -> Result<Vec<Res
             out.push(Ok(Source { path: None, format, folder: None }));
         } else if path.is_dir() {
             let before = out.len();
-            folder(path, input, 0, &mut out);
+            folder(path, input, 0, &mut out, unread);
             for found in out[before..].iter_mut().flatten() {
                 found.folder = Some(path.clone());
             }
             if out.len() == before {
+                let others = unread.total();
+                let others =
+                    if others == 0 { String::new() } else { format!("; {others} have formats that are not read") };
                 return Err(format!(
-                    "{}: no file in this folder has a name that tells a format ({KNOWN}); give files, and say --input",
+                    "{}: no file in this folder has a name that tells a format ({KNOWN}){others}; give files, and say --input",
                     shown_path(path)
                 ));
             }
@@ -128,7 +146,13 @@ fn file(path: &Path, input: Option<Input>) -> Option<Source> {
     Some(Source { path: Some(path.to_owned()), format, folder: None })
 }
 
-fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<Source, String>>) {
+fn folder(
+    path: &Path,
+    input: Option<Input>,
+    depth: usize,
+    out: &mut Vec<Result<Source, String>>,
+    unread: &mut UnreadParts,
+) {
     let entries = match fs::read_dir(path) {
         Ok(entries) => entries,
         Err(why) => {
@@ -145,7 +169,10 @@ fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<
             continue;
         }
         if kind.is_dir() && depth < DEEPEST && !SKIPPED.contains(&name.as_str()) {
-            folder(&entry.path(), input, depth + 1, out);
+            folder(&entry.path(), input, depth + 1, out, unread);
+        } else if kind.is_symlink() && file(&entry.path(), None).is_some() {
+            // A link may lead anywhere, and around in circles.
+            unread.count(UnreadKind::Link, "", 1);
         } else if kind.is_file() {
             // Whatever the input is said to be, only files whose name tells a text are taken from a folder.
             if let Some(found) =
@@ -153,6 +180,11 @@ fn folder(path: &Path, input: Option<Input>, depth: usize, out: &mut Vec<Result<
             {
                 let format = input.map_or(found.format, Input::format);
                 out.push(Ok(Source { format, ..found }));
+            } else if let Some((_, ending)) = name.rsplit_once('.') {
+                let ending = ending.to_ascii_lowercase();
+                if UNREAD.split_whitespace().any(|known| known == ending) {
+                    unread.count(UnreadKind::File, &format!(".{ending}"), 1);
+                }
             }
         }
     }

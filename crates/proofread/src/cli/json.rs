@@ -5,7 +5,11 @@ use crate::check::CheckTally;
 use crate::doubt::Doubt;
 use crate::finding::ChainFinding;
 use crate::line_index::{LineColumn, LineIndex};
+use crate::named_counts::NamedCounts;
+use crate::reader::UnreadKind;
 use crate::token::Span;
+use crate::unchecked::UncheckedKind;
+use crate::unchecked_chain::UncheckedChain;
 use crate::verdict::ChainVerdict;
 use serde_json::{Map, Value, json};
 
@@ -54,21 +58,45 @@ fn tally(tally: &CheckTally) -> Value {
         "chains": tally.chains,
         "checkable": tally.checkable,
         "checked": tally.checked,
+        "partly": tally.partly,
         "pairs": tally.pairs,
         "doubts": tally.doubts,
         "verdicts": verdicts,
     })
 }
 
-fn document(checked: &CheckedDocument<'_>) -> Value {
-    let lines = if checked.findings.is_empty() { LineIndex::new("") } else { LineIndex::new(&checked.document.text) };
-    let findings: Vec<Value> = checked.findings.iter().map(|of| finding(of, &lines)).collect();
+/// Counts with their kinds and names; `name_of` is the name of a kind.
+fn counts<K: Copy + Ord>(of: &NamedCounts<K>, name_of: fn(K) -> &'static str) -> Value {
+    of.iter().map(|(kind, name, count)| json!({ "kind": name_of(kind), "name": name, "count": count })).collect()
+}
+
+fn unchecked(chain: &UncheckedChain, lines: &LineIndex<'_>) -> Value {
     json!({
+        "kind": chain.kind.name(),
+        "name": chain.name,
+        "reason": chain.reason(),
+        "chain": chain.chain,
+        "partly": chain.partly,
+        "chain_at": span(chain.span, lines),
+    })
+}
+
+fn document(checked: &CheckedDocument<'_>) -> Value {
+    let has_places = !checked.findings.is_empty() || checked.unchecked.as_ref().is_some_and(|of| !of.is_empty());
+    let lines = LineIndex::new(if has_places { &checked.document.text } else { "" });
+    let findings: Vec<Value> = checked.findings.iter().map(|of| finding(of, &lines)).collect();
+    let mut out = json!({
         "id": checked.document.name,
         "format": checked.document.format.name(),
         "tally": tally(&checked.tally),
+        "not_checked": counts(&checked.not_checked, UncheckedKind::name),
+        "not_read": counts(&checked.not_read, UnreadKind::name),
         "findings": findings,
-    })
+    });
+    if let Some(chains) = &checked.unchecked {
+        out["unchecked"] = chains.iter().map(|chain| unchecked(chain, &lines)).collect();
+    }
+    out
 }
 
 fn sum(of: &RunTotals) -> Value {
@@ -78,6 +106,8 @@ fn sum(of: &RunTotals) -> Value {
         "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts },
         "accepted": of.accepted,
         "tally": tally(&of.tally),
+        "not_checked": counts(&of.not_checked, UncheckedKind::name),
+        "not_read": counts(&of.not_read, UnreadKind::name),
     })
 }
 

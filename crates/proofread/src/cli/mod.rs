@@ -15,7 +15,10 @@ pub use output::{CommandStreams, TextLayout};
 
 use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
 use crate::finding::{ChainFinding, ReportSection};
-use crate::reader::{Definitions, TextFormat};
+use crate::named_counts::NamedCounts;
+use crate::reader::{Definitions, TextFormat, UnreadParts};
+use crate::unchecked::UncheckedKind;
+use crate::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;
 use documents::{Document, Source};
@@ -31,6 +34,10 @@ struct CheckedDocument<'d> {
     document: &'d Document,
     findings: Vec<ChainFinding>,
     tally: CheckTally,
+    not_checked: NamedCounts<UncheckedKind>,
+    not_read: UnreadParts,
+    /// The chains that were not checked, if they are to be listed.
+    unchecked: Option<Vec<UncheckedChain>>,
 }
 
 /// Runs the command; the exit code is 0 if nothing was found, 1 if something was, and 2 if an argument or input is wrong.
@@ -88,6 +95,8 @@ struct CommandRun<'a> {
     /// What the search for hints in lines of JSON may still cost: there may be any number of them.
     hint_effort: usize,
     sum: CheckTally,
+    not_checked: NamedCounts<UncheckedKind>,
+    not_read: UnreadParts,
     documents: usize,
     found: [usize; 5],
     failed: bool,
@@ -108,8 +117,11 @@ struct RunTotals {
     /// Findings on numbers, units and bindings, pairs that agree, and doubts.
     found: [usize; 5],
     accepted: usize,
+    not_checked: NamedCounts<UncheckedKind>,
+    not_read: UnreadParts,
     units_listed: bool,
     doubts_listed: bool,
+    unchecked_listed: bool,
 }
 
 impl<'a> CommandRun<'a> {
@@ -136,6 +148,8 @@ impl<'a> CommandRun<'a> {
             project: Project::default(),
             hint_effort: HINT_EFFORT,
             sum: CheckTally::default(),
+            not_checked: NamedCounts::default(),
+            not_read: UnreadParts::default(),
             documents: 0,
             found: [0; 5],
             failed: false,
@@ -146,8 +160,8 @@ impl<'a> CommandRun<'a> {
         let arguments = self.arguments;
         let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
         let accepting = arguments.accept.is_some();
-        let sources = documents::sources(&arguments.files, arguments.input)?;
-        for (file, folder) in sources.iter().flatten().filter_map(Source::latex_file) {
+        let sources = documents::sources(&arguments.files, arguments.input, &mut self.not_read)?;
+        for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
         for source in sources {
@@ -177,8 +191,11 @@ impl<'a> CommandRun<'a> {
             documents: self.documents,
             found: self.found,
             accepted: self.baseline.accepted_count(),
+            not_checked: std::mem::take(&mut self.not_checked),
+            not_read: std::mem::take(&mut self.not_read),
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
+            unchecked_listed: arguments.unchecked,
         };
         if let (Some(path), Some(file)) = (&arguments.accept, self.accepted.take()) {
             self.baseline.write(file)?;
@@ -212,7 +229,8 @@ impl<'a> CommandRun<'a> {
             Some(EarlierText::Other(text)) => Some(text),
             Some(EarlierText::Missing) | None => None,
         };
-        let definitions = document.path.as_deref().filter(|_| document.format == TextFormat::Latex);
+        let definitions =
+            document.path.as_deref().filter(|_| matches!(document.format, TextFormat::Latex | TextFormat::Xml));
         let definitions = definitions.and_then(|path| self.project.definitions(path));
         let report = self
             .report(document, &document.text, definitions.as_deref())
@@ -231,12 +249,17 @@ impl<'a> CommandRun<'a> {
             findings.retain(|finding| !self.baseline.is_accepted(&document.name, finding));
         }
         self.sum.add(&report.tally);
+        self.not_checked.add(&report.not_checked);
+        self.not_read.add(&report.not_read);
         self.documents += 1;
         for finding in &findings {
             self.found[finding.section as usize] += 1;
         }
         if self.arguments.accept.is_none() {
-            let text = self.writer.document(&CheckedDocument { document, findings, tally: report.tally });
+            let CheckReport { tally, not_checked, not_read, unchecked, .. } = report;
+            let unchecked = self.arguments.unchecked.then_some(unchecked);
+            let checked = CheckedDocument { document, findings, tally, not_checked, not_read, unchecked };
+            let text = self.writer.document(&checked);
             self.streams.print(&text)?;
         }
         Ok(())
@@ -249,8 +272,8 @@ impl<'a> CommandRun<'a> {
         text: &str,
         definitions: Option<&Definitions>,
     ) -> Result<CheckReport, String> {
-        let ProofreadArguments { name_policy, agreeing, .. } = *self.arguments;
-        let mut options = CheckOptions { name_policy, agreeing, definitions, ..CheckOptions::default() };
+        let ProofreadArguments { name_policy, agreeing, unchecked, .. } = *self.arguments;
+        let mut options = CheckOptions { name_policy, agreeing, unchecked, definitions, ..CheckOptions::default() };
         let is_line = document.path.is_none();
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
@@ -258,6 +281,11 @@ impl<'a> CommandRun<'a> {
         let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
+        }
+        if unchecked {
+            let aside = report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
+            report.unchecked.extend(aside);
+            report.unchecked.sort_by_key(|chain| chain.span);
         }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,

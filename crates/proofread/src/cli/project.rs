@@ -1,9 +1,9 @@
-//! LaTeX files that belong together: what the files that a document includes, and those that include it, define for it.
+//! Files in LaTeX or PreTeXt that belong together: what the files that a document includes, and those that include it, define for it.
 //!
 //! Definitions are all that is taken from them. Each file is read once, however many documents include it.
 
 use super::documents::decode_text;
-use crate::reader::Definitions;
+use crate::reader::{Definitions, macros_text};
 use geneva_host::files;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -62,7 +62,8 @@ pub(crate) struct Project {
     tops: HashMap<PathBuf, PathBuf>,
     /// The documents that include a file.
     mains: HashMap<PathBuf, BTreeSet<PathBuf>>,
-    searched: HashSet<PathBuf>,
+    /// The folders that were searched for documents, in PreTeXt or in LaTeX.
+    searched: HashSet<(PathBuf, bool)>,
     /// What was gathered from some files below a folder.
     merged: HashMap<(PathBuf, Vec<InclusionRoot>), Arc<Definitions>>,
     /// How many inclusions were followed.
@@ -110,11 +111,12 @@ impl Project {
         // Folders above those that are searched anyway.
         let above: Vec<PathBuf> = file.ancestors().skip(1).take(ABOVE + 1).map(Path::to_owned).collect();
         for place in above.into_iter().filter(|place| place.starts_with(&top)) {
-            if !self.searched.insert(place.clone()) {
+            if !self.searched.insert((place.clone(), is_xml(&file))) {
                 continue;
             }
             let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
-            let named = entries.map(|of| of.path()).filter(|of| has_extension(of, "tex"));
+            let is_alike = |of: &PathBuf| if is_xml(&file) { is_xml(of) } else { has_extension(of, "tex") };
+            let named = entries.map(|of| of.path()).filter(is_alike);
             let real = named.filter_map(|of| of.canonicalize().ok()).filter(|of| of.starts_with(&top));
             let files: BTreeSet<PathBuf> = real.collect();
             files.iter().take(MOST_ABOVE).for_each(|file| self.main(file, &top));
@@ -202,8 +204,9 @@ impl Project {
         let Some(contents) = self.read(file) else { return };
         for (is_early, definitions) in [(true, &contents.preamble), (false, &contents.body)] {
             for of in contents.inclusions.iter().filter(|of| of.early == is_early) {
-                // LaTeX looks beside the main document; some packages look beside the file.
-                if let Some(other) = find(&of.name, [main, file.parent()], top) {
+                // LaTeX looks beside the main document; some packages look beside the file, as XML does.
+                let beside = if is_xml(file) { [file.parent(), None] } else { [main, file.parent()] };
+                if let Some(other) = find(&of.name, beside, top) {
                     self.visit(&other, (main, top), early && is_early, depth - 1, out, take);
                 }
             }
@@ -217,7 +220,8 @@ impl Project {
             return known.clone();
         }
         let text = files::read(file, LONGEST, "a LaTeX file").and_then(decode_text);
-        let contents = text.ok().map(|text| Arc::new(contents(&text)));
+        let read = if is_xml(file) { contents_of_xml } else { contents };
+        let contents = text.ok().map(|text| Arc::new(read(&text)));
         self.files.insert(file.to_owned(), contents.clone());
         contents
     }
@@ -225,6 +229,11 @@ impl Project {
 
 fn has_extension(file: &Path, extension: &str) -> bool {
     file.extension().is_some_and(|of| of.eq_ignore_ascii_case(extension))
+}
+
+/// Whether a file may be a part of a book in PreTeXt.
+pub(super) fn is_xml(file: &Path) -> bool {
+    ["ptx", "xml", "mbx"].iter().any(|extension| has_extension(file, extension))
 }
 
 /// The folder in which everything must be that is read for a file: its repository, or else the folder that was asked for, or a
@@ -247,14 +256,37 @@ fn find(name: &str, folders: [Option<&Path>; 2], top: &Path) -> Option<PathBuf> 
     if name.is_empty() || written.is_absolute() {
         return None;
     }
-    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| has_extension(written, extension));
+    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| has_extension(written, extension))
+        || is_xml(written);
     let name = if whole { name.to_owned() } else { format!("{name}.tex") };
     let files = folders.iter().flatten().map(|folder| folder.join(&name));
     let found = files.filter(|file| file.is_file()).find_map(|file| file.canonicalize().ok());
     found.filter(|file| file.starts_with(top))
 }
 
-/// What a text says about itself and other files.
+/// What a part of a book in PreTeXt says about itself and other files.
+fn contents_of_xml(text: &str) -> Contents {
+    let mut out = Contents {
+        preamble: Definitions::from_latex(&macros_text(text)),
+        is_main: ["<pretext", "<mathbook"].iter().any(|root| text.contains(root)),
+        ..Contents::default()
+    };
+    for (at, _) in text.match_indices("include") {
+        let is_element = text[..at].ends_with(['<', ':']);
+        let tag = text[at..].split('>').next().unwrap_or_default();
+        let value = |name: &str| {
+            let (_, rest) = tag.split_once(name)?;
+            let rest = rest.trim_start().strip_prefix('=')?.trim_start();
+            rest.get(1..)?.split(&rest[..1]).next().filter(|_| rest.starts_with(['"', '\'']))
+        };
+        if is_element && value("parse") != Some("text") {
+            out.inclusions.extend(value("href").map(|name| Inclusion { name: name.to_owned(), early: true }));
+        }
+    }
+    out
+}
+
+/// What a text in LaTeX says about itself and other files.
 fn contents(text: &str) -> Contents {
     let mut out = Contents::default();
     let (mut begins, mut ends) = (text.len(), text.len());

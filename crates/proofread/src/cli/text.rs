@@ -6,6 +6,7 @@ use crate::finding::{ChainFinding, ReportSection};
 use crate::line_index::LineIndex;
 use crate::reader::TextFormat;
 use crate::summary::{self, describe_count};
+use crate::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
 use geneva_host::printable::escaped;
@@ -19,11 +20,13 @@ pub(crate) struct TextWriter(pub TextLayout);
 
 impl ReportWriter for TextWriter {
     fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
-        if checked.findings.is_empty() {
+        let unchecked = checked.unchecked.as_deref().unwrap_or_default();
+        if checked.findings.is_empty() && unchecked.is_empty() {
             return String::new();
         }
         let lines = LineIndex::new(&checked.document.text);
-        checked.findings.iter().map(|finding| finding_text(finding, &lines, checked, self.0)).collect()
+        let findings = checked.findings.iter().map(|finding| finding_text(finding, &lines, checked, self.0));
+        findings.chain(unchecked.iter().map(|chain| unchecked_text(chain, &lines, checked, self.0))).collect()
     }
 
     fn end(&mut self, sum: &RunTotals) -> String {
@@ -35,8 +38,11 @@ impl ReportWriter for TextWriter {
             describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
             describe_count(sum.documents, "document"),
         );
-        text.extend(summary::describe_unchecked_chains(tally).map(|said| said + "\n"));
+        let hint = if sum.unchecked_listed { "\n" } else { " --unchecked lists them.\n" };
+        text.extend(summary::describe_unchecked_chains(&sum.not_checked).map(|said| said + hint));
+        text.extend(summary::describe_partly_checked_chains(tally).map(|said| said + "\n"));
         text.extend(summary::describe_unread_formulas(tally).map(|said| said + "\n"));
+        text.extend(summary::describe_unread_parts(&sum.not_read).map(|said| said + "\n"));
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
         match summary::describe_findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
@@ -52,6 +58,23 @@ impl ReportWriter for TextWriter {
         }
         self.0.folded(&text)
     }
+}
+
+/// A chain that was not checked, with its place and the reason.
+fn unchecked_text(
+    chain: &UncheckedChain,
+    lines: &LineIndex<'_>,
+    checked: &CheckedDocument<'_>,
+    layout: TextLayout,
+) -> String {
+    let (bold, blue) = (bold_style(), AnsiColor::Blue.on_default().bold());
+    let [from, _] = lines.line_columns(chain.span);
+    let what = if chain.partly { "checked in part" } else { "not checked" };
+    let name = escaped(&checked.document.name);
+    let head = format!("{what}: {bold}{}{bold:#}\n", printable(&chain.reason()));
+    let place = format!(" {blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
+    let lead = format!("  {blue}={blue:#} ");
+    layout.folded(&head) + &layout.folded(&place) + &layout.wrapped(&lead, &printable(&chain.chain)) + "\n"
 }
 
 fn finding_text(

@@ -29,7 +29,7 @@ const MORE_DISPLAYS: [&str; 5] = ["flalign*", "alignat", "alignat*", "math", "dm
 pub(crate) enum Dollars {
     /// Only two do, as in pages that MathJax sets.
     Double,
-    /// One does, too, if no space is inside it, so that sums of money are none.
+    /// One does, too, if no space is just inside it, or if it is plainly a formula, so that sums of money are none.
     Single,
     /// One does, whatever stands inside it, as in a notebook.
     Spaced,
@@ -139,7 +139,11 @@ fn environment(text: &str, at: usize, searches: &mut Searches) -> Option<(usize,
 fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
     let bytes = text.as_bytes();
     let first = *bytes.get(at + 1)?;
-    if first.is_ascii_whitespace() && !spaced {
+    // A sum of money stands before the sign: 5 $ and 6 $.
+    let opens_apart = first.is_ascii_whitespace() && !spaced;
+    if opens_apart
+        && text[..at].trim_end_matches([' ', '\u{a0}']).ends_with(|c: char| c.is_alphanumeric() && !c.is_alphabetic())
+    {
         return None;
     }
     let (mut end, mut lines, mut depth) = (at + 1, 0, 0usize);
@@ -169,7 +173,48 @@ fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, 
     };
     let before = bytes.get(end - 1)?;
     let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
-    ((spaced || !before.is_ascii_whitespace()) && !digit_behind && text.is_char_boundary(end)).then_some((1, end, 1))
+    let apart = opens_apart || (before.is_ascii_whitespace() && !spaced);
+    let is_one = || {
+        text.get(at + 1..end).is_some_and(is_plainly_formula)
+            && !bytes.get(end + 1).is_some_and(u8::is_ascii_alphanumeric)
+    };
+    (!digit_behind && text.is_char_boundary(end) && (!apart || is_one())).then_some((1, end, 1))
+}
+
+/// Longest formula with space inside its dollar signs, in bytes.
+const LONGEST_APART: usize = 500;
+
+/// Whether what is between two dollar signs is a formula and no text between two sums of money: it has a relation with something on
+/// both sides, and no words.
+fn is_plainly_formula(inside: &str) -> bool {
+    const SIGNS: [char; 6] = ['=', '<', '>', '≈', '≤', '≥'];
+    const COMMANDS: [&str; 8] = ["\\approx", "\\le", "\\ge", "\\ne", "\\sim", "\\equiv", "\\implies", "\\in"];
+    let trimmed = inside.trim();
+    let relates = trimmed.contains(SIGNS) || COMMANDS.iter().any(|command| trimmed.contains(command));
+    let open = |c: char| "=<>≈≤≥+*/,.;:".contains(c);
+    if trimmed.len() > LONGEST_APART
+        || !relates
+        || trimmed.starts_with(open)
+        || trimmed.ends_with(|c| open(c) || c == '-')
+    {
+        return false;
+    }
+    // The words of text that no command or braces hold.
+    let (mut depth, mut letters, mut in_command) = (0usize, 0usize, false);
+    for c in trimmed.chars() {
+        match c {
+            '\\' => (in_command, letters) = (true, 0),
+            '{' => (in_command, letters, depth) = (false, 0, depth + 1),
+            '}' => (in_command, letters, depth) = (false, 0, depth.saturating_sub(1)),
+            c if c.is_alphabetic() && in_command => {}
+            c if c.is_alphabetic() && depth == 0 => letters += 1,
+            _ => (in_command, letters) = (false, 0),
+        }
+        if letters > 2 {
+            return false;
+        }
+    }
+    true
 }
 
 #[cfg(test)]
@@ -189,6 +234,14 @@ mod tests {
     #[test]
     fn money_is_no_formula() {
         assert_eq!(formulas_in("It costs $5 and $6 more, $ 7 or 8 $."), [""; 0]);
+        assert_eq!(formulas_in("Pay $5 = 500 cents or $ 6, $3 + $4 = $7, or 5 $ = 500 and 3 $ more."), [""; 0]);
+        assert_eq!(formulas_in("With $a = 3 and $b = 4, $c is 5; 5 $ + 3 $ = 8 $; $x > 2 $y"), [""; 0]);
+    }
+
+    #[test]
+    fn space_may_be_inside_what_is_plainly_a_formula() {
+        let text = r"It is $2 - 4 = -3 $, and $ \frac{1}{2} = 0.5 $, and $ x \approx 2 \text{ metres}$, and $ 7 $.";
+        assert_eq!(formulas_in(text), ["2 - 4 = -3 ", r" \frac{1}{2} = 0.5 ", r" x \approx 2 \text{ metres}"]);
     }
 
     #[test]

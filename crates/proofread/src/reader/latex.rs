@@ -3,8 +3,10 @@
 use super::adjoining::Joiner;
 use super::definitions::{Macros, NamedMacros, closing, defines, definition};
 use super::delimited::{DISPLAYS, FARTHEST};
+use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, tex};
 use crate::token::{Span, signs};
+use std::ops::Range;
 
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
@@ -14,15 +16,37 @@ const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IE
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
-/// Finds the formulas of a document, with the macros that are defined elsewhere.
-pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut FormulaSink<'_>) {
-    let mut joiner = Joiner::new(text);
-    let macros = Macros::from_text(text, text.len(), elsewhere);
-    body(text, &macros, &mut |formula| joiner.take(formula, each));
-    joiner.finish(each);
+/// A part of a document that is no running text.
+pub(super) enum LatexPart<'t> {
+    /// A formula, from what is inside its marks, and the problem that it belongs to.
+    Formula { whole: Range<usize>, inside: Range<usize>, scope: u32 },
+    /// What is not printed, or is no text; of which kind it is and its name, if it may be missed.
+    Hidden(Range<usize>, Option<(UnreadKind, &'t str)>),
 }
 
-fn body(text: &str, macros: &Macros<'_>, each: &mut FormulaSink<'_>) {
+/// Takes the parts as they are found.
+type PartSink<'s, 't> = dyn FnMut(LatexPart<'t>) + 's;
+
+/// Finds the formulas of a document, with the macros that are defined elsewhere; what is not read.
+pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut FormulaSink<'_>) -> UnreadParts {
+    let mut unread = UnreadParts::default();
+    let mut joiner = Joiner::new(text);
+    let macros = Macros::from_text(text, text.len(), elsewhere);
+    parts(text, &macros, &mut |part| match part {
+        LatexPart::Formula { whole, inside, scope } => {
+            let tokens = tex::formula(&signs(&text[inside.clone()], inside.start), &macros);
+            joiner.take(Formula { scope, ..Formula::new(tokens, Span::new(whole.start, whole.end)) }, each);
+        }
+        LatexPart::Hidden(range, Some((kind, name))) => note(&mut unread, kind, name, &text[range]),
+        LatexPart::Hidden(..) => {}
+    });
+    joiner.finish(each);
+    unread
+}
+
+/// Hands over the parts of a document that are no running text, in their order.
+pub(super) fn parts<'t>(text: &'t str, macros: &Macros<'_>, each: &mut PartSink<'_, 't>) {
+    const COMMENT: Option<(UnreadKind, &str)> = Some((UnreadKind::Comment, ""));
     let bytes = text.as_bytes();
     let mut ends = Ends::default();
     let (mut at, mut scope, mut inside) = (0, 0u32, Vec::new());
@@ -30,23 +54,28 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut FormulaSink<'_>) {
     let (mut closes, mut ends_conditions) = (true, true);
     while at < bytes.len() {
         match bytes[at] {
-            b'%' => at += text[at..].find('\n').unwrap_or(bytes.len() - at),
+            b'%' => {
+                let end = at + text[at..].find('\n').unwrap_or(bytes.len() - at);
+                each(LatexPart::Hidden(at..end, COMMENT));
+                at = end;
+            }
             b'$' => {
                 let end = if bytes[at..].starts_with(b"$$") { "$$" } else { "$" };
-                at = read_until(text, at, end.len(), end, scope, macros, each);
+                at = read_until(text, at, end.len(), end, scope, each);
             }
             b'\\' => {
                 let rest = &text[at + 1..];
                 let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
                 let name = &rest[..length];
                 match (name, rest.bytes().next()) {
-                    ("", Some(b'[')) => at = read_until(text, at, 2, "\\]", scope, macros, each),
-                    ("", Some(b'(')) => at = read_until(text, at, 2, "\\)", scope, macros, each),
+                    ("", Some(b'[')) => at = read_until(text, at, 2, "\\]", scope, each),
+                    ("", Some(b'(')) => at = read_until(text, at, 2, "\\)", scope, each),
                     ("", next) => at += 1 + usize::from(next.is_some_and(|c| c.is_ascii())),
-                    ("begin", _) => at = begin(text, at, &mut scope, &mut inside, macros, each),
+                    ("begin", _) => at = begin(text, at, &mut scope, &mut inside, each),
                     ("end", _) => {
                         let closing = group_text(text, at + 4).unwrap_or_default();
                         if closing == "document" {
+                            each(LatexPart::Hidden(at..text.len(), COMMENT));
                             return;
                         }
                         if SCOPES.contains(&closing)
@@ -57,12 +86,16 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut FormulaSink<'_>) {
                         at += 4;
                     }
                     (name, _) if defines(name) => {
-                        at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
+                        let end = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
+                        each(LatexPart::Hidden(at..end, None));
+                        at = end;
                     }
                     ("iffalse", _) if ends_conditions => {
                         let end = rest.find("\\fi");
                         ends_conditions = end.is_some();
-                        at += end.map_or(length + 1, |end| end + 4);
+                        let end = at + end.map_or(length + 1, |end| end + 4);
+                        each(LatexPart::Hidden(at..end, COMMENT));
+                        at = end;
                     }
                     ("verb" | "lstinline", Some(_)) => {
                         let behind = &text[at + 1 + length..];
@@ -70,14 +103,19 @@ fn body(text: &str, macros: &Macros<'_>, each: &mut FormulaSink<'_>) {
                         // It ends in its line, and near.
                         let mut inside = behind.char_indices().skip(1).take(FARTHEST).take_while(|(_, c)| *c != '\n');
                         let end = inside.find(|(_, c)| *c == mark).map_or(0, |(end, _)| end);
-                        at += 1 + length + end + mark.len_utf8();
+                        let end = at + 1 + length + end + mark.len_utf8();
+                        let end = end.min(text.len());
+                        each(LatexPart::Hidden(at..end, Some((UnreadKind::Code, ""))));
+                        at = end;
                     }
                     // What the document sets to nothing isn't printed.
                     (name, _) if macros.get(name).is_some_and(|of| of.arguments > 0 && of.body.trim().is_empty()) => {
-                        at += 1 + length;
-                        let unprinted = if closes { closing_brace(&bytes[at..]) } else { None };
+                        let behind = at + 1 + length;
+                        let unprinted = if closes { closing_brace(&bytes[behind..]) } else { None };
                         closes &= unprinted.is_some();
-                        at += unprinted.unwrap_or(0);
+                        let end = behind + unprinted.unwrap_or(0);
+                        each(LatexPart::Hidden(at..end, COMMENT));
+                        at = end;
                     }
                     (name, _) => at = abbreviation(text, at, name, scope, macros, &mut ends, each),
                 }
@@ -105,23 +143,19 @@ pub(super) fn group_text(text: &str, at: usize) -> Option<&str> {
     rest.get(..end)
 }
 
-fn begin(
-    text: &str,
-    at: usize,
-    scope: &mut u32,
-    inside: &mut Vec<u32>,
-    macros: &Macros<'_>,
-    each: &mut FormulaSink<'_>,
-) -> usize {
+fn begin<'t>(text: &'t str, at: usize, scope: &mut u32, inside: &mut Vec<u32>, each: &mut PartSink<'_, 't>) -> usize {
     let Some(name) = group_text(text, at + 6) else { return at + 6 };
     let open = at + 6 + name.len() + 2;
     if DISPLAYS.contains(&name) || MORE.contains(&name) {
         let end = format!("\\end{{{name}}}");
-        return read_until(text, at, open - at, &end, *scope, macros, each);
+        return read_until(text, at, open - at, &end, *scope, each);
     }
     if VERBATIM.contains(&name) {
         let end = format!("\\end{{{name}}}");
-        return text.get(open..).and_then(|rest| rest.find(&end)).map_or(text.len(), |found| open + found + end.len());
+        let behind = text.get(open..).and_then(|rest| rest.find(&end));
+        let behind = behind.map_or(text.len(), |found| open + found + end.len());
+        each(LatexPart::Hidden(at..behind, Some((UnreadKind::Environment, name))));
+        return behind;
     }
     if SCOPES.contains(&name) && inside.len() < 1000 {
         inside.push(*scope);
@@ -131,15 +165,7 @@ fn begin(
 }
 
 /// Reads the formula that begins at `at` with a mark of `open` bytes and ends with `end`; the byte behind it.
-fn read_until(
-    text: &str,
-    at: usize,
-    open: usize,
-    end: &str,
-    scope: u32,
-    macros: &Macros<'_>,
-    each: &mut FormulaSink<'_>,
-) -> usize {
+fn read_until(text: &str, at: usize, open: usize, end: &str, scope: u32, each: &mut PartSink<'_, '_>) -> usize {
     let start = at + open;
     let bytes = text.as_bytes();
     let (mut stop, mut depth, mut inside) = (start, 0usize, None);
@@ -168,10 +194,10 @@ fn read_until(
         }
     };
     let Some(close) = close else { return stop.max(start).min(text.len()) };
-    let Some(source) = text.get(start..close) else { return close };
-    let mut formula = Formula::new(tex::formula(&signs(source, start), macros), Span::new(at, close + end.len()));
-    formula.scope = scope;
-    each(formula);
+    if text.get(start..close).is_none() {
+        return close;
+    }
+    each(LatexPart::Formula { whole: at..close + end.len(), inside: start..close, scope });
     close + end.len()
 }
 
@@ -221,7 +247,7 @@ fn abbreviation(
     scope: u32,
     macros: &Macros<'_>,
     ends: &mut Ends,
-    each: &mut FormulaSink<'_>,
+    each: &mut PartSink<'_, '_>,
 ) -> usize {
     let behind = at + 1 + name.len();
     let opened = |body: &str| {
@@ -230,9 +256,6 @@ fn abbreviation(
     };
     let Some(end) = macros.get(name).and_then(|of| opened(&of.body)) else { return behind };
     let Some((found, close)) = ends.nearest(text, behind, &end, macros) else { return behind };
-    let source = &text[behind..found];
-    let mut formula = Formula::new(tex::formula(&signs(source, behind), macros), Span::new(at, close));
-    formula.scope = scope;
-    each(formula);
+    each(LatexPart::Formula { whole: at..close, inside: behind..found, scope });
     close
 }

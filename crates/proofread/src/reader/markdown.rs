@@ -2,6 +2,8 @@
 
 use super::adjoining::Joiner;
 use super::delimited::{self, Dollars};
+use super::fences::{Fences, name_of_fence, with_plain_fences};
+use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, markup, plain, tex};
 use crate::token::{Span, signs};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -10,12 +12,13 @@ use std::ops::Range;
 /// Markdown is parsed in pieces of about this many bytes, so that a long text takes little memory.
 const PIECE: usize = 1 << 18;
 
-/// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between.
-pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
+/// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between; what is not read.
+pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) -> UnreadParts {
+    let mut unread = UnreadParts::default();
     let mut joiner = Joiner::new(text);
     for piece in pieces(text) {
         let mut found: Vec<Formula> = Vec::new();
-        piece_of(&text[piece.clone()], dollars, &mut |formula| found.push(formula));
+        piece_of(&text[piece.clone()], dollars, &mut unread, &mut |formula| found.push(formula));
         found.sort_by_key(|formula| formula.span);
         for mut formula in found {
             let by = piece.start as u32;
@@ -26,40 +29,40 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
         }
     }
     joiner.finish(each);
+    unread
 }
 
 /// Cuts before a line behind a blank one, outside fences.
 pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
     let (mut out, mut start, mut at) = (Vec::new(), 0, 0);
-    let (mut fence, mut blank) = (None, false);
+    let (mut fences, mut blank) = (Fences::default(), false);
     for line in text.split_inclusive('\n') {
-        let trimmed = line.trim_start();
-        let mark = trimmed.chars().next().filter(|c| "`~".contains(*c));
-        let opens = mark.filter(|c| trimmed.chars().take_while(|of| of == c).count() >= 3);
-        if blank && fence.is_none() && at - start >= PIECE && !line.starts_with([' ', '\t']) {
+        if blank && fences.are_closed() && at - start >= PIECE && !line.starts_with([' ', '\t']) {
             out.push(start..at);
             start = at;
         }
-        match (fence, opens) {
-            (None, Some(c)) => fence = Some(c),
-            (Some(open), Some(c)) if open == c => fence = None,
-            _ => {}
-        }
-        blank = trimmed.is_empty();
+        fences.take(line);
+        blank = line.trim_start().is_empty();
         at += line.len();
         // A fence that is never closed, or a line without end, must not make a piece of everything.
         if at - start >= 4 * PIECE {
             out.push(start..at);
-            (start, fence) = (at, None);
+            (start, fences) = (at, Fences::default());
         }
     }
     out.push(start..text.len());
     out
 }
 
-fn piece_of(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
-    let (skip, fences) = code(text);
-    for fence in fences {
+fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut FormulaSink<'_>) {
+    let (skip, fences) = code(text, unread);
+    for mut fence in fences {
+        // The options of a directive.
+        while text[fence.clone()].starts_with(':')
+            && let Some(end) = text[fence.clone()].find('\n')
+        {
+            fence.start += end + 1;
+        }
         let source = &text[fence.clone()];
         let tokens = tex::formula(&signs(source, fence.start), &super::definitions::Macros::default());
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
@@ -74,7 +77,7 @@ fn piece_of(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) {
     }
     taken.sort_by_key(|range| range.start);
     for range in mathml(text, &taken) {
-        markup::read(&text[range.clone()], &mut |mut formula| {
+        markup::read(&text[range.clone()], None, &mut |mut formula| {
             let by = range.start as u32;
             formula.map_spans(&|span| Span { start: span.start + by, end: span.end + by });
             each(formula);
@@ -104,15 +107,25 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
     out
 }
 
-/// The stretches that are code, and the content of fences that say they are maths.
-fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
+/// The stretches that are no text, and the content of fences that say they are maths.
+fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
-    let mut maths = false;
-    skip.extend(super::withdrawn_ranges(text));
-    for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
+    let (plain, marks) = with_plain_fences(text).unzip();
+    let (mut maths, mut withdrawn) = (false, Vec::new());
+    for (event, range) in Parser::new_ext(plain.as_deref().unwrap_or(text), Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
-                maths = matches!(&kind, CodeBlockKind::Fenced(info) if matches!(&**info, "math" | "{math}" | "latex" | "tex" | "katex"));
+                maths = matches!(&kind, CodeBlockKind::Fenced(info) if is_maths(info));
+                if !maths {
+                    let block = &text[range.clone()];
+                    let first = block.lines().next().unwrap_or_default();
+                    let info = first.trim_start_matches([' ', '`', '~']).trim();
+                    if kind == CodeBlockKind::Indented {
+                        note(unread, UnreadKind::Indented, "", block);
+                    } else {
+                        note(unread, UnreadKind::Fence, name_of_fence(info), block);
+                    }
+                }
                 skip.push(range);
             }
             Event::End(TagEnd::CodeBlock) => maths = false,
@@ -120,10 +133,29 @@ fn code(text: &str) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
                 Some(Range { end, .. }) if *end == range.start => *end = range.end,
                 _ => fences.push(range),
             },
-            Event::Code(_) => skip.push(range),
+            Event::Code(_) => {
+                note(unread, UnreadKind::Code, "", &text[range.clone()]);
+                skip.push(range);
+            }
             _ => {}
         }
     }
+    // What is withdrawn in code is counted with the code; neither is in something else of its kind.
+    for range in super::withdrawn_ranges(text) {
+        let before = skip.partition_point(|code: &Range<usize>| code.start <= range.start);
+        let in_code = before.checked_sub(1).and_then(|at| skip.get(at)).is_some_and(|code| range.start < code.end);
+        if !in_code && !text[range.clone()].starts_with("://") {
+            note(unread, UnreadKind::Comment, "", &text[range.clone()]);
+        }
+        withdrawn.push(range);
+    }
+    skip.append(&mut withdrawn);
+    skip.extend(marks.into_iter().flatten());
     skip.sort_by_key(|range| range.start);
     (skip, fences)
+}
+
+/// Whether the words behind the mark of a fence say that a formula is in it.
+fn is_maths(info: &str) -> bool {
+    matches!(info, "math" | "latex" | "tex" | "katex") || info.starts_with("{math}")
 }

@@ -1,9 +1,10 @@
 //! Documents in XML or HTML: where their formulas are, and what stands before and behind each of them.
 
-use super::definitions::Macros;
+use super::definitions::{Macros, NamedMacros};
 use super::mathml;
 use super::pretext;
 use super::tags::{DEEPEST, LONGEST, decode_entities, end_of_element, next_tag, parse_element};
+use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, delimited, tex};
 use crate::token::{Span, TOO_LONG, Token, TokenKind};
 
@@ -19,7 +20,10 @@ pub(crate) const INLINE: [&str; 17] = [
 ];
 
 /// Finds the formulas of a document in XML or HTML: MathML, and TeX between the marks that MathJax and KaTeX look for.
-pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
+///
+/// The commands of its formulas may be defined elsewhere. It returns what is not read.
+pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut FormulaSink<'_>) -> UnreadParts {
+    let mut unread = UnreadParts::default();
     let (mut at, mut next_scope) = (0, 1u32);
     let mut scopes: Vec<(String, u32)> = Vec::new();
     // What has been said since the last formula of the paragraph, or nothing if there was none.
@@ -28,6 +32,7 @@ pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
     while let Some(tag) = next_tag(text, at) {
         if let Some(between) = text.get(at..tag.start) {
             before.prose(between);
+            comments(between, &mut unread);
             tex_between(between, at, scopes.last().map_or(0, |(_, id)| *id), each);
         }
         at = tag.end;
@@ -50,7 +55,8 @@ pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
             at = end;
             continue;
         } else if pretext::ELEMENTS.contains(&tag.name.as_str()) && !tag.empty {
-            let (mut formula, end) = pretext::formula(text, &tag, macros.get_or_insert_with(|| pretext::macros(text)));
+            let (mut formula, end) =
+                pretext::formula(text, &tag, macros.get_or_insert_with(|| pretext::macros(text, elsewhere)));
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
             each(formula);
             at = end;
@@ -61,6 +67,8 @@ pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
             if is_tex {
                 let span = Span::new(at, end);
                 each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));
+            } else if ["code", "pre"].contains(&tag.name.as_str()) {
+                note(&mut unread, UnreadKind::Element, &tag.name, &text[at..end]);
             }
             at = end;
         } else if SCOPES.contains(&tag.name.as_str()) && !tag.empty && scopes.len() < DEEPEST {
@@ -72,7 +80,19 @@ pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) {
         }
     }
     if let Some(between) = text.get(at..) {
+        comments(between, &mut unread);
         tex_between(between, at, 0, each);
+    }
+    unread
+}
+
+/// Counts the comments in what is between two tags.
+fn comments(between: &str, unread: &mut UnreadParts) {
+    let mut rest = between;
+    while let Some((_, behind)) = rest.split_once("<!--") {
+        let (comment, behind) = behind.split_once("-->").unwrap_or((behind, ""));
+        note(unread, UnreadKind::Comment, "", comment);
+        rest = behind;
     }
 }
 

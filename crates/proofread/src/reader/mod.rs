@@ -5,9 +5,11 @@ mod commas;
 mod definitions;
 mod delimited;
 mod expansion;
+mod fences;
 mod formatting;
 mod formatting_arguments;
 mod latex;
+mod latex_text;
 mod markdown;
 mod markup;
 mod mathml;
@@ -18,10 +20,12 @@ mod pretext;
 mod recognised;
 mod running;
 mod shown;
+mod shown_lines;
 mod siunitx;
 mod symbols;
 mod tags;
 mod tex;
+mod unread;
 mod words;
 
 use crate::token::{Span, Token};
@@ -107,6 +111,8 @@ pub enum UnreadableText {
     Notebook(String),
     /// It is longer than a document may be.
     TooLong,
+    /// Its file has several of its lines in one, and was to be read by the lines of the file.
+    LinesInOne,
 }
 
 impl std::fmt::Display for UnreadableText {
@@ -114,6 +120,9 @@ impl std::fmt::Display for UnreadableText {
         match self {
             Self::Notebook(why) => write!(f, "this is not a Jupyter notebook: {why}"),
             Self::TooLong => write!(f, "the text has more than {} MiB; split it", LONGEST >> 20),
+            Self::LinesInOne => f.write_str(
+                "lines of the notebook's text share a line of its file; give what `jupyter nbconvert --to markdown` makes of it",
+            ),
         }
     }
 }
@@ -180,13 +189,14 @@ pub(crate) type FormulaSink<'f> = dyn FnMut(Formula) + 'f;
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn read(text: &str, format: TextFormat, each: &mut dyn FnMut(Formula)) -> Result<(), UnreadableText> {
-    let lines = RunningText::from_page(text, format);
+    let lines = RunningText::new(text, format, None);
     read_with(text, format, None, &lines, &mut |mut formula, from| {
         if from == SpanSource::Lines {
             formula.map_spans(&|span| lines.span_in_page(span));
         }
         each(formula);
     })
+    .map(drop)
 }
 
 /// What a place of a formula is counted in.
@@ -198,14 +208,15 @@ pub(crate) enum SpanSource {
     Lines,
 }
 
-/// Reads a text with definitions from elsewhere, and the lines of running text in it, whose formulas follow the others.
+/// Reads a text with definitions from elsewhere, and the lines of running text in it, whose formulas follow the others; what is
+/// not read.
 pub(crate) fn read_with(
     text: &str,
     format: TextFormat,
     elsewhere: Option<&Definitions>,
     lines: &RunningText,
     each: &mut dyn FnMut(Formula, SpanSource),
-) -> Result<(), UnreadableText> {
+) -> Result<UnreadParts, UnreadableText> {
     if text.len() > LONGEST {
         return Err(UnreadableText::TooLong);
     }
@@ -216,9 +227,9 @@ pub(crate) fn read_with(
         }
         each(formula, from);
     };
-    formulas(text, format, elsewhere, &mut |formula| understood(formula, SpanSource::Text))?;
+    let unread = formulas(text, format, elsewhere, &mut |formula| understood(formula, SpanSource::Text))?;
     lines.read(&mut |formula| understood(formula, SpanSource::Lines));
-    Ok(())
+    Ok(unread)
 }
 
 /// Most bytes that are struck out at once.
@@ -263,9 +274,13 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
 
 pub use definitions::Definitions;
 pub(crate) use plain::is_noun;
+#[cfg(feature = "cli")]
+pub(crate) use pretext::macros_text;
 pub(crate) use running::RunningText;
 pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
+pub use shown_lines::shown_lines;
 pub(crate) use symbols::unit_sign;
+pub use unread::{UnreadKind, UnreadParts};
 
 /// The tokens of running text that starts `base` bytes into the document.
 pub(crate) fn tokenise_text(text: &str, base: usize) -> Vec<Token> {
@@ -274,17 +289,17 @@ pub(crate) fn tokenise_text(text: &str, base: usize) -> Vec<Token> {
     out
 }
 
-/// The formulas with their numbers as in English, but none in running text of a page.
+/// The formulas with their numbers as in English, but none in running text of a page; what is not read.
 fn formulas(
     text: &str,
     format: TextFormat,
     elsewhere: Option<&Definitions>,
     each: &mut dyn FnMut(Formula),
-) -> Result<(), UnreadableText> {
-    match format {
+) -> Result<UnreadParts, UnreadableText> {
+    Ok(match format {
         TextFormat::Markdown => markdown::read(text, delimited::Dollars::Single, each),
         TextFormat::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
-        TextFormat::Xml | TextFormat::Html => markup::read(text, each),
+        TextFormat::Xml | TextFormat::Html => markup::read(text, elsewhere.map(|of| &of.0), each),
         TextFormat::Notebook => notebook::read(text, each)?,
         TextFormat::Plain => {
             let marked = delimited::formulas(text, &[], delimited::Dollars::Single);
@@ -299,7 +314,7 @@ fn formulas(
             plain::read(text, &taken, &mut |formula| found.push(formula));
             found.sort_by_key(|formula| formula.span);
             found.into_iter().for_each(each);
+            UnreadParts::default()
         }
-    }
-    Ok(())
+    })
 }

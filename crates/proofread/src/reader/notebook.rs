@@ -1,26 +1,30 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
 use super::delimited::Dollars;
-use super::{FormulaSink, UnreadableText, markdown};
+use super::{FormulaSink, UnreadKind, UnreadParts, UnreadableText, markdown};
 use crate::token::Span;
 use serde_json::value::RawValue;
 use std::collections::HashMap;
 
 type Object<'t> = HashMap<String, &'t RawValue>;
 
-/// Finds the formulas in the Markdown cells.
+/// Finds the formulas in the Markdown cells; what is not read.
 ///
 /// # Errors
 ///
 /// If the text is no notebook.
-pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<(), UnreadableText> {
-    markdown_cells(text, &mut |decoded, places| {
-        markdown::read(decoded, Dollars::Spaced, &mut |mut formula| {
+pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<UnreadParts, UnreadableText> {
+    let mut unread = UnreadParts::default();
+    let others = markdown_cells(text, &mut |decoded, places| {
+        unread.add(&markdown::read(decoded, Dollars::Spaced, &mut |mut formula| {
             formula.map_spans(&|span| in_notebook(places, span));
             each(formula);
-        });
-    })
-    .map(drop)
+        }));
+    })?;
+    if others > 0 {
+        unread.count(UnreadKind::Cell, "", others);
+    }
+    Ok(unread)
 }
 
 /// Where a stretch of a cell is in the notebook, with the place of each byte of the cell.

@@ -1,6 +1,6 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
-use super::definitions::Macros;
+use super::definitions::{Macros, NamedMacros};
 use super::tags::{Tag, decode_entities, next_tag};
 use super::{Formula, tex};
 use crate::token::{SourceChar, Span};
@@ -11,10 +11,23 @@ pub(crate) const ELEMENTS: [&str; 5] = ["m", "me", "men", "md", "mdn"];
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 
-/// The macros that the document defines for its formulas.
-pub(crate) fn macros(text: &str) -> Macros<'static> {
-    let inside = text.split_once("<macros>").and_then(|(_, rest)| rest.split_once("</macros>"));
-    Macros::from_text(inside.map_or("", |(inside, _)| inside), text.len(), None)
+/// The macros that the document defines for its formulas, and those that are defined for it elsewhere.
+pub(crate) fn macros<'d>(text: &str, elsewhere: Option<&'d NamedMacros>) -> Macros<'d> {
+    Macros::from_text(&macros_text(text), text.len(), elsewhere)
+}
+
+/// The definitions in the elements `macros`, as TeX.
+pub(crate) fn macros_text(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some((_, behind)) = rest.split_once("<macros>") {
+        let Some((inside, behind)) = behind.split_once("</macros>") else { break };
+        let inside = inside.trim().strip_prefix("<![CDATA[").map_or(inside, |inside| inside.trim_end_matches("]]>"));
+        out.extend(decode_entities(inside, 0).into_iter().map(|sign| sign.c));
+        out.push('\n');
+        rest = behind;
+    }
+    out
 }
 
 /// The formula in an element, and the byte behind its end tag.

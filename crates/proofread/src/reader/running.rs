@@ -1,8 +1,8 @@
-//! The running text of a page in HTML: its lines as they are shown, and where in the page each part of them is.
+//! The running text of a page in HTML or of a document in LaTeX: its lines as they are shown, and where each part of them is.
 
 use super::markup::INLINE;
 use super::tags::{Tag, decode_entities, end_of_element, next_tag};
-use super::{FormulaSink, LONGEST, TextFormat, delimited, plain};
+use super::{Definitions, FormulaSink, LONGEST, TextFormat, delimited, latex_text, plain};
 use crate::token::{SourceChar, Span};
 use std::ops::Range;
 
@@ -58,12 +58,19 @@ pub(crate) struct RunningText {
 }
 
 impl RunningText {
-    /// The lines of this page; none if it is no HTML.
-    pub(crate) fn from_page(page: &str, format: TextFormat) -> Self {
-        let mut out = Self::default();
-        if format != TextFormat::Html || page.len() > LONGEST {
-            return out;
+    /// The lines of a text whose mark-up has to be taken away first, with the definitions of other texts; none in other formats.
+    pub(crate) fn new(text: &str, format: TextFormat, elsewhere: Option<&Definitions>) -> Self {
+        match format {
+            _ if text.len() > LONGEST => Self::default(),
+            TextFormat::Html => Self::from_page(text),
+            TextFormat::Latex if text.contains('=') => latex_text::running_text(text, elsewhere.map(|of| &of.0)),
+            _ => Self::default(),
         }
+    }
+
+    /// The lines of a page in HTML.
+    fn from_page(page: &str) -> Self {
+        let mut out = Self::default();
         let mut at = 0;
         while let Some(tag) = next_tag(page, at) {
             out.prose(page, at..tag.start);
@@ -111,7 +118,7 @@ impl RunningText {
         self.text.push(c);
     }
 
-    fn edge(&mut self, page: Span) {
+    pub(super) fn edge(&mut self, page: Span) {
         let start = self.text.len();
         self.push(EDGE, page);
         self.cut.push(start..self.text.len());

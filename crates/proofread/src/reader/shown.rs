@@ -304,7 +304,7 @@ fn latex(text: &str, shown: &mut ShownText) {
 }
 
 /// Where a command ends that begins at `at`, and why it isn't read; it is read if there is no reason.
-fn command(text: &str, at: usize) -> (usize, Option<LeftOut>) {
+pub(super) fn command(text: &str, at: usize) -> (usize, Option<LeftOut>) {
     let rest = &text[at + 1..];
     let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
     let (name, behind) = (&rest[..length], at + 1 + length);
@@ -403,7 +403,10 @@ fn element(text: &str, tag: &Tag<'_>, format: TextFormat, shown: &mut ShownText)
         _ => push("\n\n"),
     }
     shown.leave_out(LeftOut::Argument, &text[place.range()]);
-    let is_head = format == TextFormat::Html && ["title", "template", "noscript"].contains(&name);
+    let is_head = match format {
+        TextFormat::Html => ["title", "template", "noscript"].contains(&name),
+        _ => name == "metadata",
+    };
     let is_struck = ["del", "s", "strike"].contains(&name);
     if tag.closes || tag.empty || !(SILENT.contains(&name) || is_head || is_struck) {
         return tag.end;

@@ -541,6 +541,11 @@ impl Tex<'_> {
     fn environment(&mut self, command: &str, span: Span, depth: usize, out: &mut Vec<Token>) {
         let name: String = self.raw_group().iter().map(|sign| sign.c).collect();
         let base = name.trim_end_matches('*');
+        // Where a block of rows stands in its line: \begin{aligned}[t].
+        let places = |c: Option<char>| matches!(c, Some('t' | 'b' | 'c'));
+        if command == "begin" && self.ahead(0) == Some('[') && places(self.ahead(1)) && self.ahead(2) == Some(']') {
+            self.optional();
+        }
         let held =
             |out: &[Token]| out.iter().rev().find(|token| !token.is_space()).is_some_and(|of| of.is_one_of("(["));
         let is_matrix = base.ends_with("matrix") || (base == "array" && held(out));

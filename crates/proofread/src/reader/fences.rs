@@ -1,0 +1,168 @@
+//! Fences of Markdown, line by line: code, and the directives of MyST whose content is text.
+
+use std::ops::Range;
+
+/// Chunks of code and directives whose content is no text, by the name in braces; other names in braces are directives.
+const CODE: &str = " code code-block code-cell sourcecode literalinclude include raw mermaid graphviz digraph eval-rst toctree \
+    bibliography parsed-literal doctest testcode testsetup testoutput plot autoclass autofunction automodule image figure-md \
+    video iframe embed r R python python3 py julia sql bash sh zsh shell ojs observable stan js javascript node css scss sass \
+    cpp c Rcpp rcpp fortran fortran95 awk perl ruby octave matlab haskell scala groovy go rust sas stata d3 dot tikz asy cat \
+    coffee comment gawk lein mysql psql rscript sed targets verbatim yaml json toml html xml latex tex eqn powershell csharp \
+    fsharp java kotlin swift typescript ts webr pyodide pyodide-python webr-r glue jupyter-execute thebe-button marimo ";
+
+/// How a fence is to be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FenceKind {
+    /// As text: only its first and its last line are no text.
+    Text,
+    /// Not at all, or as whoever reads code thinks.
+    Code,
+}
+
+/// What a line is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FenceLine {
+    /// Text.
+    No,
+    /// The first or the last line of a directive whose content is text.
+    Directive,
+    /// The first line of code that no other program would take for one, since there are backticks in its options.
+    QuotedOptions,
+    /// A line of code, its first and last one among them.
+    Code,
+}
+
+/// Most fences inside each other.
+const DEEPEST: usize = 100;
+
+/// The fences that are open at a line.
+#[derive(Default)]
+pub(super) struct Fences {
+    open: Vec<(char, usize, FenceKind)>,
+}
+
+impl Fences {
+    /// Whether no fence is open.
+    pub(super) fn are_closed(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// Takes the next line.
+    pub(super) fn take(&mut self, line: &str) -> FenceLine {
+        let inner = line.trim_start_matches([' ', '\t', '>']);
+        let mark = inner.chars().next().filter(|c| "`~".contains(*c)).unwrap_or(' ');
+        let length = if mark == ' ' { 0 } else { inner.chars().take_while(|c| *c == mark).count() };
+        let info = inner[length..].trim();
+        let in_code = self.open.last().is_some_and(|(_, _, kind)| *kind == FenceKind::Code);
+        if length >= 3 && info.is_empty() {
+            // A directive whose end was forgotten ends with the one around it.
+            let closed = self.open.iter().rposition(|(open, least, _)| *open == mark && *least <= length);
+            let closed = closed.filter(|at| !in_code || at + 1 == self.open.len());
+            if let Some(at) = closed {
+                self.open.truncate(at);
+                return if in_code { FenceLine::Code } else { FenceLine::Directive };
+            }
+        }
+        if in_code {
+            return FenceLine::Code;
+        }
+        if length < 3 || self.open.len() >= DEEPEST {
+            return FenceLine::No;
+        }
+        let quoted = mark == '`' && info.contains('`');
+        let kind = match directive(info) {
+            Some(true) if !quoted => FenceKind::Text,
+            // The options of a chunk of code end its line.
+            _ if !quoted || (info.starts_with('{') && info.ends_with('}')) => FenceKind::Code,
+            _ => return FenceLine::No,
+        };
+        self.open.push((mark, length, kind));
+        match kind {
+            FenceKind::Text => FenceLine::Directive,
+            FenceKind::Code if quoted => FenceLine::QuotedOptions,
+            FenceKind::Code => FenceLine::Code,
+        }
+    }
+}
+
+/// Whether the words behind the mark of a fence name a directive with text in it; none if they name no directive or chunk.
+fn directive(info: &str) -> Option<bool> {
+    let (inside, _) = info.strip_prefix('{')?.split_once('}')?;
+    let name = inside.trim();
+    // Chunks of R Markdown whose content is text, whatever their options are.
+    if ["asis", "block", "block2"].contains(&name.split([',', ' ']).next().unwrap_or_default()) {
+        return Some(true);
+    }
+    let plain = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "-_:.+".contains(c));
+    let is_code = CODE.split_whitespace().any(|known| known == name);
+    // A formula is read as one.
+    Some(plain && !is_code && !name.starts_with('.') && name != "math")
+}
+
+/// What a fence is called: the first word behind its mark, without braces and options.
+pub(super) fn name_of_fence(info: &str) -> &str {
+    info.trim_start_matches(['{', '.', ' ']).split([' ', ',', '}', '\t']).next().unwrap_or_default()
+}
+
+/// The text with other signs, as many as there are bytes, for what would keep other programs from reading it: the marks of
+/// directives, and options with backticks; and where the marks are. None if there are no fences.
+pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>)> {
+    if !text.contains("```") && !text.contains("~~~") {
+        return None;
+    }
+    let (mut out, mut marks) = (String::with_capacity(text.len()), Vec::new());
+    let mut fences = Fences::default();
+    for line in text.split_inclusive('\n') {
+        let start = out.len();
+        let content = line.trim_end();
+        let mark = content.find(['`', '~']).unwrap_or(content.len());
+        let (kept, hidden) = match fences.take(line) {
+            // What a directive is about is text, too, and must not become code by the space before it.
+            FenceLine::Directive => {
+                let close = content.find('}').map_or(content.len(), |close| close + 1);
+                marks.push(start + mark..start + close);
+                (0, if content[close..].trim().is_empty() { ' ' } else { '.' })
+            }
+            FenceLine::QuotedOptions => (mark + content[mark..].bytes().take_while(|c| *c == b'`').count(), ' '),
+            FenceLine::No | FenceLine::Code => (content.len(), ' '),
+        };
+        let behind = if hidden == '.' { content.find('}').map_or(kept, |close| close + 1) } else { content.len() };
+        out.push_str(&content[..kept]);
+        out.extend(std::iter::repeat_n(hidden, behind - kept));
+        out.push_str(&content[behind..]);
+        out.push_str(&line[content.len()..]);
+    }
+    Some((out, marks))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(text: &str) -> Vec<FenceLine> {
+        let mut fences = Fences::default();
+        text.lines().map(|line| fences.take(line)).collect()
+    }
+
+    #[test]
+    fn directives_nest_and_code_does_not() {
+        use FenceLine::{Code, Directive, No, QuotedOptions};
+        assert_eq!(
+            lines("````{note}\na\n```{tip} b\nc\n```\n````\nd"),
+            [Directive, No, Directive, No, Directive, Directive, No]
+        );
+        assert_eq!(lines("````md\n```{note}\n```\n````\na"), [Code, Code, Code, Code, No]);
+        assert_eq!(lines("```{r, fig.cap=\"`x`\"}\n1\n```\na"), [QuotedOptions, Code, Code, No]);
+        assert_eq!(lines("```{math}\n:label: a\n```\n```{python}\n```"), [Code; 5]);
+        assert_eq!(lines("``` `a` ```\nb"), [No, No]);
+    }
+
+    #[test]
+    fn what_is_changed_is_as_long_as_it_was() {
+        let text = "```{note} Über\nä $1 + 1 = 3$\n```\n";
+        let (plain, marks) = with_plain_fences(text).expect("a fence");
+        assert_eq!((plain.len(), marks.len()), (text.len(), 2));
+        assert_eq!(plain.trim_end(), format!("{} Über\nä $1 + 1 = 3$", ".".repeat(9)));
+        assert_eq!(name_of_fence("{r, echo=FALSE}"), "r");
+    }
+}

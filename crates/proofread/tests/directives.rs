@@ -1,0 +1,103 @@
+//! What other programs show as text is read as text: directives, chunks with any options, formulas with space inside their marks.
+
+use crate::{report, wrong};
+use proofread::TextFormat::{Latex, Markdown};
+
+#[test]
+fn directives_are_read_however_they_nest() {
+    let text = |sum: &str| {
+        format!(
+            "````{{admonition}} Answer to $1 + 2 = 3$\n:class: tip\n\nIt is $2 + 3 = {sum}$.\n\n```{{math}}\n:label: eq-1\n4 + 5 = 9\n```\n````\n"
+        )
+    };
+    assert_eq!(report(&text("5"), Markdown).tally.checked, 3);
+    assert_eq!(wrong(&text("5"), Markdown), [""; 0]);
+    assert_eq!(wrong(&text("6"), Markdown), ["2 + 3 | 6"]);
+    for fence in [
+        "```{solution-start} ex:1",
+        "~~~{note}",
+        "```{prf:example} Sums",
+        "- a\n\n  ```{tip}",
+        "```{block2, type='note'}",
+    ] {
+        let end = &fence.trim_start_matches("- a\n\n  ")[..3];
+        let text = format!("{fence}\n$$\n2 + 3 = 6\n$$\n{end}\n\nThen $2 + 2 = 5$.");
+        assert_eq!(wrong(&text, Markdown), ["2 + 3 | 6", "2 + 2 | 5"], "{fence}");
+    }
+}
+
+#[test]
+fn what_is_shown_as_code_is_not_read() {
+    for fence in ["```{code-block} python", "```{r, echo=FALSE}", "```{python}", "```", "````{code-cell} ipython3"] {
+        let end = &fence[..fence.find('{').unwrap_or(3)];
+        let text = format!("{fence}\ny = 2 + 3 = 6\n{end}\n\nThen $2 + 2 = 5$.");
+        assert_eq!(wrong(&text, Markdown), ["2 + 2 | 5"], "{fence}");
+    }
+    // A directive that is only shown.
+    assert_eq!(wrong("````md\n```{note}\n$2 + 3 = 6$\n```\n````\n", Markdown), [""; 0]);
+}
+
+#[test]
+fn options_of_a_chunk_may_have_backticks() {
+    let chunk = "```{r fig, fig.cap=\"The `x` values.\"}\ny <- 2 + 3 = 6\n```\n";
+    assert_eq!(wrong(&format!("{chunk}\nSum: $2 + 2 = 4$.\n\n{chunk}"), Markdown), [""; 0]);
+    assert_eq!(wrong(&format!("{chunk}\nSum: $2 + 2 = 5$.\n\n{chunk}"), Markdown), ["2 + 2 | 5"]);
+}
+
+#[test]
+fn space_inside_the_marks_of_a_formula_hides_nothing() {
+    assert_eq!(wrong("So $2 - 4 = -2 $ and $ 3 - 4 = -1$ and $ \\frac12 = 0.5 $.", Markdown), [""; 0]);
+    assert_eq!(wrong("So $2 - 4 = -3 $ and $ 3 - 4 = -3$.", Markdown), ["2 − 4 | −3", "3 − 4 | −3"]);
+}
+
+#[test]
+fn the_place_of_a_block_is_no_factor() {
+    assert_eq!(wrong(r"$$\begin{aligned}[t] 2+3 &= 5 \\ &= 5.0 \end{aligned}$$", Markdown), [""; 0]);
+    for block in ["aligned", "gathered", "alignedat"] {
+        let count = if block == "alignedat" { "{2}" } else { "" };
+        let tex = format!("$$\\begin{{{block}}}[t]{count} 2+3 &= 6 \\end{{{block}}}$$");
+        assert_eq!(wrong(&tex, Markdown), ["2 + 3 | 6"], "{block}");
+        assert_eq!(wrong(&tex, Latex), ["2 + 3 | 6"], "{block}");
+    }
+}
+
+#[test]
+fn running_text_of_latex_is_read() {
+    let page = |text: &str| {
+        format!("\\documentclass[a=1+1=3]{{x}}\n\\begin{{document}}\n{text}\n\\end{{document}}\n1 + 1 = 3")
+    };
+    let right =
+        "The sum is 1.2 + 0.5 = 1.7, \\emph{and} 20\\% of 50 = 10.\n\n\\textbf{2~+~3~=~5}. Pages 3--5 = 3 pages.";
+    assert_eq!(wrong(&page(right), Latex), [""; 0]);
+    assert!(report(&page(right), Latex).tally.checked > 2);
+    for (text, found) in [
+        ("The sum is 1.2 + 0.5 = 1.25.", "1.2 + 0.5 | 1.25"),
+        ("Here \\textbf{20\\% of 50 = 11}.", "20% × 50 | 11"),
+        ("\\begin{tabular}{l}Sum & 3 + 4 = 8 \\\\ \\end{tabular}", "3 + 4 | 8"),
+        ("\\item 3 + 4 = 8", "3 + 4 | 8"),
+        ("The sum is 1.2 +\n0.5 % so\n  = 1.8.", "1.2 + 0.5 | 1.8"),
+    ] {
+        assert_eq!(wrong(&page(text), Latex), [found], "{text}");
+    }
+    for text in [
+        "% 1 + 1 = 3",
+        "\\verb|1 + 1 = 3|",
+        "\\begin{verbatim}\n1 + 1 = 3\n\\end{verbatim}",
+        "\\begin{axis}[a=1 + 1 = 3]\n1 + 1 = 3\n\\end{axis}",
+        "\\label{1 + 1 = 3}",
+        "\\newcommand{\\a}{1 + 1 = 3}",
+        "\\includegraphics[width=1 + 1 = 3]{a}",
+        "$x$ + 1 = 3",
+        "\\half + 1 = 3",
+        "The range is 26.\n86 - 23.13 = 3.73",
+    ] {
+        assert_eq!(wrong(&page(text), Latex), [""; 0], "{text}");
+    }
+}
+
+#[test]
+fn a_finding_in_running_text_of_latex_has_its_place() {
+    let text = "Für \\emph{den} Fall: $x$; so \\textbf{1.2 + 0.5 = 1.25}.";
+    let finding = &report(text, Latex).findings[0];
+    assert_eq!((&text[finding.at.range()], &text[finding.left_span.range()]), ("1.25", "1.2 + 0.5"));
+}

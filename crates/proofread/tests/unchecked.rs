@@ -1,0 +1,105 @@
+//! What was not checked or not read is counted, named and listed.
+
+use proofread::{CheckOptions, CheckReport, NamePolicy, TextFormat, UncheckedKind, UnreadKind, proofread, summary};
+
+fn report(text: &str, format: TextFormat) -> CheckReport {
+    let options = CheckOptions { unchecked: true, name_policy: NamePolicy::Never, ..CheckOptions::default() };
+    proofread(text, format, options).expect("it can be read")
+}
+
+/// The kind and the name of the only chain that was not checked.
+#[track_caller]
+fn only(text: &str) -> (UncheckedKind, String) {
+    let chains = report(text, TextFormat::Markdown).unchecked;
+    let [chain] = chains.as_slice() else { panic!("{text}: {chains:?}") };
+    (chain.kind, chain.name.clone())
+}
+
+#[test]
+fn each_chain_that_was_not_checked_has_its_reason() {
+    for (text, kind, name) in [
+        (r"$\foo{7}{4} = 36$", UncheckedKind::Command, r"\foo"),
+        (r"$2 + 3\,\unknownfunction(4) = 9$", UncheckedKind::Command, r"\unknownfunction"),
+        (r"$\begin{strange} 1 + 2 \end{strange} = 3$", UncheckedKind::Environment, "strange"),
+        (r"$\operatorname{frob}(4, 6) = 12$", UncheckedKind::Function, "frob"),
+        ("Here frob(4, 6) = 12", UncheckedKind::Function, "frob"),
+        ("$2x + 1 = 7$", UncheckedKind::Letter, "x"),
+        ("$x = 7$", UncheckedKind::Definition, "x"),
+        (r"$5\text{ apples} + 3 = 8$", UncheckedKind::Word, "apples"),
+        (r"$\int_0^1 2 = 2$", UncheckedKind::Notation, "an integral"),
+        ("Is $2 + 2 = 5$?", UncheckedKind::Denied, ""),
+        ("$= 5$", UncheckedKind::Cut, ""),
+    ] {
+        assert_eq!(only(text), (kind, name.to_owned()), "{text}");
+    }
+    let long = format!("${}2 = 3$", "1 + ".repeat(10_000));
+    assert_eq!(only(&long).0, UncheckedKind::Unread);
+    assert_eq!(report("$2 + 2 = 4$ and $x > 2$ and $1 + 1 = 3$", TextFormat::Markdown).unchecked, []);
+}
+
+#[test]
+fn what_the_program_does_not_know_counts_as_checkable() {
+    let text = r"$2 + 2 = 4$, $1 + 2 = 3$, $\foo{7}{4} = 36$, $\foo{5}{2} = 10$, $\begin{strange} 2 \end{strange} = 2$";
+    let found = report(text, TextFormat::Markdown);
+    assert_eq!((found.tally.checked, found.tally.checkable), (2, 5));
+    let words = summary::describe_unchecked_chains(&found.not_checked);
+    assert_eq!(words.as_deref(), Some(r"Not checked: 2 chains with `\foo`, 1 with `strange`."));
+    // Letters are no numbers, whatever stands beside them.
+    let found = report(r"$\foo{n}{2} = 3k$, $x = 5$", TextFormat::Markdown);
+    assert_eq!((found.tally.checked, found.tally.checkable), (0, 0));
+}
+
+#[test]
+fn a_part_of_a_chain_that_was_not_checked_is_listed() {
+    let found = report(r"$2 + 2 = 4 = \foo{4}{1}$ and $y = 2 + 2 = 4$", TextFormat::Markdown);
+    let [part] = found.unchecked.as_slice() else { panic!("{:?}", found.unchecked) };
+    assert!(part.partly && part.name == r"\foo" && part.chain == r"2 + 2 = 4 = \foo{4}{1}", "{part:?}");
+    assert_eq!((found.tally.partly, found.tally.checked, found.not_checked.total()), (1, 2, 0));
+    // What another relation joins is no part of the equation.
+    assert_eq!(report(r"$3^2 = 9 \equiv 2 \pmod 7$", TextFormat::Markdown).unchecked, []);
+}
+
+#[test]
+fn a_chain_that_was_not_checked_has_its_place() {
+    for (text, format) in [
+        (r"Über $\foo{7} = 36$", TextFormat::Markdown),
+        (r"Über $\foo{7} = 36$", TextFormat::Latex),
+        (r"Über \emph{so}: 7 Kekse + 1 = 36.", TextFormat::Latex),
+        ("<p>Über <b>x</b>: 7 Kekse + 1 = 36.</p>", TextFormat::Html),
+    ] {
+        let found = report(text, format);
+        let [chain] = found.unchecked.as_slice() else { panic!("{text}: {:?}", found.unchecked) };
+        assert!(text[chain.span.range()].ends_with("= 36"), "{text}: {chain:?}");
+    }
+}
+
+#[test]
+fn parts_that_are_not_read_are_counted_by_name() {
+    let counts = |text: &str, format| -> Vec<(UnreadKind, String, usize)> {
+        let parts = report(text, format).not_read;
+        parts.iter().map(|(kind, name, times)| (kind, name.to_owned(), times)).collect()
+    };
+    let of = |kind, name: &str, times| (kind, name.to_owned(), times);
+    let text = "```python\nx = 2 + 2\n```\n\n```{r, echo=F}\nx = 1\n```\n\n~~~\nx = 1\n~~~\n\n```python\nx = y\n```\n\n`x = 3` <!-- 1 = 2 -->";
+    assert_eq!(
+        counts(text, TextFormat::Markdown),
+        [
+            of(UnreadKind::Fence, "", 1),
+            of(UnreadKind::Fence, "python", 1),
+            of(UnreadKind::Fence, "r", 1),
+            of(UnreadKind::Code, "", 1),
+            of(UnreadKind::Comment, "", 1),
+        ]
+    );
+    let text = "% 1 = 2\n\\begin{verbatim}1 = 2\\end{verbatim} \\verb|1 = 2| \\begin{lstlisting}x\\end{lstlisting}";
+    assert_eq!(
+        counts(text, TextFormat::Latex),
+        [of(UnreadKind::Code, "", 1), of(UnreadKind::Environment, "verbatim", 1), of(UnreadKind::Comment, "", 1),]
+    );
+    let text = "<p>1</p><!-- 1 = 2 --><pre>1 = 2</pre><pre>1</pre>";
+    assert_eq!(counts(text, TextFormat::Html), [of(UnreadKind::Element, "pre", 1), of(UnreadKind::Comment, "", 1)]);
+    let text = r#"{"cells": [{"cell_type": "code", "source": ["x = 1"]}]}"#;
+    assert_eq!(counts(text, TextFormat::Notebook), [of(UnreadKind::Cell, "", 1)]);
+    // What is read is not among them.
+    assert_eq!(counts("```{note}\n$1 + 1 = 2$\n```\n\n```math\n1 + 1 = 2\n```", TextFormat::Markdown), []);
+}
