@@ -8,6 +8,7 @@ use crate::explanation::{DifferingPair, agrees};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::hint;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadableText};
+use crate::statistics_tally::StatisticsTally;
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
 use crate::token_joining::has_letters;
@@ -78,6 +79,8 @@ pub struct CheckTally {
     pub verdicts: [usize; 10],
     /// Differences that are set aside as doubts, of those that are kept.
     pub doubts: usize,
+    /// Statistics and totals that were compared with what they follow from.
+    pub statistics: StatisticsTally,
 }
 
 impl CheckTally {
@@ -113,6 +116,7 @@ impl CheckTally {
         self.checked += other.checked;
         self.pairs += other.pairs;
         self.doubts += other.doubts;
+        self.statistics.add(&other.statistics);
         for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
             *mine += its;
         }

@@ -29,6 +29,9 @@ mod reading;
 #[cfg(feature = "cli")]
 pub mod sarif;
 mod split_units;
+#[cfg(feature = "statistics")]
+mod statistics;
+mod statistics_tally;
 mod substitution;
 pub mod summary;
 mod surroundings;
@@ -50,6 +53,9 @@ pub use finding::{ChainFinding, ReportSection};
 pub use hint::Hint;
 pub use line_index::{LineColumn, LineIndex};
 pub use reader::{Definitions, TextFormat, UnreadableText};
+#[cfg(feature = "statistics")]
+pub use statistics::{StatisticsReport, find_statistics};
+pub use statistics_tally::StatisticsTally;
 pub use token::Span;
 pub use unit::{MeasurementUnit, UnitDimension};
 pub use unit_product::unit_named;

@@ -209,7 +209,8 @@ impl SideValue {
         let base = self.number()?;
         let is_exact = base.low == base.high && exponent.low == exponent.high;
         // A root with an odd index has a negative value there.
-        let odd_root = (base.high < 0.0 && exponent.point.fract() != 0.0).then(|| odd_fraction(exponent.point)).flatten();
+        let odd_root =
+            (base.high < 0.0 && exponent.point.fract() != 0.0).then(|| odd_fraction(exponent.point)).flatten();
         let raised = match odd_root {
             Some(numerator) => (-base).power(exponent).map(|root| if numerator % 2 == 0 { root } else { -root }),
             None if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 => {

@@ -21,8 +21,12 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "statistics")]
+mod statistics;
 mod structures;
 mod thresholds;
+#[cfg(feature = "statistics")]
+mod totals;
 mod units;
 mod unrounded;
 mod unusual;

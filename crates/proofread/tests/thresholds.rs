@@ -219,9 +219,14 @@ fn what_is_said_of_a_formula_is_said_within_160_bytes_of_it() {
 #[test]
 fn rows_are_compared_that_a_line_end_or_an_inferring_word_is_between() {
     let rows = |between: &str| only(&format!(r"$v = 3.0 \cdot 4.0${between}$v = 13.0$"));
-    for (between, beyond) in [("\n\n", "\n\n\n"), (" so", " or"), (" \u{2192}", "."), ("\n", ","), (" thus", ";"), (" hence", ":")] {
+    for (between, beyond) in
+        [("\n\n", "\n\n\n"), (" so", " or"), (" \u{2192}", "."), ("\n", ","), (" thus", ";"), (" hence", ":")]
+    {
         assert_eq!((rows(between), rows(beyond)), (Some("inconsistent"), None), "{between:?} and {beyond:?}");
     }
     // With the signs of both formulas and the second name there are 400 bytes.
-    assert_eq!((rows(&format!(" so{}", " ".repeat(390))), rows(&format!(" so{}", " ".repeat(392)))), (Some("inconsistent"), None));
+    assert_eq!(
+        (rows(&format!(" so{}", " ".repeat(390))), rows(&format!(" so{}", " ".repeat(392)))),
+        (Some("inconsistent"), None)
+    );
 }

@@ -56,6 +56,12 @@ fn tally(tally: &CheckTally) -> Value {
         "checked": tally.checked,
         "pairs": tally.pairs,
         "doubts": tally.doubts,
+        "statistics": {
+            "tests": tally.statistics.tests,
+            "intervals": tally.statistics.intervals,
+            "shares": tally.statistics.shares,
+            "totals": tally.statistics.totals,
+        },
         "verdicts": verdicts,
     })
 }
@@ -72,10 +78,10 @@ fn document(checked: &CheckedDocument<'_>) -> Value {
 }
 
 fn sum(of: &RunTotals) -> Value {
-    let [numbers, units, bindings, _, doubts] = of.found;
+    let [numbers, units, bindings, _, doubts, statistics] = of.found;
     json!({
         "documents": of.documents,
-        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts },
+        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
         "accepted": of.accepted,
         "tally": tally(&of.tally),
     })

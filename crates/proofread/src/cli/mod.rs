@@ -16,6 +16,7 @@ pub use output::{CommandStreams, TextLayout};
 use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::reader::{Definitions, TextFormat};
+use crate::statistics::find_statistics;
 use arguments::OutputFormat;
 use baseline::Baseline;
 use documents::{Document, Source};
@@ -89,7 +90,7 @@ struct CommandRun<'a> {
     hint_effort: usize,
     sum: CheckTally,
     documents: usize,
-    found: [usize; 5],
+    found: [usize; 6],
     failed: bool,
 }
 
@@ -105,8 +106,8 @@ trait ReportWriter {
 struct RunTotals {
     tally: CheckTally,
     documents: usize,
-    /// Findings on numbers, units and bindings, pairs that agree, and doubts.
-    found: [usize; 5],
+    /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
+    found: [usize; 6],
     accepted: usize,
     units_listed: bool,
     doubts_listed: bool,
@@ -137,7 +138,7 @@ impl<'a> CommandRun<'a> {
             hint_effort: HINT_EFFORT,
             sum: CheckTally::default(),
             documents: 0,
-            found: [0; 5],
+            found: [0; 6],
             failed: false,
         })
     }
@@ -259,10 +260,16 @@ impl<'a> CommandRun<'a> {
         if is_line {
             self.hint_effort -= report.effort.hints;
         }
+        if self.arguments.statistics {
+            let statistics = find_statistics(text, document.format).map_err(|why| why.to_string())?;
+            statistics.add_to(&mut report);
+        }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,
             ReportSection::Doubts => self.arguments.doubts,
-            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing => true,
+            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
+                true
+            }
         });
         Ok(report)
     }

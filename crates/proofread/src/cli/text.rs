@@ -35,6 +35,7 @@ impl ReportWriter for TextWriter {
             describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
             describe_count(sum.documents, "document"),
         );
+        text.extend(summary::describe_statistics(tally).map(|said| said + "\n"));
         text.extend(summary::describe_unchecked_chains(tally).map(|said| said + "\n"));
         text.extend(summary::describe_unread_formulas(tally).map(|said| said + "\n"));
         let green = AnsiColor::Green.on_default().bold();
@@ -61,8 +62,13 @@ fn finding_text(
     layout: TextLayout,
 ) -> String {
     let (bold, blue) = (bold_style(), AnsiColor::Blue.on_default().bold());
-    let colour =
-        if finding.section == ReportSection::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
+    let colour = if matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) {
+        AnsiColor::Red
+    } else {
+        AnsiColor::Yellow
+    }
+    .on_default()
+    .bold();
     let [from, _] = lines.line_columns(finding.at);
     let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());
