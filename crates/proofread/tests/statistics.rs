@@ -292,6 +292,8 @@ fn a_share_follows_from_its_parts() {
         ["It was 12/48 (25.0%).", "It was 12/48 (26.0%)."],
         ["It was 12 out of 48 patients (25%).", "It was 12 out of 48 patients (35%)."],
         ["It was found in 25.0% (12/48).", "It was found in 20.5% (12/48)."],
+        ["It was 15 out of 18 (83.3%, 95% CI: 58.6–96.4).", "It was 15 out of 18 (84.3%, 95% CI: 58.6–96.4)."],
+        ["all\n\n8/23, 35%\n\nnone", "all\n\n8/23, 45%\n\nnone"],
         ["In 1,108 of 2,345 (47.2 per cent) it was.", "In 1,108 of 2,345 (42.7 per cent) it was."],
         [
             "Of the 37 respondents, 12 (32.4%) agreed, 12 (32.4%) disagreed and 13 (35.1%) were undecided.",

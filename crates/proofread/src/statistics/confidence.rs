@@ -74,11 +74,7 @@ impl MadeInterval {
                 at(both, recomputed, "the estimate is outside its interval", outcome)
             });
         }
-        let fits = |[least, most]: [f64; 2]| {
-            let lower = low.meets(estimate.low() - most, estimate.high() - least);
-            let upper = high.meets(estimate.low() + least, estimate.high() + most);
-            [lower, upper]
-        };
+        let fits = |margin| fitting_limits(estimate, [low, high], margin);
         let best = self.margins.iter().map(|margin| (*margin, fits(*margin)));
         let best = best.max_by_key(|(_, fits)| fits.iter().filter(|fits| **fits).count());
         let (margin, fits) = best?;
@@ -86,6 +82,10 @@ impl MadeInterval {
         let recomputed =
             format!("{:.decimals$} to {:.decimals$}", estimate.value - half, estimate.value + half).replace('-', "−");
         match fits {
+            // Where the estimate has few digits, the two limits are too far apart or too near.
+            [true, true] if self.has_margin && !is_width(low, high, margin) => {
+                Some(at(both, recomputed, "the limits are not as far apart as the margin says", Outcome::Difference))
+            }
             [true, true] => None,
             // The limits belong to this estimate, but to another margin.
             [false, false] if self.is_centred() => {
@@ -102,6 +102,19 @@ impl MadeInterval {
             }
         }
     }
+}
+
+/// Whether each of the limits is as far from the estimate as one of the margins from least to most.
+fn fitting_limits(estimate: PrintedNumber, [low, high]: [PrintedNumber; 2], [least, most]: [f64; 2]) -> [bool; 2] {
+    let lower = low.meets(estimate.low() - most, estimate.high() - least);
+    let upper = high.meets(estimate.low() + least, estimate.high() + most);
+    [lower, upper]
+}
+
+/// Whether the limits are twice the margin apart.
+fn is_width(low: PrintedNumber, high: PrintedNumber, [least, most]: [f64; 2]) -> bool {
+    let (width, open) = (high.value - low.value, (high.half + low.half) * (1.0 + 1e-9));
+    width + open >= 2.0 * least && width - open <= 2.0 * most
 }
 
 /// `18.4 ± 2.064 × 0.7`, and an interval close behind.
@@ -127,10 +140,12 @@ fn around_margin(chars: &[char], at: usize) -> Option<MadeInterval> {
         range = [range[0] * next[0], range[1] * next[1]];
         here = behind;
     }
-    if "×/√(+-·^\u{1}%".contains(here.peek()) {
+    let end = here.at;
+    here.skip_space();
+    if "×/√(+-·^\u{1}%".contains(here.peek()) && here.peek() != '(' {
         return None;
     }
-    let end = here.at;
+    here.at = end;
     while here.at < end + FAR && here.peek() != PARAGRAPH && here.peek() != '±' {
         let mut candidate = here;
         // Then ± has the standard error, not the margin.
@@ -144,8 +159,12 @@ fn around_margin(chars: &[char], at: usize) -> Option<MadeInterval> {
         if is_start && let Some((low, high)) = limits(&mut candidate) {
             let (least, most) = (estimate.number.value - range[1], estimate.number.value + range[1]);
             let near = |limit: f64, wanted: f64| (limit - wanted).abs() < range[1];
-            let is_it = low.number.value < high.number.value
-                && (near(low.number.value, least) || near(high.number.value, most));
+            let near = [near(low.number.value, least), near(high.number.value, most)];
+            let is_it = near == [true; 2]
+                || (near != [false; 2] && {
+                    let [lower, upper] = fitting_limits(estimate.number, [low.number, high.number], range);
+                    lower || upper || low.number.value < high.number.value
+                });
             return is_it.then_some(MadeInterval {
                 estimate,
                 margins: vec![range],

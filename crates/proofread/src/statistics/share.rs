@@ -122,6 +122,9 @@ fn whole_of(chars: &[char], sentence: Range<usize>) -> Option<f64> {
     found
 }
 
+/// Largest share that is read.
+const MOST_PERCENT: f64 = 1000.0;
+
 /// A part, or a share with its part in brackets behind it.
 fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
     let start = here.at;
@@ -137,7 +140,7 @@ fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
         let whole = whole_behind(&mut here)?;
         here.skip_space();
         let ends = matches!(here.peek(), ')' | ',' | ';');
-        let fits = ends && part.value <= whole && first.value <= 100.0;
+        let fits = ends && whole > 0.0 && first.value <= MOST_PERCENT;
         return fits.then_some(PrintedShare {
             part: part.value,
             whole: Some(whole),
@@ -163,18 +166,16 @@ fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
     (opened.is_some() || with_comma).then_some(())?;
     here.skip_space();
     let at = here.at;
-    let share = here.number(Comma::Groups).filter(|share| (0.0..=100.0).contains(&share.value))?;
+    let share = here.number(Comma::Groups).filter(|share| (0.0..=MOST_PERCENT).contains(&share.value))?;
     here.skip_space();
     is_percent(&mut here).then_some(())?;
     let end = here.at;
-    let closes = match opened {
-        Some(_) => {
-            matches!(here.peek(), ')' | ']' | ';')
-                || (here.peek() == ',' && !here.chars[end..].starts_with(&[',', ' ', '9', '5']))
-        }
-        None => matches!(here.peek(), ',' | ';' | ')') || (here.peek() == '.' && !here.ahead(1).is_ascii_digit()),
+    let closes = match here.peek() {
+        ')' | ']' | ';' | ',' => true,
+        '.' => opened.is_none() && !here.ahead(1).is_ascii_digit(),
+        c => opened.is_none() && c == PARAGRAPH,
     };
-    let fits = closes && whole.is_none_or(|whole| whole > 0.0 && first.value <= whole);
+    let fits = closes && whole.is_none_or(|whole| whole > 0.0);
     fits.then_some(PrintedShare { part: first.value, whole, share, range: start..end, at: at..end })
 }
 

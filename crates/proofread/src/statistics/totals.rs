@@ -115,6 +115,8 @@ enum SumVerdict {
     Fits,
     /// It differs by this much, and is no mean of its parts.
     Differs(f64),
+    /// It differs by this much, and may be a mean of its parts.
+    MayBeMean(f64),
     /// It is no sum, or its parts are not all known.
     NoSum,
 }
@@ -159,7 +161,7 @@ impl<'t> Sum<'t> {
         }
         // A mean is between its parts.
         if self.numbers().all(|number| number.value >= 0.0) && total.value <= largest {
-            return SumVerdict::NoSum;
+            return SumVerdict::MayBeMean(difference);
         }
         SumVerdict::Differs(difference)
     }
@@ -184,7 +186,7 @@ impl<'t> Sum<'t> {
     /// Whether one digit explains the difference, and the numbers are long enough for that to say something.
     fn is_slip(&self, difference: f64) -> bool {
         let [total, units] = self.in_units(difference);
-        self.is_one_digit(difference) && total >= 100.0 && 2.0 * units < total
+        self.is_one_digit(difference) && total.max(units) >= 100.0
     }
 
     /// Whether the total leaves one of its parts or a run of them out, as where some are parts of others.
@@ -277,18 +279,21 @@ fn check_row(table: &TextTable, row: usize, totals: &[usize], header: usize, out
             continue;
         }
         let nearest = judged.into_iter().filter_map(|(sum, verdict)| match verdict {
-            SumVerdict::Differs(by) => Some((sum, by)),
+            SumVerdict::Differs(by) => Some((sum, by, false)),
+            SumVerdict::MayBeMean(by) => Some((sum, by, true)),
             _ => None,
         });
-        differing
-            .extend(nearest.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(sum, by)| (sum, by, heading)));
+        let nearest = nearest.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        differing.extend(nearest.map(|(sum, by, is_mean)| (sum, by, is_mean, heading)));
     }
+    // Where two others are sums and one digit explains it, it is no mean.
+    differing.retain(|(sum, by, is_mean, _)| !is_mean || (fits > 1 && sum.is_slip(*by)));
     let count = fits + differing.len();
     let several = differing.len();
-    for (sum, by, heading) in differing {
+    for (sum, by, _, heading) in differing {
         let is_near = by.abs() <= NEAR * sum.computed().abs();
-        let is_sum_row = fits >= several && fits > 0 && is_near;
-        let is_slip_in_sum = is_sum_row && (fits > 1 && sum.is_one_digit(by) || sum.is_slip(by));
+        let is_sum_row = fits >= several && fits > 0;
+        let is_slip_in_sum = is_sum_row && (fits > 1 && sum.is_one_digit(by) || is_near && sum.is_slip(by));
         let is_lone_slip = fits == 0 && several == 1 && sum.parts.len() > 2 && is_near && sum.is_slip(by);
         let outcome = match is_near && !sum.is_hierarchical(by) {
             _ if is_slip_in_sum => Outcome::Difference,
@@ -353,15 +358,21 @@ fn check_column(
     ];
     let mut best: Option<JudgedColumn<'_>> = None;
     for columns in candidates {
-        let (mut fits, mut differing) = (0, Vec::new());
+        let (mut fits, mut differing, mut means) = (0, Vec::new(), Vec::new());
         for row in header..table.rows.len() {
             let Some(total) = table.cell(row, column).filter(|cell| cell.number.is_some()) else { continue };
             let Some(sum) = Sum::new(columns.iter().filter_map(|at| table.cell(row, *at)), total) else { continue };
             match sum.verdict(total.is_percent) {
                 SumVerdict::Fits => fits += 1,
                 SumVerdict::Differs(by) => differing.push((sum, by, row_label(table, row).unwrap_or_default())),
-                SumVerdict::NoSum => {}
+                SumVerdict::MayBeMean(by) if sum.is_slip(by) => {
+                    means.push((sum, by, row_label(table, row).unwrap_or_default()));
+                }
+                SumVerdict::MayBeMean(_) | SumVerdict::NoSum => {}
             }
+        }
+        if fits > 1 {
+            differing.append(&mut means);
         }
         if best.as_ref().is_none_or(|(most, _)| fits > *most) {
             best = Some((fits, differing));
@@ -372,10 +383,8 @@ fn check_column(
     let several = differing.len();
     for (sum, by, label) in differing {
         let is_near = by.abs() <= NEAR * sum.computed().abs();
-        let outcome = if is_near
-            && (fits > 1 && fits >= 2 * several && sum.is_one_digit(by)
-                || fits >= several && fits > 0 && sum.is_slip(by))
-        {
+        let is_slip = fits > 1 && fits >= 2 * several && sum.is_one_digit(by);
+        let outcome = if is_slip || is_near && fits >= several && fits > 0 && sum.is_slip(by) {
             Outcome::Difference
         } else if is_near && fits > 0 && fits >= several {
             Outcome::Doubt(Doubt::OtherParts)
