@@ -317,3 +317,90 @@ fn a_share_follows_from_its_parts() {
     assert_eq!(markdown("It was 13/48 (27.0%)."), ["27.0%?"]);
     assert_eq!(markdown("Of the 37 respondents, 12 (40.0%) agreed."), ["40.0%?"]);
 }
+
+/// Whatever is read, there is no panic, and every place is inside the text.
+#[test]
+fn mangled_texts_are_read_to_their_end() {
+    let seed = "*t*(28) = 2.20, *p* = .36; $\\chi^2_{3} = 7.81$, $p < .05$ on two degrees of freedom, 12 of 48 (25 %), 61.5 ± 2.83 \
+                (95% CI: 58.67–64.33), F(2, 57) = 3.91e5\n\n| a | b | Total |\n|--|--|--|\n| x | 4 (50%) | 8 |\n| Total | 4 | 8 |\n\n\
+                \\begin{tabular}{lr} A & \\multicolumn{2}{c}{3} \\\\ Total & 3 \\\\[2pt] \\end{tabular} <table><tr><th rowspan=9>A</th>\
+                <td colspan=\"3\">4&nbsp;</td></tr><tr><td>Total</td></tr></table> \"1,2\";3\nΣ;5 × 10^-400, 9999999999999999999999999999999999.5";
+    let pieces = [
+        "(",
+        ")",
+        "[",
+        "{",
+        "}",
+        "$",
+        "|",
+        "&",
+        "\\\\",
+        "\\begin{tabular}",
+        "\\end{tabular}",
+        "<td>",
+        "</table>",
+        "±",
+        "p = ",
+        "t(",
+        "95% CI ",
+        "0",
+        ".",
+        ",",
+        "\n",
+        "\n\n",
+        "χ",
+        "_",
+        "^",
+        "e",
+        "%",
+        "−",
+        "\u{2009}",
+        "\"",
+        "\u{b}",
+    ];
+    let mut random = fastrand::Rng::with_seed(7);
+    for _ in 0..3000 {
+        let mut text: Vec<char> = seed.chars().collect();
+        for _ in 0..random.usize(1..12) {
+            let at = random.usize(0..text.len());
+            let end = (at + random.usize(0..9)).min(text.len());
+            text.splice(at..end, random.choice(pieces).unwrap_or_default().chars());
+        }
+        let text: String = text.into_iter().collect();
+        for (_, format) in TextFormat::ALL {
+            for finding in find_statistics(&text, format).map(|report| report.findings).unwrap_or_default() {
+                for span in [finding.at, finding.span, finding.left_span, finding.right_span] {
+                    assert!(text.get(span.range()).is_some(), "{format:?} {span:?} {text:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Time grows with the text: sixteen times as much takes less than sixty times as long.
+#[test]
+fn long_texts_take_time_in_proportion() {
+    let cells = |size: usize| {
+        format!("| a | b | Total |\n|--|--|--|\n{}| Total | 4 | 8 |\n", "| x | 4 (50%) | 8 |\n".repeat(size / 20))
+    };
+    let grown: [(&str, TextFormat, &dyn Fn(usize) -> String); 8] = [
+        ("tests", TextFormat::Plain, &|size| "t(28) = 2.20, p = .36; ".repeat(size / 23)),
+        ("names alone", TextFormat::Plain, &|size| "t(28) = 2.20, ".repeat(size / 14)),
+        ("chains", TextFormat::Plain, &|size| "t = 1+".repeat(size / 6)),
+        ("intervals", TextFormat::Plain, &|size| "95% CI ± 4 ".repeat(size / 11)),
+        ("shares", TextFormat::Plain, &|size| "of the 12 (25%), ".repeat(size / 17)),
+        ("cells", TextFormat::Markdown, &cells),
+        ("tables that do not end", TextFormat::Latex, &|size| "\\begin{tabular}{l} ".repeat(size / 19)),
+        ("braces", TextFormat::Html, &|size| "<td rowspan=5000>{\\".repeat(size / 19)),
+    ];
+    for (name, format, grown) in grown {
+        let time = |size: usize| {
+            let text = grown(size);
+            let start = std::time::Instant::now();
+            find_statistics(&text, format).expect("a text");
+            start.elapsed().as_secs_f64()
+        };
+        let (short, long) = (time(8_000), time(128_000));
+        assert!(long < 60.0 * short.max(0.01), "{name}: {short} s, then {long} s");
+    }
+}

@@ -187,11 +187,8 @@ fn p_value_behind(chars: &[char], test: &mut TestStatistic) -> Option<PrintedP> 
         }
         if !c.is_alphanumeric() {
             // A number may begin with its point.
-            if c == '.' && here.ahead(1).is_ascii_digit() {
-                here.number(Comma::Groups);
-            } else {
-                here.at += 1;
-            }
+            let is_number = c == '.' && here.ahead(1).is_ascii_digit() && here.number(Comma::Groups).is_some();
+            here.at += usize::from(!is_number);
             continue;
         }
         if c.is_ascii_digit() {
@@ -201,6 +198,10 @@ fn p_value_behind(chars: &[char], test: &mut TestStatistic) -> Option<PrintedP> 
         }
         let start = here.at;
         let word = here.word();
+        if word.is_empty() {
+            // A digit of another script, or a fraction in one sign.
+            return None;
+        }
         match word.as_str() {
             "p" | "P" => {
                 let p = printed_p(&mut here, start)?;

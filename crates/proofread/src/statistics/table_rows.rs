@@ -93,7 +93,7 @@ fn tabular(text: &str) -> Vec<TextTable> {
         while let Some(end) = group_end(text, start) {
             start = end;
         }
-        let Some(length) = text[start..].find(&format!("\\end{{{name}}}")) else { continue };
+        let Some(length) = text[start..].find(&format!("\\end{{{name}}}")) else { return out };
         let inside = &text[start..start + length];
         if !inside.contains("\\begin{tab") {
             out.extend(tabular_rows(text, start..start + length));
