@@ -377,13 +377,16 @@ fn mangled_texts_are_read_to_their_end() {
     }
 }
 
+/// Text of about a size.
+type Grown<'g> = &'g dyn Fn(usize) -> String;
+
 /// Time grows with the text: sixteen times as much takes less than sixty times as long.
 #[test]
 fn long_texts_take_time_in_proportion() {
     let cells = |size: usize| {
         format!("| a | b | Total |\n|--|--|--|\n{}| Total | 4 | 8 |\n", "| x | 4 (50%) | 8 |\n".repeat(size / 20))
     };
-    let grown: [(&str, TextFormat, &dyn Fn(usize) -> String); 8] = [
+    let grown: [(&str, TextFormat, Grown<'_>); 8] = [
         ("tests", TextFormat::Plain, &|size| "t(28) = 2.20, p = .36; ".repeat(size / 23)),
         ("names alone", TextFormat::Plain, &|size| "t(28) = 2.20, ".repeat(size / 14)),
         ("chains", TextFormat::Plain, &|size| "t = 1+".repeat(size / 6)),
