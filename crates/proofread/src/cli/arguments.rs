@@ -112,7 +112,7 @@ impl Args for ProofreadArguments {
                 .value_parser(value_names(&FOLLOWED))
                 .num_args(0..=1)
                 .require_equals(true)
-                .default_value("once")
+                .default_value("never")
                 .default_missing_value("always")
                 .help(
                     "Put values that the text gives to names into formulas; once: only names with one value, in a short \
