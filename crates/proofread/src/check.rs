@@ -26,9 +26,10 @@ use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 ///     let report = proofread(text, TextFormat::Markdown, options).expect("a short text");
 ///     report.findings.iter().map(|finding| finding.section).collect::<Vec<_>>()
 /// };
-/// assert_eq!(sections(CheckOptions::default()), [ReportSection::Bindings]);
-/// assert_eq!(sections(CheckOptions { name_policy: NamePolicy::Never, ..CheckOptions::default() }), []);
-/// let all = CheckOptions { agreeing: true, ..CheckOptions::default() };
+/// let once = CheckOptions { name_policy: NamePolicy::Once, ..CheckOptions::default() };
+/// assert_eq!(sections(once), [ReportSection::Bindings]);
+/// assert_eq!(sections(CheckOptions::default()), []);
+/// let all = CheckOptions { agreeing: true, ..once };
 /// assert_eq!(sections(all), [ReportSection::Bindings, ReportSection::Agreeing]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
