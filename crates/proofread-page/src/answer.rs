@@ -68,7 +68,9 @@ impl PageAnswer {
         let wanted = |finding: &&ChainFinding| match finding.section {
             ReportSection::Units => question.units,
             ReportSection::Doubts => question.doubts,
-            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing => true,
+            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
+                true
+            }
         };
         let found: Vec<&ChainFinding> = report.findings.iter().filter(wanted).collect();
         let mut places = PlacedText::new(question.text);

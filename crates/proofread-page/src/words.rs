@@ -17,6 +17,7 @@ pub fn name_of_format(format: TextFormat) -> &'static str {
         TextFormat::Html => "HTML",
         TextFormat::Notebook => "Jupyter notebook",
         TextFormat::Plain => "plain lines",
+        TextFormat::Csv => "a table with commas",
     }
 }
 

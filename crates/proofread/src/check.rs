@@ -12,6 +12,7 @@ use crate::named_counts::NamedCounts;
 use crate::reader::{
     self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadParts, UnreadableText,
 };
+use crate::statistics_tally::StatisticsTally;
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
 use crate::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -93,6 +94,8 @@ pub struct CheckTally {
     pub verdicts: [usize; 10],
     /// Differences that are set aside as doubts, of those that are kept.
     pub doubts: usize,
+    /// Statistics and totals that were compared with what they follow from.
+    pub statistics: StatisticsTally,
 }
 
 impl CheckTally {
@@ -129,6 +132,7 @@ impl CheckTally {
         self.partly += other.partly;
         self.pairs += other.pairs;
         self.doubts += other.doubts;
+        self.statistics.add(&other.statistics);
         for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
             *mine += its;
         }

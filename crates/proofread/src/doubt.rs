@@ -44,6 +44,10 @@ pub enum Doubt {
     Inputs,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
+    /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
+    OtherTest,
+    /// A total or a share may be of something else than the numbers beside it.
+    OtherParts,
 }
 
 impl Doubt {
@@ -65,6 +69,8 @@ impl Doubt {
             Self::Truncated => "a truncated result is seldom meant to be rounded",
             Self::Inputs => "other digits of the terms of a small difference would give the result",
             Self::Habit => "other formulas of the document differ by the same factor",
+            Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
+            Self::OtherParts => "it may be the total or the share of something else",
         }
     }
 }

@@ -24,6 +24,8 @@ pub enum ReportSection {
     Agreeing,
     /// Differences that are set aside: the program may have misread the text, or the result is truncated.
     Doubts,
+    /// p-values, confidence intervals, shares and totals that do not follow from the numbers beside them.
+    Statistics,
 }
 
 impl ReportSection {
@@ -53,6 +55,7 @@ impl ReportSection {
             Self::Bindings => "bindings",
             Self::Agreeing => "agreeing",
             Self::Doubts => "doubts",
+            Self::Statistics => "statistics",
         }
     }
 }

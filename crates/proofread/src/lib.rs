@@ -36,6 +36,9 @@ mod reading;
 #[cfg(feature = "cli")]
 pub mod sarif;
 mod split_units;
+#[cfg(feature = "statistics")]
+mod statistics;
+mod statistics_tally;
 mod step_rounding;
 mod substitution;
 pub mod summary;
@@ -62,6 +65,9 @@ pub use hint::Hint;
 pub use line_index::{LineColumn, LineIndex};
 pub use named_counts::NamedCounts;
 pub use reader::{Definitions, TextFormat, UnreadKind, UnreadParts, UnreadableText};
+#[cfg(feature = "statistics")]
+pub use statistics::{StatisticsReport, find_statistics};
+pub use statistics_tally::StatisticsTally;
 pub use token::Span;
 pub use unchecked::UncheckedKind;
 #[cfg(feature = "cli")]

@@ -42,8 +42,9 @@ fn digits(number: usize) -> String {
 /// assert_eq!(describe_findings(|_| 0), None);
 /// ```
 pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<String> {
-    const LISTS: [(ReportSection, &str); 4] = [
+    const LISTS: [(ReportSection, &str); 5] = [
         (ReportSection::Numbers, "on a number"),
+        (ReportSection::Statistics, "on a statistic or a total"),
         (ReportSection::Bindings, "with values from elsewhere in the text"),
         (ReportSection::Units, "on units alone"),
         (ReportSection::Doubts, "in doubt"),
@@ -56,6 +57,32 @@ pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<S
         .collect();
     let all = numbers.iter().map(|(number, _)| number).sum();
     (!parts.is_empty()).then(|| format!("{}: {}", describe_count(all, "finding"), parts.join(", ")))
+}
+
+/// The statistics and totals that were compared, in a sentence; none if there are none.
+///
+/// ```
+/// use proofread::{CheckTally, StatisticsTally, summary::describe_statistics};
+///
+/// let statistics = StatisticsTally { tests: 2, totals: 1, ..StatisticsTally::default() };
+/// let words = describe_statistics(&CheckTally { statistics, ..CheckTally::default() }).expect("three");
+/// assert_eq!(words, "Compared 2 p-values with their tests and 1 total with its parts.");
+/// ```
+pub fn describe_statistics(tally: &CheckTally) -> Option<String> {
+    let of = tally.statistics;
+    let kinds = [
+        (of.tests, "p-value", "its test", "their tests"),
+        (of.intervals, "confidence interval", "its estimate", "their estimates"),
+        (of.shares, "share", "its parts", "their parts"),
+        (of.totals, "total", "its parts", "their parts"),
+    ];
+    let compared = kinds.into_iter().filter(|(count, ..)| *count > 0).map(|(count, thing, its, their)| {
+        format!("{} with {}", describe_count(count, thing), if count == 1 { its } else { their })
+    });
+    let compared: Vec<String> = compared.collect();
+    let (last, others) = compared.split_last()?;
+    let others = others.join(", ");
+    Some(if others.is_empty() { format!("Compared {last}.") } else { format!("Compared {others} and {last}.") })
 }
 
 /// Most reasons of a kind that a sentence names.

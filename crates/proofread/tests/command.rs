@@ -305,7 +305,7 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
         (format!("{file}/"), format!("{file}/ is no folder; give the file as {file}")),
         (
             at("a.pdf"),
-            "a.pdf: the name tells no format (md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl); say --input"
+            "a.pdf: the name tells no format (md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl); say --input"
                 .to_owned(),
         ),
         (at("chapters"), "no file in this folder has a name that tells a format".to_owned()),

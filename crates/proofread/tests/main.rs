@@ -23,9 +23,13 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "statistics")]
+mod statistics;
 mod structures;
 mod symbols;
 mod thresholds;
+#[cfg(feature = "statistics")]
+mod totals;
 #[cfg(feature = "cli")]
 mod unchecked;
 mod units;

@@ -145,7 +145,9 @@ pub(crate) fn discover(folder: &Path) -> Result<Record, String> {
         .collect();
     names.sort();
     let is_text = |name: &&String| {
-        name.rsplit_once('.').is_some_and(|(_, extension)| TextFormat::from_extension(extension).is_some())
+        // A table is data, unless it is named as a text.
+        let format = name.rsplit_once('.').and_then(|(_, extension)| TextFormat::from_extension(extension));
+        format.is_some_and(|format| format != TextFormat::Csv)
     };
     let is_values =
         |stem: &str, name: &str| name.strip_prefix(stem).is_some_and(|rest| [".json", ".csv", ".toml"].contains(&rest));

@@ -100,3 +100,13 @@ fn numbers_among_letters_of_a_formula_are_given() {
     let given = given.iter().filter(|entry| entry.tie == geneva_values::Tie::None("given".to_owned()));
     assert_eq!(given.map(|entry| &*entry.printed).collect::<Vec<_>>(), ["2k", "1", "30"]);
 }
+
+#[test]
+fn a_table_of_values_is_no_text() {
+    let project = Project::new("a.md", "The width is 4.57 mm.\n", r#"{"height": "7.12 mm"}"#);
+    project.write("values.csv", "name,value,unit\nwidth,4.5678,mm\n");
+    project.write("more.csv", "name,value,unit\nlength,9.5678,mm\n");
+    let report = project.record();
+    assert_eq!(report.numbers, 1, "{}", project.read("numbers.toml"));
+    assert_eq!(report.ties.get("value"), Some(&1), "{}", project.read("numbers.toml"));
+}

@@ -220,6 +220,6 @@ fn what_is_read(format: TextFormat) -> &'static str {
             "Of a notebook these are the cells in Markdown, by the lines of the file; what the code prints is left out."
         }
         TextFormat::Xml | TextFormat::Html => "A raised number is a number of its own: 10² prints 10 and 2.",
-        TextFormat::Plain => "In plain lines that is all there is.",
+        TextFormat::Plain | TextFormat::Csv => "In plain lines that is all there is.",
     }
 }

@@ -60,6 +60,7 @@ pub struct ProofreadArguments {
     pub(crate) unchecked: bool,
     pub(crate) name_policy: NamePolicy,
     pub(crate) agreeing: bool,
+    pub(crate) statistics: bool,
     pub(crate) since: Option<String>,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
@@ -73,6 +74,7 @@ const WRITTEN: [(&str, OutputFormat); 4] = [
 ];
 const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
+const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
 const LINES: &str = "jsonl";
 
 fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
@@ -119,6 +121,16 @@ impl Args for ProofreadArguments {
                     "Put values that the text gives to names into formulas; once: only names with one value, in a short \
                      document",
                 ),
+            option("statistics", "WHEN")
+                .value_parser(value_names(&COMPARED))
+                .num_args(0..=1)
+                .require_equals(true)
+                .default_value("always")
+                .default_missing_value("always")
+                .help(
+                    "Compare p-values with their tests, confidence intervals with estimates, shares with counts, and the totals \
+                     of tables with their parts",
+                ),
             switch("agreeing").help("Also list pairs that agree, for programs; they count as nothing found"),
             option("since", "REV").help("Report only what has come in since this revision, with the help of git"),
             option("baseline", "FILE").value_parser(value_parser!(PathBuf)).help("Leave out the cases in this file"),
@@ -148,6 +160,7 @@ impl FromArgMatches for ProofreadArguments {
             unchecked: matches.get_flag("unchecked"),
             name_policy: choice(text("bindings"), &FOLLOWED).unwrap_or_default(),
             agreeing: matches.get_flag("agreeing"),
+            statistics: choice(text("statistics"), &COMPARED).unwrap_or(true),
             since: text("since").map(str::to_owned),
             baseline: path("baseline"),
             accept: path("accept"),

@@ -104,7 +104,7 @@ pub(crate) fn sources(
 }
 
 /// Endings of names that tell a format, for errors.
-const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt or jsonl";
+const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
 
 /// Why a path leads nowhere, with the name beside it that was probably meant.
 fn missing(path: &Path) -> Option<String> {
@@ -174,9 +174,11 @@ fn folder(
             // A link may lead anywhere, and around in circles.
             unread.count(UnreadKind::Link, "", 1);
         } else if kind.is_file() {
-            // Whatever the input is said to be, only files whose name tells a text are taken from a folder.
-            if let Some(found) =
-                file(&entry.path(), None).filter(|found| found.format.is_some() || !Baseline::is_in(&entry.path()))
+            // Whatever the input is said to be, only files whose name tells a text are taken from a folder. Tables are mostly data.
+            let is_text = |found: &Source| found.format != Some(TextFormat::Csv);
+            if let Some(found) = file(&entry.path(), None)
+                .filter(is_text)
+                .filter(|found| found.format.is_some() || !Baseline::is_in(&entry.path()))
             {
                 let format = input.map_or(found.format, Input::format);
                 out.push(Ok(Source { format, ..found }));

@@ -61,6 +61,12 @@ fn tally(tally: &CheckTally) -> Value {
         "partly": tally.partly,
         "pairs": tally.pairs,
         "doubts": tally.doubts,
+        "statistics": {
+            "tests": tally.statistics.tests,
+            "intervals": tally.statistics.intervals,
+            "shares": tally.statistics.shares,
+            "totals": tally.statistics.totals,
+        },
         "verdicts": verdicts,
     })
 }
@@ -100,10 +106,10 @@ fn document(checked: &CheckedDocument<'_>) -> Value {
 }
 
 fn sum(of: &RunTotals) -> Value {
-    let [numbers, units, bindings, _, doubts] = of.found;
+    let [numbers, units, bindings, _, doubts, statistics] = of.found;
     json!({
         "documents": of.documents,
-        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts },
+        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
         "accepted": of.accepted,
         "tally": tally(&of.tally),
         "not_checked": counts(&of.not_checked, UncheckedKind::name),

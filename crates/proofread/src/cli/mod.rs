@@ -17,6 +17,7 @@ use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
 use crate::finding::{ChainFinding, ReportSection};
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
+use crate::statistics::find_statistics;
 use crate::unchecked::UncheckedKind;
 use crate::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
@@ -98,7 +99,7 @@ struct CommandRun<'a> {
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
     documents: usize,
-    found: [usize; 5],
+    found: [usize; 6],
     failed: bool,
 }
 
@@ -114,8 +115,8 @@ trait ReportWriter {
 struct RunTotals {
     tally: CheckTally,
     documents: usize,
-    /// Findings on numbers, units and bindings, pairs that agree, and doubts.
-    found: [usize; 5],
+    /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
+    found: [usize; 6],
     accepted: usize,
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
@@ -151,7 +152,7 @@ impl<'a> CommandRun<'a> {
             not_checked: NamedCounts::default(),
             not_read: UnreadParts::default(),
             documents: 0,
-            found: [0; 5],
+            found: [0; 6],
             failed: false,
         })
     }
@@ -287,10 +288,16 @@ impl<'a> CommandRun<'a> {
             report.unchecked.extend(aside);
             report.unchecked.sort_by_key(|chain| chain.span);
         }
+        if self.arguments.statistics {
+            let statistics = find_statistics(text, document.format).map_err(|why| why.to_string())?;
+            statistics.add_to(&mut report);
+        }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,
             ReportSection::Doubts => self.arguments.doubts,
-            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing => true,
+            ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
+                true
+            }
         });
         Ok(report)
     }

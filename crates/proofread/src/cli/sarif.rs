@@ -37,7 +37,7 @@ fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
     json!({
         "ruleId": finding.verdict.name(),
         "level": match finding.section {
-            ReportSection::Numbers => "error",
+            ReportSection::Numbers | ReportSection::Statistics => "error",
             ReportSection::Doubts => "note",
             ReportSection::Units | ReportSection::Bindings | ReportSection::Agreeing => "warning",
         },

@@ -38,6 +38,7 @@ impl ReportWriter for TextWriter {
             describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
             describe_count(sum.documents, "document"),
         );
+        text.extend(summary::describe_statistics(tally).map(|said| said + "\n"));
         let hint = if sum.unchecked_listed { "\n" } else { " --unchecked lists them.\n" };
         text.extend(summary::describe_unchecked_chains(&sum.not_checked).map(|said| said + hint));
         text.extend(summary::describe_partly_checked_chains(tally).map(|said| said + "\n"));
@@ -84,8 +85,13 @@ fn finding_text(
     layout: TextLayout,
 ) -> String {
     let (bold, blue) = (bold_style(), AnsiColor::Blue.on_default().bold());
-    let colour =
-        if finding.section == ReportSection::Numbers { AnsiColor::Red } else { AnsiColor::Yellow }.on_default().bold();
+    let colour = if matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) {
+        AnsiColor::Red
+    } else {
+        AnsiColor::Yellow
+    }
+    .on_default()
+    .bold();
     let [from, _] = lines.line_columns(finding.at);
     let name = escaped(&checked.document.name);
     let gutter = " ".repeat(from.line.to_string().len());

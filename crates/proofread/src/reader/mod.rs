@@ -45,17 +45,20 @@ pub enum TextFormat {
     Notebook,
     /// Plain lines; TeX between marks is read, too.
     Plain,
+    /// A table with commas, semicolons or tabs between its values; it has no formulas.
+    Csv,
 }
 
 impl TextFormat {
     /// Every format with its name.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("markdown", Self::Markdown),
         ("latex", Self::Latex),
         ("xml", Self::Xml),
         ("html", Self::Html),
         ("notebook", Self::Notebook),
         ("plain", Self::Plain),
+        ("csv", Self::Csv),
     ];
 
     /// The format of this name.
@@ -91,6 +94,7 @@ impl TextFormat {
             "html" | "htm" | "xhtml" => Self::Html,
             "ipynb" => Self::Notebook,
             "txt" | "text" => Self::Plain,
+            "csv" | "tsv" => Self::Csv,
             _ => return None,
         })
     }
@@ -280,6 +284,8 @@ pub(crate) use running::RunningText;
 pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
 pub use shown_lines::shown_lines;
 pub(crate) use symbols::unit_sign;
+#[cfg(feature = "statistics")]
+pub(crate) use tags::next_tag;
 pub use unread::{UnreadKind, UnreadParts};
 
 /// The tokens of running text that starts `base` bytes into the document.
@@ -301,6 +307,7 @@ fn formulas(
         TextFormat::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
         TextFormat::Xml | TextFormat::Html => markup::read(text, elsewhere.map(|of| &of.0), each),
         TextFormat::Notebook => notebook::read(text, each)?,
+        TextFormat::Csv => UnreadParts::default(),
         TextFormat::Plain => {
             let marked = delimited::formulas(text, &[], delimited::Dollars::Single);
             let mut found = Vec::new();

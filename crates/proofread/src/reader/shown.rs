@@ -135,7 +135,7 @@ pub fn shown_text(text: &str, format: TextFormat) -> Result<ShownText, Unreadabl
         TextFormat::Markdown => markdown(text, &mut shown),
         TextFormat::Latex => latex(text, &mut shown),
         TextFormat::Xml | TextFormat::Html => markup(text, format, &mut shown),
-        TextFormat::Plain => shown.add(text, 0, 0..text.len()),
+        TextFormat::Plain | TextFormat::Csv => shown.add(text, 0, 0..text.len()),
         TextFormat::Notebook => {
             let others = notebook::markdown_cells(text, &mut |decoded, places| {
                 let mut cell = ShownText::default();
@@ -375,9 +375,37 @@ fn arguments(text: &str, mut at: usize, mut braces: usize) -> usize {
 const SILENT: [&str; 10] =
     ["script", "style", "code", "pre", "annotation", "svg", "kbd", "samp", "textarea", "programlisting"];
 /// Elements that do not end a paragraph, beside those that are known to end no sentence.
-const PHRASES: [&str; 22] = [
-    "tt", "var", "abbr", "acronym", "big", "cite", "q", "ins", "label", "bdi", "bdo", "dfn", "wbr", "math", "mi", "mn",
-    "mo", "mrow", "mtext", "quantity", "time", "data",
+const PHRASES: [&str; 30] = [
+    "tt",
+    "var",
+    "abbr",
+    "acronym",
+    "big",
+    "cite",
+    "q",
+    "ins",
+    "label",
+    "bdi",
+    "bdo",
+    "dfn",
+    "wbr",
+    "math",
+    "mi",
+    "mn",
+    "mo",
+    "mrow",
+    "mtext",
+    "quantity",
+    "time",
+    "data",
+    "italic",
+    "bold",
+    "underline",
+    "sc",
+    "roman",
+    "xref",
+    "styled-content",
+    "named-content",
 ];
 
 fn markup(text: &str, format: TextFormat, shown: &mut ShownText) {
@@ -394,8 +422,8 @@ fn element(text: &str, tag: &Tag<'_>, format: TextFormat, shown: &mut ShownText)
     let (name, place) = (tag.name.as_str(), Span::new(tag.start, tag.end));
     let mut push = |what: &str| what.chars().for_each(|c| shown.lines.push(c, place));
     match name {
-        "sup" if format == TextFormat::Html => push(if tag.closes { ")" } else { "^(" }),
-        "sub" if format == TextFormat::Html => push(if tag.closes { ")" } else { "_(" }),
+        "sup" => push(if tag.closes { ")" } else { "^(" }),
+        "sub" => push(if tag.closes { ")" } else { "_(" }),
         _ if INLINE.contains(&name) || PHRASES.contains(&name) => {}
         // Cut out of the line, which goes on.
         "code" | "kbd" | "samp" | "annotation" => push(" "),

@@ -103,7 +103,7 @@ mod tests {
             "<p id=\"2\">\nIt is 10<sup>3</sup> m,<br>1<td>2</td>\n<style>\na { width: 7px }\n</style>\nor 8.</p>";
         assert_eq!(shown(page, TextFormat::Html), ["", "It is 10^(3) m, 1 2", "", "", "", "or 8."]);
         let xml = "<para id=\"p-9\">It is 10<sup>3</sup>,\n<m:math><m:mn>4</m:mn><m:mn>5</m:mn><m:mo>=</m:mo><m:mn>3</m:mn><m:mtext>.</m:mtext><m:mn>0</m:mn></m:math> <b>6</b>7</para>\n";
-        assert_eq!(shown(xml, TextFormat::Xml), ["It is 10 3,", "4 5=3.0 67"]);
+        assert_eq!(shown(xml, TextFormat::Xml), ["It is 10^(3),", "4 5=3.0 67"]);
         assert_eq!(shown("1 and\r\n\r\n2", TextFormat::Plain), ["1 and", "", "2"]);
         assert!(shown("", TextFormat::Plain).is_empty());
     }

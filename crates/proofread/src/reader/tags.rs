@@ -23,7 +23,7 @@ pub(crate) struct Tag<'t> {
 
 impl Tag<'_> {
     /// The value of an attribute.
-    pub(super) fn attribute(&self, name: &str) -> Option<&str> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         let mut rest = self.attributes;
         while let Some(at) = rest.find(name) {
             let starts = rest[..at].chars().next_back().is_none_or(|c| c.is_whitespace() || c == ':');
