@@ -9,9 +9,7 @@ use crate::finding::{ChainFinding, ReportSection};
 use crate::hint;
 use crate::matrix_sides;
 use crate::named_counts::NamedCounts;
-use crate::reader::{
-    self, Definitions, Formula, FormulaStyle, RunningText, SpanSource, TextFormat, UnreadParts, UnreadableText,
-};
+use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
 use crate::statistics_tally::StatisticsTally;
 use crate::surroundings;
 use crate::token::{Span, TokenKind, any, has_number};
@@ -181,7 +179,7 @@ const MOST_HINTS: usize = 300;
 /// ```
 pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
-    let lines = RunningText::new(text, format, options.definitions);
+    let lines = reader::running_text(text, format, options.definitions);
     let mut check = DocumentCheck {
         text,
         options,

@@ -21,7 +21,7 @@ impl StatisticsTally {
     ///
     /// let mut sum = StatisticsTally { tests: 2, ..StatisticsTally::default() };
     /// sum.add(&StatisticsTally { tests: 1, totals: 3, ..StatisticsTally::default() });
-    /// assert_eq!((sum.tests, sum.totals, sum.all()), (3, 3, 6));
+    /// assert_eq!((sum.tests, sum.totals, sum.count()), (3, 3, 6));
     /// ```
     pub fn add(&mut self, other: &Self) {
         self.tests += other.tests;
@@ -30,8 +30,8 @@ impl StatisticsTally {
         self.totals += other.totals;
     }
 
-    /// All of them together.
-    pub fn all(&self) -> usize {
+    /// How many were compared, of all kinds.
+    pub fn count(&self) -> usize {
         self.tests + self.intervals + self.shares + self.totals
     }
 }

@@ -2,7 +2,6 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
-use super::project::is_xml;
 use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
@@ -221,6 +220,12 @@ pub(crate) fn read_documents(
 /// What is told if nothing at all comes from standard input.
 const EMPTY: &str =
     "standard input is closed or empty, so there is no text to check; pipe a text into it, or give files";
+
+/// Whether a file may be a part of a book in PreTeXt.
+pub(super) fn is_xml(file: &Path) -> bool {
+    let extension = file.extension().unwrap_or_default();
+    ["ptx", "xml", "mbx"].iter().any(|known| extension.eq_ignore_ascii_case(known))
+}
 
 /// Bytes as text.
 pub(crate) fn decode_text(bytes: Vec<u8>) -> Result<String, String> {

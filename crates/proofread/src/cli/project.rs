@@ -2,7 +2,7 @@
 //!
 //! Definitions are all that is taken from them. Each file is read once, however many documents include it.
 
-use super::documents::decode_text;
+use super::documents::{decode_text, is_xml};
 use crate::reader::{Definitions, macros_text};
 use geneva_host::files;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -229,11 +229,6 @@ impl Project {
 
 fn has_extension(file: &Path, extension: &str) -> bool {
     file.extension().is_some_and(|of| of.eq_ignore_ascii_case(extension))
-}
-
-/// Whether a file may be a part of a book in PreTeXt.
-pub(super) fn is_xml(file: &Path) -> bool {
-    ["ptx", "xml", "mbx"].iter().any(|extension| has_extension(file, extension))
 }
 
 /// The folder in which everything must be that is read for a file: its repository, or else the folder that was asked for, or a

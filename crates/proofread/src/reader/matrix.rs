@@ -88,11 +88,3 @@ impl Tex<'_> {
         None
     }
 }
-
-/// What a line is drawn above or below.
-pub(super) fn without_line(script: Vec<Token>) -> Vec<Token> {
-    match script.as_slice() {
-        [Token { kind: TokenKind::Accent(inner, _) | TokenKind::Group(inner), .. }] => inner.clone(),
-        _ => script,
-    }
-}

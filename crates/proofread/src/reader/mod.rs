@@ -193,7 +193,7 @@ pub(crate) type FormulaSink<'f> = dyn FnMut(Formula) + 'f;
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn read(text: &str, format: TextFormat, each: &mut dyn FnMut(Formula)) -> Result<(), UnreadableText> {
-    let lines = RunningText::new(text, format, None);
+    let lines = running_text(text, format, None);
     read_with(text, format, None, &lines, &mut |mut formula, from| {
         if from == SpanSource::Lines {
             formula.map_spans(&|span| lines.span_in_page(span));
@@ -287,6 +287,16 @@ pub(crate) use symbols::unit_sign;
 #[cfg(feature = "statistics")]
 pub(crate) use tags::next_tag;
 pub use unread::{UnreadKind, UnreadParts};
+
+/// The lines of a text whose mark-up has to be taken away first, with the definitions of other texts; none in other formats.
+pub(crate) fn running_text(text: &str, format: TextFormat, elsewhere: Option<&Definitions>) -> RunningText {
+    match format {
+        _ if text.len() > LONGEST => RunningText::default(),
+        TextFormat::Html => RunningText::from_page(text),
+        TextFormat::Latex if text.contains('=') => latex_text::running_text(text, elsewhere.map(|of| &of.0)),
+        _ => RunningText::default(),
+    }
+}
 
 /// The tokens of running text that starts `base` bytes into the document.
 pub(crate) fn tokenise_text(text: &str, base: usize) -> Vec<Token> {

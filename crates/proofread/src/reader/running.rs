@@ -2,7 +2,7 @@
 
 use super::markup::INLINE;
 use super::tags::{Tag, decode_entities, end_of_element, next_tag};
-use super::{Definitions, FormulaSink, LONGEST, TextFormat, delimited, latex_text, plain};
+use super::{FormulaSink, delimited, plain};
 use crate::token::{SourceChar, Span};
 use std::ops::Range;
 
@@ -58,18 +58,8 @@ pub(crate) struct RunningText {
 }
 
 impl RunningText {
-    /// The lines of a text whose mark-up has to be taken away first, with the definitions of other texts; none in other formats.
-    pub(crate) fn new(text: &str, format: TextFormat, elsewhere: Option<&Definitions>) -> Self {
-        match format {
-            _ if text.len() > LONGEST => Self::default(),
-            TextFormat::Html => Self::from_page(text),
-            TextFormat::Latex if text.contains('=') => latex_text::running_text(text, elsewhere.map(|of| &of.0)),
-            _ => Self::default(),
-        }
-    }
-
     /// The lines of a page in HTML.
-    fn from_page(page: &str) -> Self {
+    pub(super) fn from_page(page: &str) -> Self {
         let mut out = Self::default();
         let mut at = 0;
         while let Some(tag) = next_tag(page, at) {

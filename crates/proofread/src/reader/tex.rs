@@ -2,7 +2,6 @@
 
 use super::definitions::Macros;
 use super::formatting::{self, with_over_fractions};
-use super::matrix::without_line;
 use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
@@ -589,5 +588,13 @@ fn make_upright(out: &mut Vec<Token>, upright: &mut Option<usize>) {
     if let Some(from) = upright.take() {
         let letters = out.split_off(from.min(out.len()));
         merge_letters(letters, out);
+    }
+}
+
+/// What a line is drawn above or below.
+fn without_line(script: Vec<Token>) -> Vec<Token> {
+    match script.as_slice() {
+        [Token { kind: TokenKind::Accent(inner, _) | TokenKind::Group(inner), .. }] => inner.clone(),
+        _ => script,
     }
 }

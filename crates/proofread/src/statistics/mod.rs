@@ -93,7 +93,7 @@ const MOST_FINDINGS: usize = 1000;
 ///
 /// let text = "It made a difference, *t*(28) = 2.20, *p* = .36, in 12 of 48 cases (25 %).";
 /// let report = find_statistics(text, TextFormat::Markdown)?;
-/// assert_eq!(report.tally.all(), 2);
+/// assert_eq!(report.tally.count(), 2);
 /// assert_eq!(report.findings[0].chain, "t(28) = 2.20, p = .36");
 /// assert_eq!(report.findings[0].recomputed.as_deref(), Some("p = 0.04 (two-sided)"));
 /// # Ok::<(), proofread::UnreadableText>(())

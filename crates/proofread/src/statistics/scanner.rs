@@ -5,6 +5,7 @@ use super::characters::PARAGRAPH;
 /// A number as it is printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PrintedNumber {
+    /// The number as printed, dimensionless or in a unit that does not matter here.
     pub value: f64,
     /// Half a unit of the last digit, and 0 where the digits say nothing about it.
     pub half: f64,

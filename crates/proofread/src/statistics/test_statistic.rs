@@ -28,6 +28,7 @@ pub(super) struct TestStatistic {
     pub kind: TestKind,
     pub comparison: Comparison,
     pub value: PrintedNumber,
+    /// Degrees of freedom, dimensionless.
     pub freedom: Vec<f64>,
     /// Number of observations, for a correlation without degrees of freedom.
     pub observations: Option<f64>,
