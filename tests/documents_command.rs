@@ -20,7 +20,7 @@ const PROGRAMS: [&str; 9] = ["bash", "cargo", "geneva", "git", "mdbook", "npm", 
 const ACCEPTS: &str = "INSTA_UPDATE=always cargo test --no-fail-fast";
 
 /// Commands that are tried nowhere, with the reason.
-const OTHERS: [(&str, &str); 15] = [
+const OTHERS: [(&str, &str); 16] = [
     ("cargo insta", "the name of a tool"),
     ("cargo insta review", "it asks questions"),
     ("cargo install --path crates/proofread", "it compiles a program that the tests have compiled"),
@@ -28,6 +28,7 @@ const OTHERS: [(&str, &str); 15] = [
     ("cargo nextest run -p geneva-documents", "it needs a program that we do not install"),
     ("cargo package --workspace --no-verify", "what was tried once, in a decision"),
     ("cargo run -p geneva-example-drag", "a test builds its book"),
+    ("cargo run -- book test", "`mdbook test book`, which `.ci/run` runs, asks the same preprocessor to test the same"),
     ("cargo run -- record numbers.toml", "a test in `tests/typed.rs` records these numbers"),
     ("find corpus -name '*.cnxml'", "of the system"),
     ("grep '\"document\"'", "of the system"),
