@@ -54,7 +54,9 @@ pub fn form() -> anyhow::Result<String> {
     let example = example()?;
     let answer = PageAnswer::for_question(&PageQuestion::new(&example)).map_err(anyhow::Error::msg)?;
     let option = |value: &str, words: &str| format!("<option value=\"{value}\">{}</option>", escape(words));
-    let formats = TextFormat::ALL.map(|(name, format)| option(name, name_of_format(format))).concat();
+    // What is checked in a table alone is the command's.
+    let formats = TextFormat::ALL.into_iter().filter(|(_, format)| *format != TextFormat::Csv);
+    let formats: String = formats.map(|(name, format)| option(name, name_of_format(format))).collect();
     let bindings = NamePolicyChoice::ALL.map(|of| option(of.word, of.label)).concat();
     let buttons = [("file", "Open a file"), ("copy", "Copy the result"), ("clear", "Clear"), ("example", "Example")]
         .map(|(action, words)| format!("<button type=\"button\" data-do=\"{action}\">{words}</button>"));

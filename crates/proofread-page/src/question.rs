@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn what_is_not_known_is_named_with_what_is() {
         for (options, words) in [
-            ("format=word", "format `word`: give one of markdown, latex, xml, html, notebook, plain"),
+            ("format=word", "format `word`: give one of markdown, latex, xml, html, notebook, plain, csv"),
             ("bindings=<b>", "bindings `<b>`: give one of once, always, never"),
             ("units", "units ``: give one of yes, no"),
             ("x\u{1b}=1", "option `x\\u{1b}`: give one of format, extension, bindings, units, doubts, hints"),
