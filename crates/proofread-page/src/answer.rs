@@ -56,7 +56,7 @@ impl PageAnswer {
     /// let answer = PageAnswer::for_question(&PageQuestion::new("It is $2 + 2 = 5$."))?;
     /// let finding = &answer.findings[0];
     /// assert_eq!((finding.line, finding.column, finding.chain.concat().as_str()), (1, 16, "2 + 2 = 5"));
-    /// assert!(answer.to_text().starts_with("line 1, column 16: the last digit differs\n"));
+    /// assert!(answer.to_text().starts_with("line 1, column 16: the two sides differ\n"));
     /// # Ok::<(), String>(())
     /// ```
     pub fn for_question(question: &PageQuestion<'_>) -> Result<Self, String> {
