@@ -143,15 +143,20 @@ pub(crate) fn begins_with_factorial(text: &str, span: Span) -> bool {
     })
 }
 
-/// The numbers in the words before a place that a preposition joins to it: *17 coins at*.
-pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
+/// The text close before a place, up to the marks with which a formula begins.
+fn words_before(text: &str, span: Span) -> &str {
     let start = (span.start as usize).min(text.len());
     let mut from = start.saturating_sub(NEAR / 2);
     while !text.is_char_boundary(from) {
         from -= 1;
     }
     let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
-    let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
+    text.get(from..start).unwrap_or_default().trim_end_matches(marks)
+}
+
+/// The numbers in the words before a place that a preposition joins to it: *17 coins at*.
+pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
+    let before = words_before(text, span);
     let clause = before.rsplit(['=', ';', '?', '\n']).next().unwrap_or_default();
     let clause = clause.rsplit(". ").next().unwrap_or_default();
     let joined = ["at", "of", "for", "@", "à", "costing", "worth"].iter().find_map(|word| clause.strip_suffix(word));
@@ -310,13 +315,7 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
         "inverse",
     ];
     const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
-    let start = (span.start as usize).min(text.len());
-    let mut from = start.saturating_sub(NEAR / 2);
-    while !text.is_char_boundary(from) {
-        from -= 1;
-    }
-    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
-    let before = text.get(from..start).unwrap_or_default().trim_end_matches(marks);
+    let before = words_before(text, span);
     // The sum of 3 and 4 = 7.
     let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
     let both = BOTH.iter().any(|words| clause.contains(words));

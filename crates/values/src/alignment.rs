@@ -59,16 +59,19 @@ fn gap<T: Eq + Hash>(
 
 /// The items that are once in a part of either list, by their places in the old one.
 fn unique_pairs<T: Eq + Hash>(old: &[T], new: &[T], mine: &Range<usize>, found: &Range<usize>) -> Vec<(usize, usize)> {
-    let mut places: HashMap<&T, [Option<usize>; 2]> = HashMap::new();
-    let mut count: HashMap<&T, [usize; 2]> = HashMap::new();
+    // For each item how often it is in either part, and where it is last.
+    let mut seen: HashMap<&T, [(usize, usize); 2]> = HashMap::new();
     for (which, list, range) in [(0, old, mine), (1, new, found)] {
         for at in range.clone() {
-            places.entry(&list[at]).or_default()[which] = Some(at);
-            count.entry(&list[at]).or_default()[which] += 1;
+            let (count, last) = &mut seen.entry(&list[at]).or_default()[which];
+            (*count, *last) = (*count + 1, at);
         }
     }
-    let is_unique = |at: &usize| count.get(&old[*at]) == Some(&[1, 1]);
-    mine.clone().filter(is_unique).filter_map(|at| Some((at, places[&old[at]][1]?))).collect()
+    let pair = |at| match seen.get(&old[at]) {
+        Some([(1, _), (1, other)]) => Some((at, *other)),
+        _ => None,
+    };
+    mine.clone().filter_map(pair).collect()
 }
 
 /// A longest list of pairs in which both places grow. The first places grow already.
