@@ -1,24 +1,25 @@
 //! A document, formula by formula: what was checked, and what was found.
 
-use crate::binding::{KnownNames, NamePolicy, assignment, single_name};
-use crate::chain::{Chain, ChainSide, Relation, split_chains};
-use crate::doubt::{Doubt, Factors, PlacedPair};
 use crate::effort::{self, CheckEffort};
-use crate::explanation::{DifferingPair, agrees};
-use crate::finding::{ChainFinding, ReportSection};
-use crate::hint;
-use crate::matrix_sides;
+use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
+use crate::evaluate::value::{Literal, Obstacle, SideValue};
+use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
+use crate::join::matrix_sides;
+use crate::judge::doubt::{Doubt, Factors, PlacedPair};
+use crate::judge::explanation::{DifferingPair, agrees};
+use crate::judge::section::ReportSection;
+use crate::judge::surroundings;
+use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
+use crate::judge::unrounded::EarlierResults;
+use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 use crate::named_counts::NamedCounts;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
-use crate::statistics_tally::StatisticsTally;
-use crate::surroundings;
-use crate::token::{Span, TokenKind, any, has_number};
-use crate::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
+use crate::tell::finding::ChainFinding;
+use crate::tell::hint;
+use crate::tell::statistics_tally::StatisticsTally;
 #[cfg(feature = "cli")]
-use crate::unchecked_chain::UncheckedChain;
-use crate::unrounded::EarlierResults;
-use crate::value::{Literal, Obstacle, SideValue};
-use crate::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
+use crate::tell::unchecked_chain::UncheckedChain;
+use crate::token::{Span, TokenKind, any, has_number};
 
 /// What to look for.
 ///

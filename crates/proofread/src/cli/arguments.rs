@@ -2,7 +2,7 @@
 //!
 //! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
 
-use crate::binding::NamePolicy;
+use crate::evaluate::binding::NamePolicy;
 use crate::reader::TextFormat;
 use clap::builder::PossibleValuesParser;
 use clap::error::Error;

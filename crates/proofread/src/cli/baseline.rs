@@ -1,7 +1,7 @@
 //! Accepted cases: a file with a line of JSON for each, which people may edit and add reasons to.
 
-use crate::finding::ChainFinding;
 use crate::reader::LONGEST;
+use crate::tell::finding::ChainFinding;
 use geneva_host::files::{self, NewFile};
 use geneva_host::printable::shown_path;
 use serde_json::{Value, json};

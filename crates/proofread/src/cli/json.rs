@@ -2,15 +2,15 @@
 
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::check::CheckTally;
-use crate::doubt::Doubt;
-use crate::finding::ChainFinding;
-use crate::line_index::{LineColumn, LineIndex};
+use crate::judge::doubt::Doubt;
+use crate::judge::unchecked::UncheckedKind;
+use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
+use crate::tell::finding::ChainFinding;
+use crate::tell::line_index::{LineColumn, LineIndex};
+use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::Span;
-use crate::unchecked::UncheckedKind;
-use crate::unchecked_chain::UncheckedChain;
-use crate::verdict::ChainVerdict;
 use serde_json::{Map, Value, json};
 
 /// The version of the form, raised when a field changes its meaning.

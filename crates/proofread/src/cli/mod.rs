@@ -14,12 +14,13 @@ pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
 use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
-use crate::finding::{ChainFinding, ReportSection};
+use crate::judge::section::ReportSection;
+use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
 use crate::statistics::find_statistics;
-use crate::unchecked::UncheckedKind;
-use crate::unchecked_chain::UncheckedChain;
+use crate::tell::finding::ChainFinding;
+use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;
 use documents::{Document, Source};
@@ -202,7 +203,7 @@ impl<'a> CommandRun<'a> {
             self.baseline.write(file)?;
             self.streams.print_error(&format!(
                 "{} accepted in {}\n",
-                crate::summary::describe_count(sum.accepted, "case"),
+                crate::tell::summary::describe_count(sum.accepted, "case"),
                 shown_path(path)
             ));
         } else if self.documents > 0 || !self.failed || !matches!(arguments.format, OutputFormat::Text) {

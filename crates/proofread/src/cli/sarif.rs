@@ -3,10 +3,11 @@
 use super::baseline::fingerprint;
 use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
-use crate::finding::{ChainFinding, ReportSection};
-use crate::line_index::LineIndex;
-use crate::sarif::{encoded, file_uri, location, log};
-use crate::verdict::ChainVerdict;
+use crate::judge::section::ReportSection;
+use crate::judge::verdict::ChainVerdict;
+use crate::tell::finding::ChainFinding;
+use crate::tell::line_index::LineIndex;
+use crate::tell::sarif::{encoded, file_uri, location, log};
 use serde_json::{Value, json};
 
 #[derive(Default)]

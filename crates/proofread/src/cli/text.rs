@@ -2,11 +2,12 @@
 
 use super::output::{TextLayout, bold_style, printable};
 use super::{CheckedDocument, ReportWriter, RunTotals};
-use crate::finding::{ChainFinding, ReportSection};
-use crate::line_index::LineIndex;
+use crate::judge::section::ReportSection;
 use crate::reader::TextFormat;
-use crate::summary::{self, describe_count};
-use crate::unchecked_chain::UncheckedChain;
+use crate::tell::finding::ChainFinding;
+use crate::tell::line_index::LineIndex;
+use crate::tell::summary::{self, describe_count};
+use crate::tell::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
 use geneva_host::printable::escaped;

@@ -4,7 +4,7 @@ use super::characters::{PARAGRAPH, PlainCharacters};
 use super::distribution::{normal_quantile, student_quantile};
 use super::scanner::{Comma, PrintedNumber, Scanner};
 use super::{Judged, Outcome};
-use crate::doubt::Doubt;
+use crate::judge::doubt::Doubt;
 use std::ops::Range;
 
 /// A number and where it is.

@@ -14,12 +14,13 @@ mod test_statistic;
 mod totals;
 
 use crate::check::CheckReport;
-use crate::doubt::Doubt;
-use crate::finding::{ChainFinding, ReportSection};
+use crate::judge::doubt::Doubt;
+use crate::judge::section::ReportSection;
+use crate::judge::verdict::ChainVerdict;
 use crate::reader::{TextFormat, UnreadableText, shown_text};
-use crate::statistics_tally::StatisticsTally;
+use crate::tell::finding::ChainFinding;
+use crate::tell::statistics_tally::StatisticsTally;
 use crate::token::Span;
-use crate::verdict::ChainVerdict;
 use characters::PlainCharacters;
 use std::ops::Range;
 

@@ -3,7 +3,7 @@
 use super::characters::{PARAGRAPH, PlainCharacters};
 use super::scanner::{Comma, PrintedNumber, Scanner};
 use super::{Judged, Outcome};
-use crate::doubt::Doubt;
+use crate::judge::doubt::Doubt;
 use std::ops::Range;
 
 /// A part with its share, and the whole if it stands beside them.

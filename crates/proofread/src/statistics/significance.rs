@@ -6,7 +6,7 @@ use super::characters::{PARAGRAPH, PlainCharacters};
 use super::scanner::{Comma, PrintedNumber, Scanner};
 use super::test_statistic::{Comparison, TestKind, TestStatistic, comparison, test_statistic};
 use super::{Judged, Outcome};
-use crate::doubt::Doubt;
+use crate::judge::doubt::Doubt;
 use std::ops::Range;
 
 /// A p-value as it is printed.

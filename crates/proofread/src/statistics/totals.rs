@@ -7,8 +7,8 @@ use super::scanner::PrintedNumber;
 use super::share::is_share;
 use super::table::{TableCell, TextTable};
 use super::{Outcome, StatisticDifference, statistic_finding};
-use crate::doubt::Doubt;
-use crate::finding::ChainFinding;
+use crate::judge::doubt::Doubt;
+use crate::tell::finding::ChainFinding;
 use crate::token::Span;
 
 /// Compares the totals of a table with their parts; how many there are.

@@ -1,0 +1,17 @@
+//! Evaluation: the value of a side, under each reading that its characters allow.
+
+mod atom;
+pub(crate) mod binding;
+mod cursor;
+mod evaluation_bar;
+pub(crate) mod exponent;
+pub(crate) mod expression;
+mod function;
+pub(crate) mod interval;
+pub(crate) mod numeral;
+mod operation;
+pub(crate) mod printed;
+pub(crate) mod reading;
+pub(crate) mod step_rounding;
+mod units_after;
+pub(crate) mod value;

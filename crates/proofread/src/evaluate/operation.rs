@@ -1,0 +1,402 @@
+//! Operations with names and signs of their own: remainders, integer parts, binomial coefficients, factorials of several kinds, lists,
+//! sums over an index, tuples and determinants.
+
+use crate::evaluate::cursor::Cursor;
+use crate::evaluate::expression::Evaluator;
+use crate::evaluate::interval::Interval;
+use crate::evaluate::reading::ReadingChoices;
+use crate::evaluate::value::{Evaluated, Literal, Obstacle, SideValue};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, trim_space};
+
+/// Largest integer that is reckoned with exactly.
+const LARGEST: f64 = 9.0e15;
+
+/// Most factors of a factorial or binomial coefficient.
+const MOST_FACTORS: f64 = 400.0;
+
+/// Most terms of a sum over an index.
+const MOST_TERMS: f64 = 200.0;
+
+/// Largest determinant that is computed, in rows.
+const MOST_ROWS: usize = 4;
+
+/// What floating point adds to an integer, relative to it.
+const NOISE: f64 = 1e-9;
+
+fn computed(value: f64, operations: u32) -> SideValue {
+    SideValue { operations: operations.saturating_add(1), ..SideValue::from_interval(Interval::exact(value)) }
+}
+
+/// The integer that a value is.
+fn integer(value: &SideValue) -> Evaluated<f64> {
+    let number = value.number()?.point;
+    let whole = libm::round(number);
+    if value.has_unit || (number - whole).abs() > NOISE * whole.abs().max(1.0) || whole.abs() > LARGEST {
+        return Err(Obstacle::Unclear("an integer is expected"));
+    }
+    Ok(whole)
+}
+
+/// The pieces between commas or semicolons outside brackets.
+pub(crate) fn listed(tokens: &[Token]) -> Vec<&[Token]> {
+    let mut depth = 0usize;
+    tokens
+        .split(|token| {
+            if token.is_one_of("([{⌊⌈") {
+                depth += 1;
+            } else if token.is_one_of(")]}⌋⌉") {
+                depth = depth.saturating_sub(1);
+            }
+            depth == 0 && token.is_one_of(",;")
+        })
+        .collect()
+}
+
+fn greatest_divisor(mut a: f64, mut b: f64) -> f64 {
+    while b > 0.0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+/// The product of `count` factors, each `step` from the one before, beginning with `first`.
+fn product_of(first: f64, count: f64, step: f64) -> Evaluated<f64> {
+    if !(0.0..=MOST_FACTORS).contains(&count) {
+        return Err(Obstacle::TooLarge);
+    }
+    Ok((0..count as u32).map(|at| first + step * f64::from(at)).product())
+}
+
+fn binomial(n: f64, k: f64) -> Evaluated<f64> {
+    if k < 0.0 || n < 0.0 {
+        return Err(Obstacle::Unclear("a binomial coefficient of a negative number"));
+    }
+    let k = if n >= k { k.min(n - k) } else { return Ok(0.0) };
+    if k > MOST_FACTORS {
+        return Err(Obstacle::TooLarge);
+    }
+    let grow = |sum: f64, at: u32| libm::round(sum * (n - f64::from(at)) / f64::from(at + 1));
+    Ok((0..k as u32)
+        .try_fold(1.0, |sum: f64, at| (sum < LARGEST).then(|| grow(sum, at)))
+        .unwrap_or_else(|| (0..k as u32).map(|at| (n - f64::from(at)) / f64::from(at + 1)).product()))
+}
+
+impl Evaluator<'_> {
+    /// The remainder of a division of integers, not negative unless the modulus is.
+    pub(crate) fn remainder(&mut self, of: &SideValue, modulus: &SideValue) -> Evaluated<SideValue> {
+        let (of, modulus, operations) = (integer(of)?, integer(modulus)?, of.operations + modulus.operations);
+        if modulus == 0.0 {
+            return Err(Obstacle::Unclear("a remainder of a division by zero"));
+        }
+        let rest = of % modulus;
+        if rest * modulus < 0.0 {
+            self.noticed.insert(ReadingChoices::REMAINDER_OF_FACTOR);
+            if !self.is_chosen(ReadingChoices::REMAINDER_OF_FACTOR) {
+                return Ok(computed(rest + modulus, operations));
+            }
+        }
+        Ok(computed(rest, operations))
+    }
+
+    /// Whether the remainder ahead is one of the last factor alone.
+    pub(crate) fn takes_one_factor(&mut self, product: &SideValue, cursor: &Cursor<'_>) -> bool {
+        let before = &cursor.tokens[..cursor.at.min(cursor.tokens.len())];
+        if product.has_unit || !before.iter().any(|token| token.is_one_of("+-")) {
+            return false;
+        }
+        self.noticed.insert(ReadingChoices::REMAINDER_OF_FACTOR);
+        self.is_chosen(ReadingChoices::REMAINDER_OF_FACTOR)
+    }
+
+    /// What is in the brackets of an integer part that open here.
+    pub(crate) fn rounded_part(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let open = if cursor.peek().is_some_and(|token| token.is_sign('⌈')) { '⌈' } else { '⌊' };
+        let inner = cursor.take_group()?;
+        let closes = cursor.previous().is_some_and(|close| close.is_sign(if open == '⌈' { '⌉' } else { '⌋' }));
+        if !closes {
+            return Err(Obstacle::Unclear("a bracket is not closed"));
+        }
+        let value = self.in_points(|inside| inside.evaluate_all(inner))?;
+        self.whole(value, open, cursor)
+    }
+
+    /// The integer part of a value, downwards or upwards.
+    pub(crate) fn whole(&mut self, value: SideValue, open: char, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let number = value.number()?.point;
+        if value.has_unit {
+            return Err(Obstacle::Unclear("an integer part of a quantity"));
+        }
+        let slack = NOISE * number.abs().max(1.0);
+        let whole = if open == '⌈' { libm::ceil(number - slack) } else { libm::floor(number + slack) };
+        self.with_powers(computed(whole, value.operations), cursor)
+    }
+
+    /// The largest or smallest of a list, or the divisor or multiple of its integers.
+    pub(crate) fn of_list(&mut self, function: MathFunction, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        if !cursor.peek().is_some_and(|token| token.is_one_of("([{")) {
+            return Err(Obstacle::Unclear("a function of a list without one"));
+        }
+        let inner = cursor.take_group()?;
+        let mut values = Vec::new();
+        for piece in listed(inner) {
+            values.push(self.evaluate_all(piece)?);
+        }
+        // In a list, a comma without space parts no thousands.
+        if values.len() == 1
+            && let [Token { kind: TokenKind::Number(digits), .. }] = trim_space(inner)
+        {
+            let numbers = digits.split(',').filter_map(|of| of.parse().ok());
+            values = numbers.map(|of| computed(of, 0)).collect();
+        }
+        let Some((first, rest)) = values.split_first().filter(|(_, rest)| !rest.is_empty()) else {
+            return Err(Obstacle::Unclear("a function of a list without one"));
+        };
+        let operations = values.iter().map(|value| value.operations).fold(0u32, u32::saturating_add);
+        let value = match function {
+            MathFunction::Gcd | MathFunction::Lcm => {
+                let mut sum = integer(first)?.abs();
+                for other in rest {
+                    let other = integer(other)?.abs();
+                    let divisor = greatest_divisor(sum, other);
+                    sum = match function {
+                        MathFunction::Gcd => divisor,
+                        _ if divisor > 0.0 => sum / divisor * other,
+                        _ => 0.0,
+                    };
+                }
+                computed(sum, operations)
+            }
+            _ => {
+                let mut best = first.clone();
+                for other in rest {
+                    if other.dimension != best.dimension {
+                        return Err(Obstacle::MixedSum);
+                    }
+                    let (one, two) = (best.number()?, other.number()?);
+                    let pick = |a: f64, b: f64| if function == MathFunction::Max { a.max(b) } else { a.min(b) };
+                    let picked = Interval {
+                        low: pick(one.low, two.low),
+                        point: pick(one.point, two.point),
+                        high: pick(one.high, two.high),
+                    };
+                    best.parts = best.parts.map(|_| picked);
+                }
+                SideValue { operations: operations.saturating_add(1), literal: Literal::No, factor: 1.0, ..best }
+            }
+        };
+        self.with_powers(value, cursor)
+    }
+
+    /// An operation with arguments of its own.
+    pub(crate) fn call(
+        &mut self,
+        operation: NamedOperation,
+        arguments: &[Vec<Token>],
+        cursor: &mut Cursor<'_>,
+    ) -> Evaluated<SideValue> {
+        cursor.at += 1;
+        let value = match (operation, arguments) {
+            (NamedOperation::Sum | NamedOperation::Product, [index, first, last]) => {
+                return self.over_index(operation, [index, first, last], cursor);
+            }
+            (NamedOperation::Determinant, rows) => self.determinant(rows)?,
+            (NamedOperation::Matrix, rows) => return self.column(rows),
+            (_, [n, k]) => self.count_choices(operation, n, k)?,
+            _ => return Err(Obstacle::Unclear("an operation without its arguments")),
+        };
+        self.with_powers(value, cursor)
+    }
+
+    /// A falling or rising factorial, written as a power.
+    pub(crate) fn factorial_power(
+        &mut self,
+        base: &SideValue,
+        operation: NamedOperation,
+        count: &[Token],
+    ) -> Evaluated<SideValue> {
+        let count = self.in_points(|inside| inside.evaluate_all(count))?;
+        let (n, k) = (integer(base)?, integer(&count)?);
+        let step = if operation == NamedOperation::Falling { -1.0 } else { 1.0 };
+        let value = product_of(n, k, step)?;
+        if !value.is_finite() {
+            return Err(Obstacle::TooLarge);
+        }
+        Ok(computed(value, base.operations + count.operations))
+    }
+
+    /// Both ends of what is around a value: 5 ± 2 from 3 to 7.
+    pub(crate) fn spread(&mut self, middle: &SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let obstacle = Obstacle::Unclear("an uncertainty");
+        let plus = cursor.peek().is_some_and(|token| token.is_sign('±'));
+        cursor.at += 1;
+        let by = self.product(cursor)?;
+        let ends = cursor.peek().is_none() && plus;
+        // Percentages and units that stand behind both are not told from others, and uncertainties don't add.
+        let bare = !middle.has_unit && !by.has_unit && middle.angle.is_none() && by.angle.is_none();
+        if !ends || !bare || middle.is_tuple || by.is_tuple || self.spreads {
+            return Err(obstacle);
+        }
+        self.spreads = true;
+        let low = middle.sum(&by.clone().negate(), false)?;
+        let high = middle.sum(&by, false)?;
+        let spread = SideValue::from_components(&[low, high])?;
+        Ok(SideValue { literal: Literal::No, ..spread })
+    }
+
+    fn count_choices(&mut self, operation: NamedOperation, n: &[Token], k: &[Token]) -> Evaluated<SideValue> {
+        let n = self.in_points(|inside| inside.evaluate_all(n))?;
+        let (n, operations) = (integer(&n)?, n.operations);
+        let mut chosen = Vec::new();
+        for piece in listed(k) {
+            let value = self.in_points(|inside| inside.evaluate_all(piece))?;
+            chosen.push(integer(&value)?);
+        }
+        let value = match (operation, chosen.as_slice()) {
+            (NamedOperation::Binomial, [k]) => binomial(n, *k)?,
+            (NamedOperation::Binomial, all) if all.iter().sum::<f64>() == n => {
+                let (mut left, mut product) = (n, 1.0);
+                for k in all {
+                    product *= binomial(left, *k)?;
+                    left -= k;
+                }
+                product
+            }
+            (NamedOperation::Permutations, [k]) if *k > n || n < 0.0 => 0.0,
+            (NamedOperation::Permutations | NamedOperation::Falling, [k]) => product_of(n, *k, -1.0)?,
+            (NamedOperation::Rising, [k]) => product_of(n, *k, 1.0)?,
+            _ => return Err(Obstacle::Unclear("an operation without its arguments")),
+        };
+        let value = computed(value, operations);
+        if value.number()?.is_finite() { Ok(value) } else { Err(Obstacle::TooLarge) }
+    }
+
+    /// A sum or product over an index of what follows.
+    fn over_index(
+        &mut self,
+        operation: NamedOperation,
+        [index, first, last]: [&[Token]; 3],
+        cursor: &mut Cursor<'_>,
+    ) -> Evaluated<SideValue> {
+        let [Token { kind: TokenKind::Name(index), .. }] = trim_space(index) else {
+            return Err(Obstacle::Unclear("a sum without an index"));
+        };
+        if self.local.is_some() {
+            return Err(Obstacle::Unclear("a sum inside a sum"));
+        }
+        let limits = [first, last].map(|limit| self.in_points(|inside| inside.evaluate_all(limit)));
+        let [first, last] = limits;
+        let (first, last) = (integer(&first?)?, integer(&last?)?);
+        if last - first >= MOST_TERMS || last < first {
+            return Err(Obstacle::TooLarge);
+        }
+        let start = *cursor;
+        let mut total: Option<SideValue> = None;
+        for at in first as i64..=last as i64 {
+            let mut body = start;
+            self.local = Some((index.clone(), computed(at as f64, 0)));
+            let term = self.body(&mut body);
+            self.local = None;
+            let term = term?;
+            *cursor = body;
+            total = Some(match total {
+                None => term,
+                Some(so_far) if operation == NamedOperation::Sum => so_far.sum(&term, false)?,
+                Some(so_far) => so_far.product(&term, Some('·'), true)?,
+            });
+        }
+        let mut total = total.ok_or(Obstacle::TooLarge)?;
+        total.operations = total.operations.saturating_add(1);
+        total.literal = Literal::No;
+        Ok(total)
+    }
+
+    /// What is summed: one product, or all that follows.
+    fn body(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        let value = self.product(cursor)?;
+        if !cursor.peek().is_some_and(|token| token.is_one_of("+-")) {
+            return Ok(value);
+        }
+        self.noticed.insert(ReadingChoices::SUM_OF_ALL);
+        if !self.is_chosen(ReadingChoices::SUM_OF_ALL) {
+            return Ok(value);
+        }
+        let rest = self.evaluate_all(&cursor.tokens[cursor.at..])?;
+        cursor.at = cursor.tokens.len();
+        value.sum(&rest, false)
+    }
+
+    /// The components of a tuple, an interval or a vector of two or three numbers; none if there is no list in the brackets.
+    pub(crate) fn tuple(&mut self, inner: &[Token], is_set: bool) -> Evaluated<Option<SideValue>> {
+        let pieces = listed(inner);
+        if pieces.len() == 1 {
+            return Ok(None);
+        }
+        if is_set {
+            return Err(Obstacle::Unclear("a set"));
+        }
+        if pieces.len() > 3 {
+            return Err(Obstacle::Unclear("a list of more than three numbers"));
+        }
+        let mut values = Vec::new();
+        for piece in pieces {
+            values.push(self.evaluate_all(piece)?);
+        }
+        SideValue::from_components(&values).map(Some)
+    }
+
+    /// A row or column of two or three numbers.
+    fn column(&mut self, rows: &[Vec<Token>]) -> Evaluated<SideValue> {
+        let cells: Vec<&[Token]> =
+            rows.iter().flat_map(|row| row.split(|token| token.kind == TokenKind::Cell)).collect();
+        if !(2..=3).contains(&cells.len()) || (rows.len() > 1 && cells.len() > rows.len()) {
+            return Err(Obstacle::Unclear("a matrix"));
+        }
+        let mut values = Vec::new();
+        for cell in cells {
+            values.push(self.evaluate_all(cell)?);
+        }
+        SideValue::from_components(&values)
+    }
+
+    /// The determinant of the rows, whose cells are parted.
+    fn determinant(&mut self, rows: &[Vec<Token>]) -> Evaluated<SideValue> {
+        let mut cells = Vec::new();
+        for row in rows {
+            let mut values = Vec::new();
+            for cell in row.split(|token| token.kind == TokenKind::Cell) {
+                values.push(self.evaluate_all(cell)?);
+            }
+            cells.push(values);
+        }
+        let size = cells.len();
+        if size == 0 || size > MOST_ROWS || cells.iter().any(|row| row.len() != size) {
+            return Err(Obstacle::Unclear("a determinant of what is no small square"));
+        }
+        let all: Vec<usize> = (0..size).collect();
+        let mut value = minor(&cells, 0, &all)?;
+        value.operations = value.operations.saturating_add(1);
+        value.literal = Literal::No;
+        Ok(value)
+    }
+}
+
+/// The determinant of the rows from one on and of these columns.
+fn minor(cells: &[Vec<SideValue>], from: usize, columns: &[usize]) -> Evaluated<SideValue> {
+    let mut sum: Option<SideValue> = None;
+    for (which, column) in columns.iter().enumerate() {
+        let Some(cell) = cells.get(from).and_then(|row| row.get(*column)) else {
+            return Err(Obstacle::Unclear("a determinant of what is no small square"));
+        };
+        let mut term = cell.clone();
+        if columns.len() > 1 {
+            let rest: Vec<usize> = columns.iter().filter(|of| *of != column).copied().collect();
+            term = term.product(&minor(cells, from + 1, &rest)?, Some('·'), true)?;
+        }
+        let term = if which % 2 == 0 { term } else { term.negate() };
+        sum = Some(match sum {
+            None => term,
+            Some(sum) => sum.sum(&term, false)?,
+        });
+    }
+    sum.ok_or(Obstacle::NoNumber)
+}

@@ -1,0 +1,306 @@
+//! Chains: sides with relations between them.
+
+use crate::join::token_joining::join_tokens;
+use crate::token::{Span, Token, TokenKind, has_number, span_of, trim_space};
+use crate::unit::{is_percent, unit};
+
+/// How a side relates to the one before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Relation {
+    /// `=`
+    Equal,
+    /// `≈` and its relatives.
+    Approximate,
+    /// Any other relation; nothing is compared across it.
+    Other,
+}
+
+/// A side of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ChainSide {
+    /// The relation before it; none for the first side.
+    pub relation: Option<Relation>,
+    /// Its tokens, joined.
+    pub tokens: Vec<Token>,
+    /// Where it is in the text.
+    pub span: Span,
+}
+
+/// How a chain is parted from what stands before it in its row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum ChainSeparation {
+    /// Not at all, or by words.
+    #[default]
+    Not,
+    /// By a comma or a point.
+    ByMark,
+    /// By such a mark, an arrow or the word *of* behind numbers that are in no chain: `1, 2, 3 = 6`.
+    FromNumbers,
+}
+
+/// Sides with relations between them; at least two.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Chain {
+    /// The sides in their order.
+    pub sides: Vec<ChainSide>,
+    /// Whether a question mark follows: whether it holds is asked, not said.
+    pub asked: bool,
+    /// Whether it begins a row of its formula.
+    pub starts_row: bool,
+    /// What parts it from what stands before it in its row.
+    pub parted: ChainSeparation,
+}
+
+/// The width of the space that stands for the end of a row within a side.
+pub(crate) const ROW_END: u8 = 8;
+
+fn relation(token: &Token) -> Option<Relation> {
+    match token.kind {
+        TokenKind::Operator('=') => Some(Relation::Equal),
+        TokenKind::Operator('≈' | '≅' | '≃' | '≒' | '≐') => Some(Relation::Approximate),
+        TokenKind::Operator('<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔') => {
+            Some(Relation::Other)
+        }
+        _ => None,
+    }
+}
+
+fn ends_row(token: &Token) -> bool {
+    matches!(token.kind, TokenKind::Line | TokenKind::Space(9..))
+}
+
+fn separates(token: &Token) -> bool {
+    const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
+        Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
+        below above From For Given Noting Since are not ";
+    match &token.kind {
+        TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
+        TokenKind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
+        _ => false,
+    }
+}
+
+#[derive(Default)]
+struct Splitter {
+    chains: Vec<Chain>,
+    sides: Vec<ChainSide>,
+    side: Vec<Token>,
+    relation: Option<Relation>,
+    at_row: bool,
+    /// What parts the chain at hand from what stands before it in its row.
+    parted: ChainSeparation,
+    /// Whether a comma stands before the piece at hand.
+    listed: bool,
+}
+
+impl Splitter {
+    fn end_side(&mut self) {
+        let tokens = trim_space(&self.side).to_vec();
+        let span = span_of(&tokens);
+        self.sides.push(ChainSide { relation: self.relation, tokens, span });
+        self.side.clear();
+    }
+
+    fn end_chain(&mut self, asked: bool, row_follows: bool) {
+        self.end_side();
+        let sides = std::mem::take(&mut self.sides);
+        if sides.len() > 1 {
+            self.chains.push(Chain { sides, asked, starts_row: self.at_row, parted: self.parted });
+        }
+        self.relation = None;
+        self.parted = ChainSeparation::Not;
+        self.at_row = row_follows;
+    }
+
+    /// Whether the piece at hand is a number at the end of a list: `i = 0, 1`.
+    fn ends_list(&self) -> bool {
+        let mut tokens = self.side.iter().filter(|token| !token.is_space());
+        let is_number = tokens.next().is_some_and(|token| token.number().is_some()) && tokens.next().is_none();
+        self.listed && self.sides.is_empty() && is_number
+    }
+
+    fn last(&self) -> Option<&Token> {
+        self.side.iter().rev().find(|token| !token.is_space())
+    }
+}
+
+/// Whether a number in brackets that no sign joins to the number behind it begins at a place.
+fn is_item(tokens: &[Token], at: usize) -> bool {
+    let [open, number, close, space, rest @ ..] = &tokens[at..] else { return false };
+    let next = rest.iter().find(|token| !token.is_space());
+    let short = number.number().is_some_and(|digits| digits.len() < 3 && digits.chars().all(|c| c.is_ascii_digit()));
+    let starts = next
+        .is_some_and(|next| matches!(next.kind, TokenKind::Number(_) | TokenKind::Function(_)) || next.is_sign('√'));
+    open.is_one_of("([") && close.is_one_of(")]") && short && space.is_space() && starts
+}
+
+/// The chains of a formula.
+pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
+    let tokens = join_tokens(formula);
+    let mut splitter = Splitter { at_row: true, ..Splitter::default() };
+    let mut depth = 0usize;
+    // The next token that is neither space nor the end of a row, for each place.
+    let mut following: Vec<usize> = vec![tokens.len(); tokens.len() + 1];
+    for at in (0..tokens.len()).rev() {
+        let is_gap = tokens[at].is_space() || tokens[at].kind == TokenKind::Line;
+        following[at] = if is_gap { following[at + 1] } else { at };
+    }
+    let mut previous_is_line = false;
+    let (mut in_remark, mut in_row) = (false, false);
+    let mut marked = 0;
+    for (at, token) in tokens.iter().enumerate() {
+        if at < marked {
+            continue;
+        }
+        let next = tokens.get(following[at + 1]);
+        // The number of an equation in a list: (1) 5 + 1 = 6 (2) 5 + 2 = 7.
+        if depth == 0 && is_item(&tokens, at) {
+            let starts = splitter.last().is_none() && splitter.sides.is_empty();
+            let ends = splitter.relation.is_some() && splitter.side.last().is_some_and(Token::is_space);
+            if starts || ends {
+                splitter.end_chain(false, false);
+                marked = at + 3;
+                continue;
+            }
+        }
+        // Behind the signs of because and for all, the row says why or where it holds.
+        let for_all = token.is_sign('∀') && next.is_some_and(|next| !matches!(next.kind, TokenKind::Operator(_)));
+        // So does a whole row behind which the chain goes on.
+        let rest = tokens[at..].iter().skip_while(|token| token.kind != TokenKind::Line).skip(1);
+        let goes_on = || rest.clone().find(|token| !token.is_space()).is_some_and(|next| next.is_sign('='));
+        in_remark =
+            (in_remark || (!in_row && token.is_sign('∵') && goes_on()) || (in_row && (token.is_sign('∵') || for_all)))
+                && token.kind != TokenKind::Line;
+        in_row = (in_row || !token.is_space()) && token.kind != TokenKind::Line;
+        if in_remark {
+            continue;
+        }
+        if token.is_one_of("([{⌊⌈") {
+            depth += 1;
+        } else if token.is_one_of(")]}⌋⌉") {
+            depth = depth.saturating_sub(1);
+        }
+        let line = token.kind == TokenKind::Line;
+        let wide = matches!(token.kind, TokenKind::Space(width) if width >= 9);
+        if wide && previous_is_line {
+            continue;
+        }
+        if !token.is_space() {
+            previous_is_line = line;
+        }
+        if line || wide {
+            let continues = next.is_some_and(|next| next.is_one_of("=≈≅≃") || (line && next.is_one_of("+-×·")));
+            if continues && line && splitter.ends_list() {
+                splitter.side.push(Token::new(TokenKind::Unknown("the end of a list".to_owned()), token.span));
+            }
+            if continues {
+                splitter.side.push(Token::new(TokenKind::Space(if line { ROW_END } else { 2 }), token.span));
+                continue;
+            }
+            let last = splitter.last();
+            if (last.is_none() && splitter.relation.is_some()) || last.is_some_and(|last| last.is_one_of("+-×·/")) {
+                continue;
+            }
+            if depth > 0 && wide {
+                splitter.side.push(Token::new(TokenKind::Space(2), token.span));
+                continue;
+            }
+            let weak = line && !splitter.sides.is_empty();
+            depth = 0;
+            splitter.end_chain(false, true);
+            let may_continue = next.is_some_and(|next| {
+                next.is_sign('(')
+                    || matches!(next.kind, TokenKind::Function(_) | TokenKind::Fraction(..) | TokenKind::Number(_))
+            });
+            if weak && may_continue {
+                splitter.side.push(Token::new(TokenKind::Unknown("the rest of the row before".to_owned()), token.span));
+            }
+            continue;
+        }
+        if depth == 0 {
+            if let Some(relation) = relation(token) {
+                splitter.end_side();
+                splitter.relation = Some(relation);
+                continue;
+            }
+            if separates(token) {
+                let is = |token: Option<&Token>| token.is_some_and(|token| token.number().is_some());
+                if token.is_sign('.') && is(next) && is(splitter.last()) {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("a point between numbers".to_owned()), token.span));
+                    continue;
+                }
+                // A time of day, a ratio or a place in a text.
+                let between = at > 0 && is(tokens.get(at - 1)) && is(tokens.get(at + 1));
+                if token.is_sign(':') && between {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));
+                    continue;
+                }
+                // Resistances side by side.
+                if token.is_sign('∥') && splitter.side.last().is_some() && is(next) && has_number(&splitter.side) {
+                    splitter.side.push(Token::new(TokenKind::Unknown("a parallel".to_owned()), token.span));
+                    continue;
+                }
+                // A factorial, not the end of a sentence.
+                let ends = following[at + 1] >= tokens.len();
+                if token.is_sign('!') && splitter.last().is_some() && !ends {
+                    splitter.side.push(token.clone());
+                    continue;
+                }
+                let is_of = token.word() == Some("of");
+                let percent = splitter.last().and_then(Token::word).is_some_and(is_percent);
+                if is_of && percent && is(next) {
+                    splitter.side.push(Token::new(TokenKind::Operator('×'), token.span));
+                    continue;
+                }
+                // A change of state, or a part of what follows.
+                let named = |token: &Token| match &token.kind {
+                    TokenKind::Name(_) => true,
+                    TokenKind::Word(word) => unit(word).is_none(),
+                    _ => false,
+                };
+                let joins = (token.is_one_of("→↔") || is_of)
+                    && next.is_some_and(|next| !matches!(next.kind, TokenKind::Name(_) | TokenKind::Word(_)))
+                    && splitter.sides.is_empty()
+                    && has_number(&splitter.side)
+                    && !splitter.side.iter().any(named);
+                // A quotient with a colon, but no number of an item.
+                let tail = splitter.side.iter().rposition(named).map_or(0, |at| at + 1);
+                let tail = &splitter.side[tail..];
+                let quotient = token.is_sign(':')
+                    && next.is_some_and(|next| {
+                        matches!(next.kind, TokenKind::Number(_) | TokenKind::Fraction(..)) || next.is_sign('(')
+                    })
+                    && splitter.sides.is_empty()
+                    && has_number(tail)
+                    && (trim_space(tail).len() > 1
+                        || splitter.side.last().is_some_and(Token::is_space)
+                        || next.is_none_or(|next| next.number().is_none()));
+                let words =
+                    splitter.side.iter().any(|token| matches!(token.kind, TokenKind::Word(_) | TokenKind::Name(_)));
+                let numbers = splitter.sides.is_empty() && !words && has_number(&splitter.side);
+                splitter.end_chain(token.is_sign('?'), false);
+                splitter.listed = token.is_sign(',');
+                if joins || quotient {
+                    splitter.parted = ChainSeparation::FromNumbers;
+                } else if token.is_one_of(",.") {
+                    splitter.parted = if numbers { ChainSeparation::FromNumbers } else { ChainSeparation::ByMark };
+                }
+                // A sum that goes on in the next row behind a comma: its terms are not all here.
+                let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
+                if token.is_sign(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("the rest of the row before".to_owned()), token.span));
+                }
+                continue;
+            }
+        }
+        splitter.side.push(token.clone());
+    }
+    splitter.end_chain(false, false);
+    splitter.chains
+}

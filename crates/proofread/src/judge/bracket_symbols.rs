@@ -1,0 +1,81 @@
+//! Brackets behind or around a number that make a symbol of it: the distribution π(3), the residue symbol (3/7).
+
+use crate::evaluate::value::SideValue;
+use crate::judge::substitution::without_space;
+use crate::token::{Token, TokenKind, any};
+
+/// How many times larger than the other side a product of π is, if it is no misprint of it.
+const FAR: f64 = 2.0;
+
+fn is_integer(token: &Token) -> bool {
+    token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))
+}
+
+/// Whether π stands before one integer in brackets, as the name of a function does: π(3), but not π(3)².
+fn names_pi(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let is_call = |at: usize| match solid.get(at..at + 4) {
+        Some([name, open, number, close]) => {
+            let raised = solid.get(at + 4).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
+            name.kind == TokenKind::Name("π".to_owned())
+                && open.is_sign('(')
+                && is_integer(number)
+                && close.is_sign(')')
+                && !raised
+        }
+        _ => false,
+    };
+    (0..solid.len()).any(is_call)
+}
+
+/// Whether π may be the name of a function or of a distribution: both sides call it, or it is called alone and what it gives is an
+/// integer or far from the product.
+pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(SideValue, SideValue)>) -> bool {
+    let called = [names_pi(left), names_pi(right)];
+    let bare = |side: &[Token]| without_space(side).len() == 4;
+    let decimal = |side: &[Token]| any(side, &|kind| matches!(kind, TokenKind::Number(of) if of.contains('.')));
+    let far =
+        values.and_then(|(left, right)| left.number().ok().zip(right.number().ok())).is_some_and(|(one, other)| {
+            let factor = (one.point / other.point).abs();
+            !(1.0 / FAR..FAR).contains(&factor)
+        });
+    match called {
+        [true, true] => true,
+        [true, false] => bare(left) && (far || !decimal(right)),
+        [false, true] => bare(right) && (far || !decimal(left)),
+        [false, false] => false,
+    }
+}
+
+/// How many fractions of integers in brackets a side is the product of; none if it is anything else.
+fn bracketed_fractions(side: &[Token]) -> Option<usize> {
+    let solid: Vec<&Token> = without_space(side).into_iter().filter(|token| !token.is_one_of("·×")).collect();
+    let is_symbol = |of: &[&Token]| match of {
+        [open, Token { kind: TokenKind::Fraction(above, below), .. }, close] => {
+            let integer = |of: &[Token]| match of {
+                [minus, number] => minus.is_sign('-') && is_integer(number),
+                [number] => is_integer(number),
+                _ => false,
+            };
+            open.is_sign('(') && close.is_sign(')') && integer(above) && integer(below)
+        }
+        _ => false,
+    };
+    let solid = match solid.as_slice() {
+        [minus, rest @ ..] if minus.is_sign('-') => rest,
+        all => all,
+    };
+    let pieces = solid.chunks(3);
+    (!solid.is_empty() && pieces.clone().all(is_symbol)).then(|| pieces.count())
+}
+
+/// Whether fractions in brackets are symbols of quadratic residues: they equal 1, −1 or 0, or other fractions in brackets.
+pub(crate) fn may_be_residue_symbols(left: &[Token], right: &[Token]) -> bool {
+    let is_residue = |side: &[Token]| {
+        let factors = without_space(side);
+        let small = |token: &&Token| token.number().is_none_or(|digits| matches!(digits, "0" | "1"));
+        factors.iter().all(|token| token.number().is_some() || token.is_one_of("()-·×")) && factors.iter().all(small)
+    };
+    let is_sign = |side: &[Token]| is_residue(side) || bracketed_fractions(side).is_some();
+    (bracketed_fractions(left).is_some() && is_sign(right)) || (bracketed_fractions(right).is_some() && is_sign(left))
+}

@@ -1,0 +1,430 @@
+//! Whether a difference may be the program's own misreading: it counts as an error only if the formula was read up to its edges.
+//!
+//! A program that takes a part of something for a number finds sides that end where no author would end them, numbers inside an
+//! argument, and single digits that equal something else. None of these signs knows what was misread.
+
+use crate::evaluate::expression::Evaluator;
+use crate::evaluate::printed::Mode;
+use crate::evaluate::reading::ReadingChoices;
+use crate::evaluate::value::{Literal, SideValue};
+use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
+use crate::judge::bracket_symbols;
+use crate::judge::notation;
+use crate::judge::other_arithmetic;
+use crate::judge::substitution::{self, without_space};
+use crate::judge::surroundings;
+use crate::judge::verdict::{ChainVerdict, PairJudgement};
+use crate::reader::{Formula, FormulaStyle};
+use crate::token::{Span, Token, TokenKind, any};
+use crate::unit::unit;
+
+/// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
+const FAR: f64 = 0.7;
+
+/// How far a quantity may be from its size in rounder digits, relative to it.
+const ROUGH: f64 = 0.05;
+
+/// Tokens of the longest formula that is looked at as a whole.
+const LONGEST: usize = 1000;
+
+/// Why a difference is set aside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Doubt {
+    /// A side begins or ends in the middle of something, or a unit that is not known may stand behind it.
+    Cut,
+    /// The sides stand in an argument of something, beside what is not known, or in a line that is no formula, or `g` may not be
+    /// grams.
+    Unknown,
+    /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
+    /// a bare number or its own size.
+    Fragment,
+    /// The result is truncated where it should have been rounded.
+    Truncated,
+    /// Other digits of the terms of a small difference would give the result.
+    Inputs,
+    /// The sides of several formulas of the document differ by this factor.
+    Habit,
+    /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
+    OtherTest,
+    /// A total or a share may be of something else than the numbers beside it.
+    OtherParts,
+}
+
+impl Doubt {
+    /// The reason, to follow "set aside, since".
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, Doubt, TextFormat, proofread};
+    ///
+    /// let report = proofread("$1/18 = 0.0555$", TextFormat::Markdown, CheckOptions::default())?;
+    /// assert_eq!(report.findings[0].doubt, Some(Doubt::Truncated));
+    /// assert_eq!(Doubt::Truncated.reason(), "a truncated result is seldom meant to be rounded");
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Cut => "a side may begin or end elsewhere",
+            Self::Unknown => "something next to the numbers is not understood",
+            Self::Fragment => "a number may be part of something else",
+            Self::Truncated => "a truncated result is seldom meant to be rounded",
+            Self::Inputs => "other digits of the terms of a small difference would give the result",
+            Self::Habit => "other formulas of the document differ by the same factor",
+            Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
+            Self::OtherParts => "it may be the total or the share of something else",
+        }
+    }
+}
+
+/// Two sides that differ, and where they stand.
+pub(crate) struct PlacedPair<'t> {
+    pub text: &'t str,
+    pub formula: &'t Formula,
+    pub chain: &'t Chain,
+    pub left: &'t ChainSide,
+    pub right: &'t ChainSide,
+}
+
+impl PlacedPair<'_> {
+    /// The first reason to set the difference aside.
+    pub(crate) fn doubt(&self, judgement: &PairJudgement) -> Option<Doubt> {
+        if self.is_cut(judgement) {
+            return Some(Doubt::Cut);
+        }
+        if self.is_other_notation(judgement) {
+            return Some(Doubt::Unknown);
+        }
+        if self.is_fragment(judgement) {
+            return Some(Doubt::Fragment);
+        }
+        if self.lacks_unit_behind(judgement) {
+            return Some(Doubt::Cut);
+        }
+        if judgement.verdict == ChainVerdict::Dimensions && self.is_free_fall() {
+            return Some(Doubt::Unknown);
+        }
+        // Each pair looks at the whole formula, which takes too long if both are many.
+        let short = self.formula.tokens.len() <= LONGEST;
+        let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
+        if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
+            return Some(Doubt::Unknown);
+        }
+        if judgement.is_ill_conditioned {
+            return Some(Doubt::Inputs);
+        }
+        (judgement.verdict == ChainVerdict::Truncated).then_some(Doubt::Truncated)
+    }
+
+    fn begins_chain(&self) -> bool {
+        self.chain.sides.first().is_some_and(|side| side.span == self.left.span)
+    }
+
+    fn ends_chain(&self) -> bool {
+        self.chain.sides.last().is_some_and(|side| side.span == self.right.span)
+    }
+
+    /// Whether what stands just before the left side or behind the right one may belong to them.
+    fn is_cut(&self, judgement: &PairJudgement) -> bool {
+        let bytes = self.text.as_bytes();
+        let at = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
+        let mark = |c: u8| b",;.:!?".contains(&c);
+        let literal = judgement.values.as_ref().is_some_and(|(left, _)| left.is_literal());
+        if self.begins_chain() {
+            let start = self.left.span.start as usize;
+            let (before, far) = (at(start.checked_sub(1)), at(start.checked_sub(2)));
+            let joined_on = mark(before) && (far.is_ascii_digit() || b")]}".contains(&far));
+            let opening = self.formula.span.start as usize;
+            let outside = at(opening.checked_sub(1));
+            // Between tags there is often no space in running text, but a bracket may be a factor.
+            let in_tex = matches!(at(Some(opening)), b'$' | b'\\');
+            let glued = (in_tex && (outside.is_ascii_alphanumeric() || b"]}$".contains(&outside))) || outside == b')';
+            // A display may go on from the one before it.
+            let display = ["$$", "\\[", "\\begin"]
+                .iter()
+                .any(|mark| self.text.get(opening..).is_some_and(|rest| rest.starts_with(mark)));
+            // So may a line of text that doesn't begin with the sign.
+            let before_it = self.text.get(opening..start).unwrap_or_default();
+            let plain = self.formula.style == FormulaStyle::Plain;
+            let inside = plain && !before_it.trim().is_empty();
+            let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
+            let parted = match self.chain.parted {
+                ChainSeparation::Not => false,
+                ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
+                ChainSeparation::FromNumbers => true,
+            };
+            let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
+                || plain && surroundings::is_joined_by_sign(self.text, self.left.span);
+            // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
+            let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
+            // So does what bears a number: No. 200 = 75 μm.
+            let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
+            // So is what stands before a function: mg cos 30°.
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
+            let may_be_named = (literal && (!result || size)) || function;
+            let named = plain
+                && (may_be_named && surroundings::follows_name(self.text, self.left.span)
+                    || surroundings::follows_label(self.text, self.left.span));
+            if joined_on || glued || signed || parted || by_word || named {
+                return true;
+            }
+        }
+        let end = self.right.span.end as usize;
+        let (behind, far) = (at(Some(end)), at(Some(end + 1)));
+        let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
+        let wraps =
+            self.formula.style == FormulaStyle::Plain && surroundings::goes_on_below(self.text, self.right.span);
+        self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
+            || surroundings::goes_on_with_arrow(self.text, self.right.span)
+    }
+
+    /// Whether the sides may be written in a way in which their numbers mean something else.
+    fn is_other_notation(&self, judgement: &PairJudgement) -> bool {
+        let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
+        let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
+        let plain = self.formula.style == FormulaStyle::Plain;
+        let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
+        substitution::substitutes(left, right)
+            || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
+            || (notation::is_bracketed_number(right) && right[0].is_sign('['))
+            || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
+            || bracket_symbols::may_be_residue_symbols(left, right)
+            || notation::has_phasor(right)
+            || notation::is_mark(right)
+            || notation::is_bracketed_number(left)
+            || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
+            || (judgement.verdict == ChainVerdict::Dimensions
+                && [left, right].into_iter().any(notation::has_two_meanings))
+            || self.is_one_of_two()
+            || (plain && notation::is_range(self.text, left))
+            || (plain && self.begins_chain() && self.is_station())
+            || (bare && (notation::has_bits(left) || notation::has_bits(right)))
+            || (bare
+                && surroundings::named_base(self.text, around).is_none()
+                && !computes_remainder(left)
+                && !computes_remainder(right)
+                && other_arithmetic::may_explain(self.text, around, bare_difference(judgement)))
+    }
+
+    /// Whether a sign in one of the sides parts two equations.
+    fn is_one_of_two(&self) -> bool {
+        let at = self.chain.sides.iter().position(|side| side.span == self.right.span).unwrap_or(0);
+        let three = |from: usize| match self.chain.sides.get(from..from + 3) {
+            Some([one, two, three]) => notation::are_two_equations([&one.tokens, &two.tokens, &three.tokens]),
+            _ => false,
+        };
+        at > 0 && (three(at - 1) || (at > 1 && three(at - 2)))
+    }
+
+    /// Whether the left side is a place on a line that is surveyed: Sta. 12+50.
+    fn is_station(&self) -> bool {
+        let before =
+            self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
+        notation::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
+    }
+
+    /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.
+    fn lacks_unit_behind(&self, judgement: &PairJudgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let bare = right.literal == Literal::Number && !right.has_unit && right.angle.is_none();
+        let between = self.text.get(self.right.span.end as usize..self.formula.span.end as usize);
+        let ends = between.is_some_and(|between| between.trim_matches(['$', ' ', '\\', ')']).is_empty());
+        let quantity = left.has_unit || left.angle.is_some();
+        let written = self.formula.style == FormulaStyle::Formula;
+        quantity && bare && ends && written && surroundings::may_be_unit_behind(self.text, self.formula.span)
+    }
+
+    /// Whether the dimensions agree if `g` is the acceleration of free fall, and not grams.
+    fn is_free_fall(&self) -> bool {
+        let has_g = |side: &ChainSide| any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "g"));
+        let sides = [(self.left, self.right), (self.right, self.left)];
+        let (Some(metre), Some(second), Some(gram)) = (unit("m"), unit("s"), unit("g")) else { return false };
+        let fall = metre.dimension.with_factor(second.dimension, -2.0).with_factor(gram.dimension, -1.0);
+        // In 10/3 m/s² the unit is that of the quotient.
+        sides.into_iter().filter(|(side, _)| has_g(side)).any(|(side, other)| {
+            [ReadingChoices::USUAL, ReadingChoices::QUOTIENT].into_iter().any(|reading| {
+                let value = |side: &ChainSide| Evaluator::new(Mode::Point, reading, None).evaluate_side(&side.tokens);
+                let dimensions = value(side).ok().zip(value(other).ok());
+                dimensions.is_some_and(|(side, other)| side.dimension.with_factor(fall, 1.0) == other.dimension)
+            })
+        })
+    }
+
+    fn is_fragment(&self, judgement: &PairJudgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let bare = |of: &SideValue| of.literal == Literal::Number && !of.has_unit && of.angle.is_none();
+        let mut tokens = self.left.tokens.iter().filter(|token| !token.is_space() && !token.is_sign('-'));
+        let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
+        let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
+        let apart = left.difference(right) > FAR;
+        // What the text names in words has its unit there, or the working leaves it out.
+        let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
+        // The dollar is also a unit of other things.
+        let is_sum = self.right.tokens.first().and_then(Token::word) == Some("$");
+        let costs = is_sum && left.literal == Literal::Number && !left.has_unit;
+        // A quantity and its size, whose direction is said in words.
+        let both = left.literal == Literal::Number && right.literal == Literal::Number;
+        // Twice what a letter stands for: 2M = 18.0 g/mol.
+        let times_letter = matches!(&self.left.tokens[..], [digit, letter] if digit.number().is_some_and(|of| of.len() == 1) && letter.word().is_some_and(|word| word.chars().count() == 1));
+        if times_letter && judgement.verdict == ChainVerdict::Dimensions {
+            return true;
+        }
+        // e⁻¹ = 1 sets a letter, be it what it may.
+        let letter = matches!(&self.left.tokens[..], [base, Token { kind: TokenKind::Power(_), .. }] if base.kind == TokenKind::Name("e".to_owned()));
+        let sets = letter
+            && bare(right)
+            && self.right.relation == Some(Relation::Equal)
+            && right.number().is_ok_and(|of| of.point.fract() == 0.0);
+        let opposite = both && left.dimension == right.dimension && left.clone().negate().meets(right, ROUGH);
+        // So is the deviation in per cent of what was measured.
+        let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
+            && right.is_literal()
+            && left.clone().negate().meets(right, ROUGH);
+        lacks_unit || opposite || costs || deviates || sets || (bare(left) && (is_small || (bare(right) && apart)))
+    }
+
+    /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.
+    fn is_in_argument(&self) -> bool {
+        // A side of the formula before is compared with one of this formula.
+        let is_elsewhere = self.left.span.start < self.formula.span.start;
+        !is_elsewhere && !is_among(&self.formula.tokens, self.left.span.start)
+    }
+
+    /// Whether an environment or dots that are not evaluated stand in the same row.
+    fn is_beside_unknown(&self) -> bool {
+        let mut rows = self.formula.tokens.split(|token| token.kind == TokenKind::Line);
+        let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
+        let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
+        row.iter().any(|token| match &token.kind {
+            // In another side of the chain, it cuts neither of these.
+            TokenKind::Unknown(_) if self.is_in_other_side(token.span) => false,
+            // Dots behind decimals were read.
+            TokenKind::Unknown(_)
+                if [self.left, self.right].into_iter().any(|side| has_number_at(side, token.span)) =>
+            {
+                false
+            }
+            TokenKind::Unknown(name) => {
+                let source = self.text.get(token.span.range()).unwrap_or_default();
+                !name.starts_with('\\') && source.starts_with('\\')
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a place is inside a side of the chain that is none of these two.
+    fn is_in_other_side(&self, place: Span) -> bool {
+        let others = self.chain.sides.iter().filter(|side| side.span != self.left.span && side.span != self.right.span);
+        { others }.any(|side| side.span.start <= place.start && place.end <= side.span.end)
+    }
+
+    /// Whether marks of TeX are left in a line that was taken for a formula.
+    fn is_no_formula(&self) -> bool {
+        let sides = self.left.span.join(self.right.span);
+        let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
+        self.formula.style == FormulaStyle::Plain && self.text.get(sides.range()).is_some_and(marks)
+    }
+}
+
+/// Whether a place is inside a number of a side.
+fn has_number_at(side: &ChainSide, place: Span) -> bool {
+    let covers = |token: &Token| token.span.start <= place.start && place.end <= token.span.end;
+    side.tokens.iter().any(|token| token.number().is_some() && covers(token))
+}
+
+/// Whether a remainder is computed in a side.
+fn computes_remainder(side: &[Token]) -> bool {
+    any(side, &|kind| matches!(kind, TokenKind::Word(word) if word == "mod"))
+}
+
+/// The difference of two sides that are numbers.
+fn bare_difference(judgement: &PairJudgement) -> Option<f64> {
+    let (left, right) = judgement.values.as_ref()?;
+    Some(left.number().ok()?.point - right.number().ok()?.point)
+}
+
+/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
+/// sign.
+fn has_uncertainty(side: &ChainSide) -> bool {
+    let percent = any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "%"));
+    (percent && has_signed_bracket(&side.tokens))
+        || side.tokens.windows(4).any(|of| {
+            let [decimals, open, digits, close] = of else { return false };
+            let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
+            let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
+            open.is_sign('(') && close.is_sign(')') && fine && digits.len() <= 2 && !digits.contains('.')
+        })
+}
+
+/// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
+fn has_signed_bracket(tokens: &[Token]) -> bool {
+    without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
+        || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
+}
+
+/// Whether the token at a place is one of these, or in braces that are no argument of what is not known.
+fn is_among(tokens: &[Token], place: u32) -> bool {
+    let mut behind_unknown = false;
+    tokens.iter().any(|token| {
+        let found = match &token.kind {
+            TokenKind::Group(inner) => !behind_unknown && is_among(inner, place),
+            _ => token.span.start <= place && place < token.span.end,
+        };
+        behind_unknown = match &token.kind {
+            TokenKind::Group(_) => behind_unknown,
+            TokenKind::Unknown(name) => name.starts_with('\\'),
+            _ => false,
+        };
+        found
+    })
+}
+
+/// Differences of a document by the factor between their sides.
+#[derive(Debug, Default)]
+pub(crate) struct Factors(Vec<Factor>);
+
+#[derive(Debug)]
+struct Factor {
+    finding: usize,
+    formula: Span,
+    factor: f64,
+    sides: [String; 2],
+}
+
+/// How many formulas with the same factor show a habit, since misprints hardly repeat.
+const HABIT: usize = 3;
+
+impl Factors {
+    /// Notes the factor between the sides of a finding, unless they are so near that it says nothing.
+    pub(crate) fn record(&mut self, finding: usize, formula: Span, judgement: &PairJudgement, sides: [&str; 2]) {
+        let Some((left, right)) = &judgement.values else { return };
+        let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
+        let factor = left.point / right.point;
+        // A misplaced point does repeat.
+        let misplaced = [0.1, 10.0].into_iter().any(|ten| (factor.abs() / ten - 1.0).abs() < 0.005);
+        if !misplaced && factor.is_finite() && factor != 0.0 && !(0.95..1.05).contains(&factor) {
+            self.0.push(Factor { finding, formula, factor, sides: sides.map(str::to_owned) });
+        }
+    }
+
+    /// The findings whose factor at least [`HABIT`] different formulas share.
+    pub(crate) fn habits(&self) -> Vec<usize> {
+        let mut sorted: Vec<&Factor> = self.0.iter().collect();
+        sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
+        let mut out = Vec::new();
+        let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
+        for group in sorted.chunk_by(|one, other| same(one, other)) {
+            let mut kinds: Vec<(Span, &[String; 2])> = Vec::new();
+            for of in group.iter() {
+                if kinds.len() < HABIT
+                    && !kinds.iter().any(|(formula, sides)| *formula == of.formula || *sides == &of.sides)
+                {
+                    kinds.push((of.formula, &of.sides));
+                }
+            }
+            if kinds.len() >= HABIT {
+                out.extend(group.iter().map(|of| of.finding));
+            }
+        }
+        out
+    }
+}

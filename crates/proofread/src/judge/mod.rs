@@ -1,0 +1,14 @@
+//! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
+
+mod bracket_symbols;
+pub(crate) mod doubt;
+mod equals_conventions;
+pub(crate) mod explanation;
+mod notation;
+mod other_arithmetic;
+pub(crate) mod section;
+mod substitution;
+pub(crate) mod surroundings;
+pub(crate) mod unchecked;
+pub(crate) mod unrounded;
+pub(crate) mod verdict;

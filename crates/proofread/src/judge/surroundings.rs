@@ -1,0 +1,510 @@
+//! What the text around a formula says about it.
+
+use crate::effort;
+use crate::join::token_joining::join_tokens;
+use crate::reader::{is_noun, tokenise_text, unit_sign};
+use crate::token::{Span, Token, TokenKind};
+use crate::unit::unit;
+
+/// Most bytes of text that are looked at on each side.
+const NEAR: usize = 160;
+
+pub(crate) fn text_around(text: &str, span: Span) -> (String, String) {
+    let range = span.range();
+    let bound = |mut at: usize| {
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    };
+    let start = bound(range.start.min(text.len()));
+    let end = bound(range.end.clamp(start, text.len()));
+    let before = &text[bound(start.saturating_sub(NEAR))..start];
+    let after = &text[end..bound((end + NEAR).min(text.len()))];
+    effort::count_steps(before.len() + after.len());
+    (without_tags(before), without_tags(after))
+}
+
+fn without_tags(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut inside = false;
+    // A tag that is cut off at the start is none of the text.
+    let text = match (text.find('>'), text.find('<')) {
+        (Some(close), open) if open.is_none_or(|open| close < open) && text[..close].contains(['"', '/', ':']) => {
+            &text[close + 1..]
+        }
+        _ => text,
+    };
+    for c in text.chars() {
+        match c {
+            '<' => inside = true,
+            '>' if inside => inside = false,
+            c if !inside => out.push(c),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Whether the text asks if the formula holds, or says that it does not.
+pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
+    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
+    let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
+    let mut words = sentence.split(|c: char| !c.is_alphabetic());
+    let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
+    if asked && question {
+        return true;
+    }
+    // One of the answers to choose from.
+    if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
+        return true;
+    }
+    const REPORTS: [&str; 11] = [
+        "mistake",
+        "wrongly",
+        "incorrectly",
+        "fallacy",
+        "misconception",
+        "you wrote",
+        "not true",
+        "student writes",
+        "student wrote",
+        "student claims",
+        "on purpose",
+    ];
+    if REPORTS.iter().any(|report| sentence.contains(report)) {
+        return true;
+    }
+    // A heading over what is false, up to where the text says what is right.
+    const HEADINGS: [&str; 7] = [
+        "common error",
+        "common mistake",
+        "typical error",
+        "typical mistake",
+        "false on purpose",
+        "wrong on purpose",
+        "find the error",
+    ];
+    let before = before.to_lowercase();
+    let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
+    if let Some(at) = headed
+        && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
+            .iter()
+            .any(|word| before[at..].contains(word))
+    {
+        return true;
+    }
+    const DENIALS: [&str; 9] = [
+        "is false",
+        "not true",
+        "a false statement",
+        "contradiction",
+        "incorrect",
+        "is wrong",
+        "not equal",
+        "is not a solution",
+        "is inconsistent",
+    ];
+    DENIALS.iter().any(|denial| rest.contains(denial))
+}
+
+/// Whether the text near a formula says that something has no value.
+pub(crate) fn calls_undefined(text: &str, span: Span) -> bool {
+    const WORDS: [&str; 13] = [
+        "undefined",
+        "not defined",
+        "is not a number",
+        "no value",
+        "does not exist",
+        "doesn't exist",
+        "do not exist",
+        "not real",
+        "no real",
+        "not a real",
+        "imaginary",
+        "by zero",
+        "by 0",
+    ];
+    let (before, after) = text_around(text, span);
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
+    let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
+    let near = format!("{sentence} {rest}").to_lowercase();
+    WORDS.iter().any(|word| near.contains(word))
+}
+
+/// Whether the text behind a formula begins with the sign of a factorial, behind which the sentence goes on.
+pub(crate) fn begins_with_factorial(text: &str, span: Span) -> bool {
+    let rest = text_behind(text, span).strip_prefix('!');
+    rest.is_some_and(|rest| {
+        let next = rest.trim_start_matches([' ', '~', '\n']);
+        !rest.starts_with('!') && (rest.starts_with(['.', ',', ';', ')']) || next.starts_with(char::is_lowercase))
+    })
+}
+
+/// The text close before a place, up to the marks with which a formula begins.
+fn words_before(text: &str, span: Span) -> &str {
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    text.get(from..start).unwrap_or_default().trim_end_matches(marks)
+}
+
+/// The numbers in the words before a place that a preposition joins to it: *17 coins at*.
+pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
+    let before = words_before(text, span);
+    let clause = before.rsplit(['=', ';', '?', '\n']).next().unwrap_or_default();
+    let clause = clause.rsplit(". ").next().unwrap_or_default();
+    let joined = ["at", "of", "for", "@", "à", "costing", "worth"].iter().find_map(|word| clause.strip_suffix(word));
+    let words = joined.filter(|rest| rest.ends_with([' ', '~', '\u{a0}'])).unwrap_or_default();
+    let numbers = words.split(|c: char| !(c.is_ascii_digit() || ",.".contains(c)));
+    numbers.filter_map(|number| number.trim_matches(['.', ',']).replace(',', "").parse().ok()).collect()
+}
+
+/// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
+pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    let words = format!("{before} {after}").to_lowercase();
+    let mut words = words.split(|c: char| !c.is_alphabetic());
+    words.any(|word| {
+        ["scale", "scaled", "map", "represents", "represent", "drawing", "drawn", "corresponds"].contains(&word)
+    })
+}
+
+/// Whether only marks of formulas and space are between two places.
+pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
+    let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
+    if between.len() > 400 {
+        return false;
+    }
+    let plain = without_tags(between);
+    if plain.contains(['.', ';', ':']) || plain.matches('\n').count() > 2 {
+        return false;
+    }
+    // What the second formula begins with, its name and its equals sign, is between, too.
+    let words: Vec<String> = plain
+        .split(|c: char| !c.is_alphanumeric() && c != '\\')
+        .filter(|word| word.len() > 1 && !word.starts_with('\\'))
+        .map(str::to_lowercase)
+        .collect();
+    // Two values of a name in a list or a sentence, as in *r = ⅙ for a die and r = ½ for a coin*, are two values.
+    let has_arrow = ["→", "⇒", "⟹", "Rightarrow", "implies", "\\to"].iter().any(|arrow| plain.contains(arrow));
+    let is_inferred = has_arrow || words.iter().any(|word| INFERRING.contains(&&**word));
+    let in_rows = plain.contains("\\\\") || plain.contains("\\cr") || plain.contains('\n') || between.contains("mtr");
+    let says_more = words.iter().filter(|word| !INFERRING.contains(&&***word)).any(|word| word.chars().count() > 3);
+    !says_more && (is_inferred || (in_rows && words.is_empty() && !plain.contains(',')))
+}
+
+/// Words by which a second value of a name follows from the first.
+const INFERRING: [&str; 11] =
+    ["so", "thus", "hence", "therefore", "then", "which", "is", "that", "ie", "giving", "gives"];
+
+/// The text behind a place, without marks of formulas and tags at its start.
+fn text_behind(text: &str, span: Span) -> &str {
+    let start = text.len().min(span.end as usize);
+    let mut end = text.len().min(start + NEAR);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    text.get(start..end).unwrap_or_default()
+}
+
+fn skip_space(text: &str) -> &str {
+    text.trim_start_matches([' ', '~', '\u{a0}', '\u{202f}', '\u{2009}']).trim_start_matches("\\,")
+}
+
+/// The first word of a text with commands for signs of units as these signs: `k\Ohm` and `k$\Omega$` as kΩ.
+fn spell_unit_signs(text: &str) -> String {
+    let word = text.split(char::is_whitespace).next().unwrap_or_default();
+    let mut out = String::new();
+    let mut rest = word;
+    while let Some(next) = rest.chars().next() {
+        let inner = rest.strip_prefix('$').unwrap_or(rest);
+        let command = inner.strip_prefix('\\').and_then(|name| {
+            let length = name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len());
+            let (name, behind) = (name.get(..length.max(1))?, name.get(length.max(1)..)?);
+            let sign = unit_sign(name).map(String::from);
+            // A private command is named after its unit.
+            sign.or_else(|| unit(name).is_some().then(|| name.to_owned())).map(|sign| (sign, behind))
+        });
+        match command {
+            Some((sign, behind)) => {
+                out.push_str(&sign);
+                let closed =
+                    if inner.len() < rest.len() { behind.strip_prefix('$') } else { behind.strip_prefix("{}") };
+                rest = closed.unwrap_or(behind);
+            }
+            None => {
+                out.push(next);
+                rest = &rest[next.len_utf8()..];
+            }
+        }
+    }
+    out
+}
+
+/// Whether what stands directly behind a formula may be a unit that is not known: a noun, or a prefix that touches a command.
+pub(crate) fn may_be_unit_behind(text: &str, span: Span) -> bool {
+    let rest = skip_space(text_behind(text, span));
+    let word = rest.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    let is_command = |text: &str| text.strip_prefix('\\').is_some_and(|name| name.starts_with(char::is_alphabetic));
+    let prefixed = word.chars().count() == 1 && is_command(&rest[word.len()..]);
+    prefixed || (is_noun(word) && word.starts_with(char::is_lowercase) && unit(word).is_none())
+}
+
+/// The unit in running text directly behind a formula, as tokens; none if there is none.
+pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
+    let rest = text_behind(text, span);
+    let rest = spell_unit_signs(skip_space(rest));
+    let end = rest.find(|c: char| c.is_whitespace() || ",;:<$\\".contains(c)).unwrap_or(rest.len());
+    let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
+    let mut tokens = join_tokens(&tokenise_text(word, span.end as usize));
+    for token in &mut tokens {
+        match token.word() {
+            Some("turn" | "turns") => token.kind = TokenKind::Word("revolution".to_owned()),
+            Some("percentage") => token.kind = TokenKind::Word("percent".to_owned()),
+            _ => {}
+        }
+    }
+    let is_unit = |token: &Token| match &token.kind {
+        TokenKind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
+        TokenKind::Power(_) | TokenKind::Operator('/' | '·') => true,
+        _ => false,
+    };
+    let first_is_word = tokens.first().is_some_and(|token| token.word().is_some());
+    if !first_is_word || !tokens.iter().all(is_unit) {
+        return Vec::new();
+    }
+    tokens.insert(0, Token::new(TokenKind::Space(2), span));
+    tokens
+}
+
+/// Whether a preposition stands just before a place, so that the quantity there belongs to the words before it: the mass
+/// after 90 years.
+pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
+    const PREPOSITIONS: [&str; 10] = ["for", "after", "at", "in", "within", "during", "before", "with", "over", "from"];
+    let marks = |c: char| c.is_whitespace() || "$({[\\~".contains(c);
+    let mut before = text.get(..span.start as usize).unwrap_or_default().trim_end_matches(marks);
+    while let Some(open) = before.rfind('<').filter(|_| before.ends_with('>')) {
+        before = before[..open].trim_end_matches(marks);
+    }
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    PREPOSITIONS.contains(&word.to_lowercase().as_str())
+}
+
+/// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
+pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 11] =
+        ["divided by", "multiplied by", "of", "to", "times", "plus", "minus", "over", "per", "by", "less"];
+    const OPERATIONS: [&str; 12] = [
+        "root",
+        "square",
+        "cube",
+        "half",
+        "third",
+        "quarter",
+        "logarithm",
+        "sine",
+        "cosine",
+        "tangent",
+        "reciprocal",
+        "inverse",
+    ];
+    const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
+    let before = words_before(text, span);
+    // The sum of 3 and 4 = 7.
+    let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
+    let both = BOTH.iter().any(|words| clause.contains(words));
+    // The square root of 100 · 300 = 173.
+    if let Some(before) = before.strip_suffix(" of")
+        && OPERATIONS.contains(&before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default())
+    {
+        return true;
+    }
+    let joint = JOINTS.iter().find_map(|joint| before.strip_suffix(joint));
+    let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
+    let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };
+    let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
+    const PARTS: [&str; 12] = [
+        "half", "third", "thirds", "quarter", "quarters", "fourth", "fourths", "fifth", "fifths", "sixth", "eighth",
+        "tenth",
+    ];
+    let part = rest.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    if PARTS.contains(&part) {
+        return true;
+    }
+    let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
+    let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
+    let before_word =
+        rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
+    counted(rest) || (unit(word).is_some() && counted(before_word))
+}
+
+/// Whether a word behind a place joins it to another number: `24 = 2 by 12`.
+pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
+    const JOINTS: [&str; 10] =
+        ["per", "in", "out of", "times", "by", "plus", "minus", "over", "divided by", "multiplied by"];
+    let marks = |c: char| c == ' ' || "$)\\~".contains(c);
+    let rest = text_behind(text, span).trim_start_matches(marks);
+    JOINTS.iter().filter_map(|joint| rest.strip_prefix(joint)).any(|rest| {
+        let next = rest.trim_start_matches(|c: char| c == ' ' || "$(\\~".contains(c));
+        rest.starts_with([' ', '~']) && next.starts_with(|c: char| c.is_ascii_digit())
+    })
+}
+
+/// Whether the line below goes on with a sign of a product or a relation.
+pub(crate) fn goes_on_below(text: &str, span: Span) -> bool {
+    let Some(below) = text_behind(text, span).trim_start_matches([' ', '\r']).strip_prefix('\n') else { return false };
+    let below = below.trim_start_matches([' ', '\t', '>']);
+    below.strip_prefix(['/', '×', '·', '÷', '=']).is_some_and(|rest| rest.starts_with(' '))
+}
+
+/// Whether a comma behind a place leads to a last number, so that two lists may be equal: `6/2, 8/2 = 3, 4`.
+pub(crate) fn ends_in_list(text: &str, span: Span) -> bool {
+    let rest = text_behind(text, span);
+    let next = rest
+        .trim_start_matches(['}', ' '])
+        .strip_prefix(',')
+        .map(|next| next.trim_start_matches(['\\', ' ', ',', '~', ';']));
+    next.is_some_and(|next| {
+        let clause = next.split(['$', '\n', '&']).next().unwrap_or_default();
+        next.starts_with(|c: char| c.is_ascii_digit() || c == '-') && !clause.contains('=')
+    })
+}
+
+/// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
+pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
+    let rest = text_behind(text, span).trim_start();
+    let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
+    let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
+    next.is_some_and(|next| next.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the
+/// difference of *28.47 − initial 0.32 = 28.15*.
+pub(crate) fn is_joined_by_sign(text: &str, span: Span) -> bool {
+    let start = (span.start as usize).min(text.len());
+    let mut from = start.saturating_sub(NEAR / 2);
+    while !text.is_char_boundary(from) {
+        from -= 1;
+    }
+    let before = text.get(from..start).unwrap_or_default();
+    let is_sign = |c: char| "+-−–×·*/÷=".contains(c);
+    let (above, line) = before.rsplit_once('\n').unwrap_or(("", before));
+    let marks = |c: char| c == ' ' || c == '>' || c == '\t';
+    let begins = line.trim_start_matches(marks);
+    let above = above.rsplit('\n').next().unwrap_or_default().trim_matches(marks);
+    if begins.is_empty() && !above.is_empty() {
+        let mut last = above.chars().rev();
+        let sign = last.next().filter(|c| is_sign(*c));
+        // A heading or a rule is underlined with more than one sign.
+        return sign.is_some() && last.next() != sign;
+    }
+    // A product that goes on in the next row looks like an item of a list.
+    let sign = begins.trim_end();
+    if sign.chars().count() == 1 && sign.starts_with(is_sign) && !above.is_empty() {
+        return !above.starts_with(sign)
+            && above.contains(|c: char| c.is_ascii_digit())
+            && !above.ends_with([':', '.']);
+    }
+    let words = line.trim_end_matches(|c: char| c.is_alphabetic() || c == ' ' || c == '.');
+    let between = &line[words.len()..];
+    let times = between.contains(" x ") || between.starts_with("x ");
+    let signed = times || (words.ends_with(|c: char| is_sign(c) && c != '=') && between.starts_with(' '));
+    let rest = words.trim_end_matches(|c: char| is_sign(c) || c == ' ');
+    signed
+        && between.contains(char::is_alphabetic)
+        && rest.ends_with(|c: char| c.is_alphanumeric() || c == ')')
+        && rest.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Whether a word that names something stands just before a number in a line, so that the number may belong to its name: the
+/// interest on 8000.
+pub(crate) fn follows_name(text: &str, span: Span) -> bool {
+    const LINKS: &str = " is are was be so that then thus hence therefore get gets have has gives give equals equal result and or \
+        where since because if when but as now we it which yields find finds ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let before = before.trim_end_matches([' ', '.']);
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+}
+
+/// Whether a word that is numbered stands just before a number: line 12.
+pub(crate) fn follows_label(text: &str, span: Span) -> bool {
+    const LABELS: &str = " line lines row rows eq eqs equation equations step steps column item box no nos number sta station fig figure \
+        table section chapter page exercise example problem question part case test trial run room p pp see ";
+    let start = (span.start as usize).min(text.len());
+    let before = text.get(..start).unwrap_or_default();
+    let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
+    let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+}
+
+/// The base of the number at the end of a formula, if the words just behind it name one.
+pub(crate) fn named_base(text: &str, span: Span) -> Option<u32> {
+    const BASES: [(&str, u32); 4] = [("binary", 2), ("octal", 8), ("hexadecimal", 16), ("hex", 16)];
+    let near: String = text_behind(text, span).chars().take(30).collect();
+    let near = without_tags(&near);
+    let near = near.split(['.', ';', '=', '?', '!']).next().unwrap_or_default();
+    let mut words = near.split(|c: char| !c.is_alphabetic());
+    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_lowercase()).map(|(_, base)| *base))
+}
+
+/// Words that say which way a quantity points, so that its sign may be left out.
+const DIRECTIONS: [&str; 34] = [
+    "left",
+    "right",
+    "up",
+    "down",
+    "upward",
+    "upwards",
+    "downward",
+    "downwards",
+    "north",
+    "south",
+    "east",
+    "west",
+    "inward",
+    "inwards",
+    "outward",
+    "outwards",
+    "backward",
+    "backwards",
+    "forward",
+    "forwards",
+    "below",
+    "above",
+    "opposite",
+    "clockwise",
+    "counterclockwise",
+    "anticlockwise",
+    "toward",
+    "towards",
+    "away",
+    "behind",
+    "downhill",
+    "released",
+    "lost",
+    "deceleration",
+];
+
+/// Whether the words just behind a place name a direction.
+pub(crate) fn names_direction(text: &str, span: Span) -> bool {
+    let rest = text_behind(text, span);
+    let near: String = rest.chars().take(70).collect();
+    // The commands \left and \right are no words, nor are attributes of tags.
+    let mut outside = String::new();
+    let mut skipped = false;
+    for c in without_tags(&near).chars() {
+        skipped = if c == '\\' { true } else { skipped && c.is_ascii_alphabetic() };
+        outside.push(if skipped { ' ' } else { c });
+    }
+    let outside = outside.trim_start_matches(['}', '$', ')', ']', ',', ' ']);
+    let sentence = outside.split(['=', '$', ';']).next().unwrap_or_default();
+    sentence.split(|c: char| !c.is_alphabetic()).any(|word| DIRECTIONS.contains(&word))
+}

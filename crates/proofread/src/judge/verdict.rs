@@ -1,0 +1,589 @@
+//! Two neighbouring sides compared under every reading that makes a difference.
+
+use crate::evaluate::expression::{Evaluator, NameValues};
+use crate::evaluate::interval::Interval;
+use crate::evaluate::numeral::with_shared_exact;
+use crate::evaluate::printed::Mode;
+use crate::evaluate::reading::ReadingChoices;
+use crate::evaluate::step_rounding::{StepRounding, significant_digits};
+use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
+use crate::join::chain::Relation;
+use crate::join::token_joining::has_letters;
+use crate::judge::equals_conventions;
+use crate::token::{Token, TokenKind, any};
+use std::f64::consts::PI;
+
+/// How two neighbouring sides compare, from the best to the worst. The best over all readings counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ChainVerdict {
+    /// The printed digits of one side give the other one to its printed digits.
+    Consistent,
+    /// The sides agree if the printed numbers had more digits than they show.
+    Rounded,
+    /// The result was cut off where it should have been rounded.
+    Truncated,
+    /// Behind `≈`, and within five per cent.
+    Approximate,
+    /// The sides agree only if integers were rounded to tens.
+    Doubtful,
+    /// The numbers agree, their units do not.
+    Units,
+    /// The last printed digit differs by one.
+    LastDigit,
+    /// The sides differ.
+    Inconsistent,
+    /// Both the numbers and the dimensions differ.
+    Dimensions,
+    /// One of the sides could not be evaluated.
+    CannotEvaluate,
+}
+
+impl ChainVerdict {
+    /// Every verdict, the best first.
+    pub const ALL: [Self; 10] = [
+        Self::Consistent,
+        Self::Rounded,
+        Self::Truncated,
+        Self::Approximate,
+        Self::Doubtful,
+        Self::Units,
+        Self::LastDigit,
+        Self::Inconsistent,
+        Self::Dimensions,
+        Self::CannotEvaluate,
+    ];
+
+    /// A name for programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Consistent => "consistent",
+            Self::Rounded => "rounded",
+            Self::Truncated => "truncated",
+            Self::Approximate => "approximate",
+            Self::Doubtful => "doubtful",
+            Self::Units => "units",
+            Self::LastDigit => "last-digit",
+            Self::Inconsistent => "inconsistent",
+            Self::Dimensions => "dimensions",
+            Self::CannotEvaluate => "cannot-evaluate",
+        }
+    }
+
+    /// The verdict of this name.
+    ///
+    /// ```
+    /// use proofread::ChainVerdict;
+    ///
+    /// assert_eq!(ChainVerdict::from_name("last-digit"), Some(ChainVerdict::LastDigit));
+    /// assert!(ChainVerdict::ALL.iter().all(|verdict| ChainVerdict::from_name(verdict.name()) == Some(*verdict)));
+    /// ```
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|verdict| verdict.name() == name)
+    }
+
+    /// The verdict in words for a reader.
+    ///
+    /// ```
+    /// assert_eq!(proofread::ChainVerdict::LastDigit.description(), "the last digit differs");
+    /// ```
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Consistent => "the two sides agree",
+            Self::Rounded => "the two sides agree if the steps were rounded",
+            Self::Truncated => "the result is truncated, not rounded",
+            Self::Approximate => "the two sides agree approximately",
+            Self::Doubtful => "the two sides may agree",
+            Self::Units => "the numbers agree, but the units do not",
+            Self::LastDigit => "the last digit differs",
+            Self::Inconsistent => "the two sides differ",
+            Self::Dimensions => "the two sides differ in their numbers and in their dimensions",
+            Self::CannotEvaluate => "one of the two sides cannot be evaluated",
+        }
+    }
+}
+
+/// A verdict, and the values behind it.
+#[derive(Clone, Debug)]
+pub(crate) struct PairJudgement {
+    pub verdict: ChainVerdict,
+    /// The reading under which it is so.
+    pub reading: ReadingChoices,
+    /// Both sides as their digits are printed.
+    pub values: Option<(SideValue, SideValue)>,
+    pub obstacle: Option<Obstacle>,
+    pub used: Vec<String>,
+    /// The name of the explanation under which it is so, if one was needed.
+    pub explanation: Option<&'static str>,
+    /// Whether other digits of the terms of a small difference would make the sides agree.
+    pub is_ill_conditioned: bool,
+}
+
+impl PairJudgement {
+    /// Whether its sides are nearer to each other than those of another reading.
+    pub(crate) fn is_nearer(&self, other: &Self) -> bool {
+        let apart = |of: &Self| of.values.as_ref().map_or(f64::INFINITY, |(left, right)| left.difference(right));
+        apart(self) < 0.999 * apart(other)
+    }
+}
+
+/// Most choices that are made at once.
+const MOST_CHOICES: u32 = 4;
+
+/// Compares two sides.
+pub(crate) fn judge(
+    left: &[Token],
+    right: &[Token],
+    relation: Relation,
+    bindings: Option<&NameValues>,
+) -> PairJudgement {
+    let mut pair = ComparedSides {
+        sides: [left, right],
+        relation,
+        bindings,
+        noticed: ReadingChoices::USUAL,
+        inverse: false,
+        cancels: false,
+        alike: None,
+    };
+    let mut best: Option<PairJudgement> = None;
+    let mut obstacle = None;
+    let mut without_value = true;
+    let mut tried: Vec<ReadingChoices> = Vec::new();
+    loop {
+        let mut open = pair.noticed;
+        // Revolutions beside radians are angles.
+        if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
+            open = ReadingChoices::USUAL.union(pair.without_choice(open, ReadingChoices::TURNS));
+        }
+        let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
+        let Some(reading) = next else { break };
+        tried.push(reading);
+        for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
+            match pair.compare(reading.union(numbers)) {
+                Ok(Some(found)) => {
+                    let better = |best: &PairJudgement| {
+                        found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
+                    };
+                    if best.as_ref().is_none_or(better) {
+                        best = Some(found);
+                    }
+                }
+                Ok(None) => {}
+                Err(why) => {
+                    without_value &= matches!(why, Obstacle::NoValue(_));
+                    obstacle = obstacle.or(Some(why));
+                }
+            }
+            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
+                break;
+            }
+        }
+        if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
+            break;
+        }
+    }
+    if let Some(best) = &mut best
+        && let Some(values) = &best.values
+        && best.verdict > ChainVerdict::Units
+        && equals_conventions::may_stand_for_each_other(left, right, values)
+    {
+        best.verdict = ChainVerdict::Doubtful;
+    }
+    best.unwrap_or_else(|| {
+        let verdict = match obstacle {
+            // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
+            Some(Obstacle::MixedSum) if bindings.is_none() || ![left, right].into_iter().any(has_letters) => {
+                ChainVerdict::Dimensions
+            }
+            Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
+            _ => ChainVerdict::CannotEvaluate,
+        };
+        PairJudgement {
+            verdict,
+            reading: ReadingChoices::USUAL,
+            values: None,
+            obstacle,
+            used: Vec::new(),
+            explanation: None,
+            is_ill_conditioned: false,
+        }
+    })
+}
+
+/// Whether a side can be evaluated under some reading, and whether it is a printed number.
+pub(crate) fn evaluate_freely(side: &[Token], bindings: Option<&NameValues>) -> Evaluated<SideValue> {
+    let mut first = None;
+    for reading in [
+        ReadingChoices::USUAL,
+        ReadingChoices::DEGREES,
+        ReadingChoices::ONE_BELOW,
+        ReadingChoices::POUNDS,
+        ReadingChoices::NUMBERS,
+    ] {
+        match Evaluator::new(Mode::Point, reading, bindings).evaluate_side(side) {
+            Ok(value) => return Ok(value),
+            // Other readings change neither letters nor words.
+            Err(why @ (Obstacle::Letter(_) | Obstacle::Word(_) | Obstacle::NoNumber | Obstacle::TooLarge)) => {
+                return Err(first.unwrap_or(why));
+            }
+            Err(why) => first = first.or(Some(why)),
+        }
+    }
+    Err(first.unwrap_or(Obstacle::NoNumber))
+}
+
+struct ComparedSides<'t> {
+    sides: [&'t [Token]; 2],
+    relation: Relation,
+    bindings: Option<&'t NameValues>,
+    noticed: ReadingChoices,
+    inverse: bool,
+    /// Whether a difference of open numbers lost most of their digits.
+    cancels: bool,
+    /// Both sides with the numbers exact that both of them print.
+    alike: Option<[Vec<Token>; 2]>,
+}
+
+impl ComparedSides<'_> {
+    fn without_choice(&self, set: ReadingChoices, choice: ReadingChoices) -> ReadingChoices {
+        set.subsets(16).into_iter().rev().find(|of| !of.contains(choice)).unwrap_or_default()
+    }
+
+    fn value(
+        &mut self,
+        which: usize,
+        mode: Mode,
+        reading: ReadingChoices,
+        used: &mut Vec<String>,
+    ) -> Evaluated<SideValue> {
+        let mut evaluator = Evaluator::new(mode, reading, self.bindings);
+        let side = self.alike.as_ref().filter(|_| mode != Mode::Point).map_or(self.sides[which], |sides| &sides[which]);
+        let value = evaluator.evaluate_side(side);
+        self.noticed.insert(evaluator.noticed);
+        self.inverse |= evaluator.inverse;
+        self.cancels |= mode == Mode::Strict && evaluator.steps.cancels;
+        used.append(&mut evaluator.used);
+        value
+    }
+
+    fn evaluate_both(
+        &mut self,
+        inside: Mode,
+        literal: [bool; 2],
+        reading: ReadingChoices,
+    ) -> Evaluated<[SideValue; 2]> {
+        let mode = |literal: bool| if literal { Mode::Result } else { inside };
+        let unused = &mut Vec::new();
+        let left = self.value(0, mode(literal[0]), reading, unused)?;
+        let right = self.value(1, mode(literal[1]), reading, unused)?;
+        Ok([left, right])
+    }
+
+    /// The verdict under one reading, or none if the sides cannot be compared under it.
+    fn compare(&mut self, reading: ReadingChoices) -> Evaluated<Option<PairJudgement>> {
+        let mut used = Vec::new();
+        let left = self.value(0, Mode::Point, reading, &mut used);
+        let right = self.value(1, Mode::Point, reading, &mut used);
+        let mut points = [left?, right?];
+        if points[0].is_tuple != points[1].is_tuple {
+            return Err(Obstacle::Unclear("a list beside a number"));
+        }
+        used.sort();
+        used.dedup();
+        let literal = [points[0].is_literal(), points[1].is_literal()];
+        let numbers = reading.contains(ReadingChoices::NUMBERS);
+        let printed = points.clone();
+        let judgement = |verdict: ChainVerdict| {
+            let [left, right] = printed.clone();
+            Some(PairJudgement {
+                verdict,
+                reading,
+                values: Some((left, right)),
+                obstacle: None,
+                used: used.clone(),
+                explanation: None,
+                is_ill_conditioned: false,
+            })
+        };
+        let same = points[0].dimension == points[1].dimension;
+        let zero = points.iter().any(SideValue::is_zero_at_point);
+        if !same && !numbers && !zero {
+            // A factor without its unit leaves the number in base units of the SI.
+            let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
+            let agree = left.meets(&right, 0.0)
+                || equals_conventions::agree_with_omitted_unit(self.sides, &left, &right)
+                || equals_conventions::agree_as_weight(&left, &right);
+            return Ok(agree.then(|| judgement(ChainVerdict::Units)).flatten());
+        }
+        if numbers && !points.iter().any(|point| point.has_unit) {
+            return Ok(None);
+        }
+        if literal == [false, false] {
+            self.alike = with_shared_exact(self.sides);
+        }
+        let mut strict = self.evaluate_both(Mode::Strict, literal, reading)?;
+        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
+        let fewer = |one: &SideValue, other: &SideValue| {
+            one.parts.pairs(&other.parts).all(|(a, b)| a.half_width() < b.half_width())
+        };
+        // A quantity that is converted isn't rounded to tens before.
+        if literal == [true, true] && points.iter().all(|point| point.has_unit) {
+            let exact = self.value(0, Mode::Strict, reading, &mut Vec::new())?;
+            if fewer(&exact, &strict[0]) {
+                (strict[0], lenient[0]) = (exact.clone(), exact);
+            }
+        }
+        let both_units = points.iter().all(|point| point.has_unit);
+        if self.noticed.contains(ReadingChoices::MINUS) {
+            for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
+                value.parts = value.parts.map(|part| Interval::with_half_width(part.point.abs(), part.half_width()));
+            }
+        }
+        let by_numbers = numbers && both_units;
+        let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
+        let [left, right] = &strict;
+        let agrees = match literal {
+            [true, true] => points[0].meets(right, 0.0) || left.meets(&points[1], 0.0),
+            [false, true] => points[0].meets(right, 0.0),
+            [true, false] => left.meets(&points[1], 0.0),
+            [false, false] => points[0].difference(&points[1]) < crate::evaluate::interval::SLACK,
+        };
+        if agrees {
+            return Ok(fine(ChainVerdict::Consistent));
+        }
+        if equals_conventions::lacks_degrees(left, right)
+            || equals_conventions::counts_electrons(self.sides, left, right)
+        {
+            return Ok(judgement(ChainVerdict::Doubtful));
+        }
+        if equals_conventions::agree_with_omitted_unit(self.sides, left, right)
+            || equals_conventions::lacks_direction(left, right)
+        {
+            return Ok(judgement(ChainVerdict::Units));
+        }
+        for (which, turned) in
+            [(0, [left.scaled(PI / 180.0), right.clone()]), (1, [left.clone(), right.scaled(PI / 180.0)])]
+        {
+            let turns = self.inverse && equals_conventions::turns_into_degrees(self.sides[which]);
+            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, ReadingChoices::USUAL).is_some())
+            {
+                return Ok(judgement(ChainVerdict::Doubtful));
+            }
+        }
+        let loose = equals_conventions::unit_looseness(self.sides[0], self.sides[1]);
+        let loosely = loose > 0.0 && (points[0].meets(right, loose) || left.meets(&points[1], loose));
+        if loosely || equals_conventions::agree_with_rounded_charge(self.sides, left, right) {
+            return Ok(fine(ChainVerdict::Rounded));
+        }
+        if is_continued(left, right) {
+            return Ok(judgement(ChainVerdict::Doubtful));
+        }
+        if self.inverse
+            && let Some(verdict) = angles(&strict, &points, reading)
+        {
+            return Ok(if verdict == ChainVerdict::Units { judgement(verdict) } else { fine(verdict) });
+        }
+        let computed = self.sides[usize::from(literal[0])];
+        let of_one_unit = !numbers || has_words_of(self.sides[0], self.sides[1]);
+        let exact_steps = of_one_unit && literal[0] != literal[1] && is_plain_sum(computed);
+        // A side that shows the next step has the digits that the one before it gives.
+        let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
+        // A small difference of open numbers explains anything: the source's own digits decide.
+        let meets = left.meets(right, 0.0) && !exact_steps && steps;
+        let explained = meets && is_likely(&strict, &points, literal, true);
+        let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
+        let ill = explained && self.cancels && literal[0] != literal[1] && !close;
+        if explained && !ill {
+            return Ok(fine(ChainVerdict::Rounded));
+        }
+        let near = (literal[1] && is_near(&lenient[0], right)) || (literal[0] && is_near(&lenient[1], left));
+        // Three digits behind ≈ are meant to be right.
+        let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) && !is_round(self.sides[1]) };
+        let strictly = (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
+        let by_digits = literal == [false, true] && has_three_digits(right);
+        let rough = if by_digits {
+            let lost = close && left.meets(right, 0.0);
+            lost || (self.relation == Relation::Approximate && self.agrees_with_rounded_steps(reading, right))
+        } else {
+            !exact || strictly
+        };
+        let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
+        let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
+        if self.relation == Relation::Approximate && rounds_to_one {
+            return Ok(fine(ChainVerdict::Approximate));
+        }
+        if self.relation == Relation::Approximate && equals_conventions::is_order_of_magnitude(self.sides, &points) {
+            return Ok(fine(ChainVerdict::Approximate));
+        }
+        if self.relation == Relation::Approximate && rough && lenient[0].meets(&lenient[1], 0.05) {
+            return Ok(fine(ChainVerdict::Approximate));
+        }
+        let cut = match literal {
+            [false, true] => is_cut(&points[0], right),
+            [true, false] => is_cut(&points[1], left),
+            [true, true] => {
+                (fewer(left, right) && is_cut(&points[0], right)) || (fewer(right, left) && is_cut(&points[1], left))
+            }
+            [false, false] => false,
+        };
+        if cut {
+            return Ok(fine(ChainVerdict::Truncated));
+        }
+        if lenient[0].meets(&lenient[1], 0.0)
+            && !ill
+            && is_likely(&lenient, &points, literal, false)
+            && is_as_coarse(&lenient, literal)
+        {
+            return Ok(judgement(if by_numbers { ChainVerdict::Units } else { ChainVerdict::Doubtful }));
+        }
+        if by_numbers {
+            return Ok(judgement(ChainVerdict::Dimensions));
+        }
+        // What the steps would allow, but not likely, is more than a digit; and of one or two digits, the last one is a large part.
+        let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
+        let near = near && has_three_digits(&strict[usize::from(literal[1])]);
+        let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
+        Ok(found.map(|found| PairJudgement { is_ill_conditioned: ill, ..found }))
+    }
+
+    /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
+    /// digits before they went on.
+    fn agrees_with_rounded_steps(&mut self, reading: ReadingChoices, right: &SideValue) -> bool {
+        let Some(digits) = right.number().ok().and_then(significant_digits) else { return false };
+        let mut evaluator = Evaluator::new(Mode::Point, reading, self.bindings);
+        evaluator.steps = StepRounding::to_digits(digits);
+        let value = evaluator.evaluate_side(self.sides[0]);
+        value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
+    }
+}
+
+/// Whether the digits that were lost on the way explain the difference: it is about one unit of the last digit (if `one_more`), or within
+/// [`LIKELY`] of what all the steps together leave open. Their errors hardly ever all point the same way.
+fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2], one_more: bool) -> bool {
+    let likely = if one_more { LIKELY } else { LIKELY_FROM_TENS };
+    let (computed, printed) = match literal {
+        [false, true] => (0, 1),
+        [true, false] => (1, 0),
+        [false, false] | [true, true] if !one_more => (0, 1),
+        _ => return true,
+    };
+    let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
+    let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half_width(), b.half_width()));
+    differences.zip(halves).all(|(difference, (steps, digits))| {
+        digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
+    })
+}
+
+/// Whether two points are within so many half units of the printed one's last digit.
+fn is_within(points: &[SideValue; 2], printed: &SideValue, halves: f64) -> bool {
+    let differences = points[0].parts.pairs(&points[1].parts).map(|(a, b)| (a.point - b.point).abs());
+    let printed = printed.parts.0.iter().flatten().map(|part| part.half_width());
+    differences.zip(printed).all(|(difference, half)| difference <= halves * half)
+}
+
+/// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
+fn is_plain_sum(side: &[Token]) -> bool {
+    let is_term = |token: &Token| match &token.kind {
+        TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
+        TokenKind::Operator(c) => "+-±()[]|,;".contains(*c),
+        _ => false,
+    };
+    let products =
+        side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
+    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-±")) && !products
+}
+
+/// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².
+fn is_round(side: &[Token]) -> bool {
+    let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+    side.len() > 1 && !any(side, &decimal)
+}
+
+/// Whether all units of one side are among those of another one.
+fn has_words_of(side: &[Token], other: &[Token]) -> bool {
+    side.iter().filter_map(Token::word).all(|word| other.iter().any(|token| token.word() == Some(word)))
+}
+
+/// Whether a printed result is as coarse as its integers would be if they were rounded; a finer one shows that they are exact.
+fn is_as_coarse([left, right]: &[SideValue; 2], literal: [bool; 2]) -> bool {
+    let (computed, printed) = match literal {
+        [false, true] => (left, right),
+        [true, false] => (right, left),
+        _ => return true,
+    };
+    let halves = computed.parts.pairs(&printed.parts).map(|(a, b)| (a.half_width(), b.half_width()));
+    halves.into_iter().all(|(steps, digits)| digits == 0.0 || steps <= FINEST * digits)
+}
+
+/// How many times finer than its rounded integers a result may be printed.
+const FINEST: f64 = 10.0;
+
+/// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
+/// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.
+const LIKELY: f64 = 0.25;
+/// How much they are expected to use if only integers that were rounded to tens explain a difference.
+const LIKELY_FROM_TENS: f64 = 0.15;
+
+/// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
+fn angles([left, right]: &[SideValue; 2], points: &[SideValue; 2], reading: ReadingChoices) -> Option<ChainVerdict> {
+    if reading.contains(ReadingChoices::DEGREES) {
+        for (angle, bare, point) in [(left, right, &points[1]), (right, left, &points[0])] {
+            let in_degrees = angle.scaled(180.0 / PI);
+            if point.angle.is_none() && !point.has_unit && in_degrees.meets(bare, 0.0) {
+                return Some(ChainVerdict::Units);
+            }
+        }
+    }
+    // Below or above, left or right is said in words.
+    if left.clone().negate().meets(right, 0.0) {
+        return Some(ChainVerdict::Doubtful);
+    }
+    // The other angle with the same sine or cosine.
+    let turned = left.clone().negate();
+    let other = |by: f64| SideValue { parts: turned.parts.map(|part| part.shifted(by)), ..turned.clone() };
+    if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
+        return Some(ChainVerdict::Doubtful);
+    }
+    let moved = |by: f64| SideValue { parts: left.parts.map(|part| part.shifted(by)), ..left.clone() };
+    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(ChainVerdict::Rounded)
+}
+
+/// Whether the left side may be the end of a vector that began in another formula: it lacks components that the right side
+/// has, and those that it has agree.
+fn is_continued(left: &SideValue, right: &SideValue) -> bool {
+    let (mine, its) = (&left.parts.0[1..], &right.parts.0[1..]);
+    let lacks = mine.iter().zip(its).any(|(a, b)| a.is_none() && b.is_some());
+    let fits = mine.iter().zip(its).all(|(a, b)| match (a, b) {
+        (Some(a), Some(b)) => a.meets(*b, 0.0),
+        (Some(_), None) => false,
+        _ => true,
+    });
+    left.parts.is_vector() && lacks && fits
+}
+
+/// Whether cutting `computed` off gives the printed digits.
+fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
+    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
+        let (size, open) = (printed.point.abs(), 2.0 * printed.half_width());
+        let beyond = computed.point.abs() - size;
+        open > 0.0 && computed.point * printed.point >= 0.0 && beyond >= -1e-9 * size && beyond < open
+    })
+}
+
+/// Whether a printed result has three digits or more.
+fn is_exact(printed: &SideValue) -> bool {
+    printed.parts.0.iter().flatten().all(|part| part.half_width() > 0.0 && part.half_width() < 0.05 * part.point.abs())
+}
+
+/// Whether a printed result has three significant digits or more.
+fn has_three_digits(printed: &SideValue) -> bool {
+    printed.parts.0.iter().flatten().all(|part| significant_digits(*part).is_none_or(|digits| digits >= 3))
+}
+
+/// Whether a computed value is within one more unit of the last printed digit.
+fn is_near(computed: &SideValue, printed: &SideValue) -> bool {
+    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
+        let more = 2.0001 * printed.half_width();
+        more <= printed.point.abs() && computed.high >= printed.low - more && computed.low <= printed.high + more
+    })
+}

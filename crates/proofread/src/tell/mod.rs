@@ -1,0 +1,11 @@
+//! Telling: what a report says about what was found, what was not checked and where.
+
+pub(crate) mod finding;
+pub(crate) mod hint;
+pub(crate) mod line_index;
+#[cfg(feature = "cli")]
+pub mod sarif;
+pub(crate) mod statistics_tally;
+pub mod summary;
+#[cfg(feature = "cli")]
+pub(crate) mod unchecked_chain;
