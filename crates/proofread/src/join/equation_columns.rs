@@ -58,6 +58,35 @@ fn is_aligned(row: &[&[Token]]) -> bool {
     row.iter().skip(1).step_by(2).all(|cell| trim_space(cell).is_empty() || begins_with_relation(cell))
 }
 
+/// The width of the space that parts two equations, as wide as `\quad`.
+const BETWEEN_EQUATIONS: u8 = 10;
+
+/// The tokens with each equation of a row in a row of its own, where all rows have whole equations side by side; none if they don't.
+pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
+    if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
+        return None;
+    }
+    let rows = cells(tokens);
+    let is_whole = |cells: &[&[Token]]| {
+        let [left, right] = cells else { return cells.iter().all(|cell| trim_space(cell).is_empty()) };
+        let empty = trim_space(left).is_empty() && trim_space(right).is_empty();
+        empty || (!trim_space(left).is_empty() && begins_with_relation(right) && trim_space(right).len() > 1)
+    };
+    let several =
+        |row: &Vec<&[Token]>| row.len() >= 4 && row.chunks(2).filter(|of| !trim_space(of[0]).is_empty()).count() > 1;
+    if !rows.iter().any(several) || !rows.iter().all(|row| row.chunks(2).all(is_whole)) {
+        return None;
+    }
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len() + rows.len());
+    for equation in rows.iter().flat_map(|row| row.chunks(2)) {
+        // Not the sign of a row, behind which a side may go on.
+        out.push(Token::new(TokenKind::Space(BETWEEN_EQUATIONS), at));
+        out.extend(equation.iter().flat_map(|cell| cell.iter().cloned()));
+    }
+    Some(out)
+}
+
 /// The tokens with one column of equations behind the other, or none if there are no such columns.
 pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {

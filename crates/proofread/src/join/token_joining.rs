@@ -13,7 +13,7 @@ use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
 pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
     let rows = equation_columns::without_row_remarks(&rows).unwrap_or(rows);
-    let rows = equation_columns::read_down(&rows).unwrap_or(rows);
+    let rows = equation_columns::read_down(&rows).or_else(|| equation_columns::part_equations(&rows)).unwrap_or(rows);
     merged(flatten(&rows))
 }
 

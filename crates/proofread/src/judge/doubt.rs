@@ -194,6 +194,12 @@ impl PlacedPair<'_> {
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
             || (judgement.verdict == ChainVerdict::Dimensions
                 && [left, right].into_iter().any(notation::has_two_meanings))
+            || notation::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
+            || judgement
+                .values
+                .as_ref()
+                .and_then(|(left, _)| left.number().ok())
+                .is_some_and(|of| notation::is_size(of.point, right))
             || self.is_one_of_two()
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
@@ -279,7 +285,28 @@ impl PlacedPair<'_> {
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
             && right.is_literal()
             && left.clone().negate().meets(right, ROUGH);
-        lacks_unit || opposite || costs || deviates || sets || (bare(left) && (is_small || (bare(right) && apart)))
+        // In mathematics a whole formula begins with a result: 8 = 2³.
+        let is_small = is_small && self.begins_chain() && (bare(right) || !self.is_whole());
+        let pair =
+            both && bare(left) && bare(right) && self.begins_chain() && [left, right].into_iter().all(is_integer);
+        lacks_unit
+            || opposite
+            || costs
+            || deviates
+            || sets
+            || pair
+            || (bare(left) && (is_small || (bare(right) && apart)))
+    }
+
+    /// Whether the two sides are all of a formula whose marks show where it begins and ends.
+    fn is_whole(&self) -> bool {
+        let marks = |text: &str| text.trim_matches(['$', ' ', '\\', '(', ')', '[', ']', '.', ',', '\n']).is_empty();
+        let (start, end) = (self.left.span.start as usize, self.right.span.end as usize);
+        let formula = self.formula.span.range();
+        self.formula.style == FormulaStyle::Formula
+            && self.chain.sides.len() == 2
+            && self.text.get(formula.start..start).is_some_and(marks)
+            && self.text.get(end..formula.end).is_some_and(marks)
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.
@@ -323,6 +350,11 @@ impl PlacedPair<'_> {
         let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
         self.formula.style == FormulaStyle::Plain && self.text.get(sides.range()).is_some_and(marks)
     }
+}
+
+/// Whether a value is a whole number.
+fn is_integer(value: &SideValue) -> bool {
+    value.number().is_ok_and(|of| of.point.fract() == 0.0)
 }
 
 /// Whether a place is inside a number of a side.

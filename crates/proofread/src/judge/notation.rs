@@ -6,7 +6,7 @@ use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::{ChainVerdict, judge};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any, show};
 use crate::unit::unit;
 use std::f64::consts::PI;
 
@@ -46,6 +46,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
+    each(&other_way_round);
     each(&as_columns);
     each(&under_function);
     each(&from_left_to_right);
@@ -243,6 +244,37 @@ fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
         out[*at].word() == Some("%") && out[at - 1].number().is_some() && behind.is_some_and(|of| of.number().is_some())
     })?;
     out[at] = Token::new(TokenKind::Word("mod".to_owned()), out[at].span);
+    Some(out)
+}
+
+/// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of
+/// what is true: 1 + 1 = 0, 1 + 1 = 1, 2 + 2 = 5.
+pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: impl FnOnce() -> bool) -> bool {
+    let digits = |side: &[Token]| show(side).replace(' ', "");
+    match (&*digits(left), &*digits(right)) {
+        ("1+1", "0") => true,
+        ("1+1", "1" | "3") | ("2+2", "5") | ("5", "2+2") => speaks_of_truth(),
+        _ => false,
+    }
+}
+
+/// Whether the right side is the size of a square, such as 5 × 5, and not a product.
+pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
+    match without_space(right).as_slice() {
+        [one, times, other] => {
+            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
+            times.is_sign('×') && one.number() == other.number() && number == Some(left)
+        }
+        _ => false,
+    }
+}
+
+/// A side whose two values behind ± are given in the other order, as they are after a division by a negative number.
+fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
+    let is_sign = |token: &Token| token.is_sign('±');
+    let at = side.iter().position(is_sign)?;
+    let mut out = side.to_vec();
+    out[at] = Token::new(TokenKind::Operator('∓'), side[at].span);
     Some(out)
 }
 

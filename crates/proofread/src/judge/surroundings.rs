@@ -25,6 +25,22 @@ pub(crate) fn text_around(text: &str, span: Span) -> (String, String) {
     (without_tags(before), without_tags(after))
 }
 
+/// Most bytes in which a text names what a whole example is about.
+const EXAMPLE: usize = 1500;
+
+/// The text of the example so far, up to a place, with its marks.
+pub(crate) fn text_before(text: &str, span: Span) -> &str {
+    let end = (span.start as usize).min(text.len());
+    let mut start = end.saturating_sub(EXAMPLE);
+    while !text.is_char_boundary(start) {
+        start += 1;
+    }
+    let before = text.get(start..end).unwrap_or_default();
+    // A search takes less than reading.
+    effort::count_steps(before.len() / 32);
+    before
+}
+
 fn without_tags(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
@@ -52,13 +68,21 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
     let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
     let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
+    // Asked at once: 1 + 5 = 2? – but not behind a word.
+    if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
+        return true;
+    }
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
     if asked && question {
         return true;
     }
     // One of the answers to choose from.
-    if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
+    if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
+        return true;
+    }
+    let behind = after.split("\n\n").next().unwrap_or_default();
+    if [&*before, behind].into_iter().any(|text| text.to_lowercase().contains("true or false")) {
         return true;
     }
     const REPORTS: [&str; 11] = [
@@ -96,7 +120,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const DENIALS: [&str; 9] = [
+    const DENIALS: [&str; 11] = [
+        "would be false",
+        "would be wrong",
         "is false",
         "not true",
         "a false statement",
@@ -108,6 +134,25 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is inconsistent",
     ];
     DENIALS.iter().any(|denial| rest.contains(denial))
+}
+
+/// Whether a formula stands behind a capital letter in brackets, with the letter before or after it behind another one: `(B)` near
+/// `(A)` or `(C)`.
+fn is_answer_to_choose(before: &str, after: &str) -> bool {
+    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
+    let Some(label) = before.trim_end_matches(marks).strip_suffix(')') else { return false };
+    let Some(letter) = label.chars().next_back().filter(|c| ('A'..='F').contains(c)) else { return false };
+    let Some(rest) = label.strip_suffix(letter).and_then(|rest| rest.strip_suffix('(')) else { return false };
+    let near = |by: i8| char::from((letter as u8).wrapping_add_signed(by));
+    rest.contains(&format!("({})", near(-1))) || after.contains(&format!("({})", near(1)))
+}
+
+/// Whether the text near a formula speaks of what is true or false.
+pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    let near = format!("{before} {after}").to_lowercase();
+    near.split(|c: char| !c.is_alphabetic())
+        .any(|word| ["true", "false", "lie", "truth", "believe", "believes", "believed"].contains(&word))
 }
 
 /// Whether the text near a formula says that something has no value.
@@ -134,8 +179,13 @@ pub(crate) fn calls_undefined(text: &str, span: Span) -> bool {
     WORDS.iter().any(|word| near.contains(word))
 }
 
-/// Whether the text behind a formula begins with the sign of a factorial, behind which the sentence goes on.
-pub(crate) fn begins_with_factorial(text: &str, span: Span) -> bool {
+/// Whether the sign of a factorial ends a formula behind its last side, or stands behind the formula and the sentence goes on.
+pub(crate) fn begins_with_factorial(text: &str, side: Span, formula: Span) -> bool {
+    let inside = text.get(side.end as usize..formula.end as usize).unwrap_or_default();
+    inside.trim_start().starts_with('!') || goes_on_behind_factorial(text, formula)
+}
+
+fn goes_on_behind_factorial(text: &str, span: Span) -> bool {
     let rest = text_behind(text, span).strip_prefix('!');
     rest.is_some_and(|rest| {
         let next = rest.trim_start_matches([' ', '~', '\n']);
@@ -182,7 +232,7 @@ pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
         return false;
     }
     let plain = without_tags(between);
-    if plain.contains(['.', ';', ':']) || plain.matches('\n').count() > 2 {
+    if plain.contains(['.', ';', ':']) || plain.contains("\\item") || plain.matches('\n').count() > 2 {
         return false;
     }
     // What the second formula begins with, its name and its equals sign, is between, too.

@@ -143,6 +143,7 @@ pub(crate) fn judge(
         noticed: ReadingChoices::USUAL,
         inverse: false,
         cancels: false,
+        cancels_decimals: false,
         alike: None,
     };
     let mut best: Option<PairJudgement> = None;
@@ -240,6 +241,8 @@ struct ComparedSides<'t> {
     inverse: bool,
     /// Whether a difference of open numbers lost most of their digits.
     cancels: bool,
+    /// Whether their terms are more than printed integers.
+    cancels_decimals: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
 }
@@ -262,6 +265,7 @@ impl ComparedSides<'_> {
         self.noticed.insert(evaluator.noticed);
         self.inverse |= evaluator.inverse;
         self.cancels |= mode == Mode::Strict && evaluator.steps.cancels;
+        self.cancels_decimals |= mode == Mode::Strict && evaluator.steps.cancels_decimals;
         used.append(&mut evaluator.used);
         value
     }
@@ -443,7 +447,8 @@ impl ComparedSides<'_> {
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
         let near = near && has_three_digits(&strict[usize::from(literal[1])]);
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
-        Ok(found.map(|found| PairJudgement { is_ill_conditioned: ill, ..found }))
+        let is_ill_conditioned = ill && self.cancels_decimals;
+        Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
     }
 
     /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
