@@ -286,7 +286,9 @@ impl PlacedPair<'_> {
             && right.is_literal()
             && left.clone().negate().meets(right, ROUGH);
         // In mathematics a whole formula begins with a result: 8 = 2³.
-        let is_small = is_small && self.begins_chain() && (bare(right) || !self.is_whole());
+        let is_zero = digits == Some("0");
+        let is_small =
+            is_small && self.begins_chain() && (is_zero || bare(right) || !is_integer(right) || !self.is_whole());
         let pair =
             both && bare(left) && bare(right) && self.begins_chain() && [left, right].into_iter().all(is_integer);
         lacks_unit

@@ -129,7 +129,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "contradiction",
         "incorrect",
         "is wrong",
-        "not equal",
+        "are not equal",
         "is not a solution",
         "is inconsistent",
     ];

@@ -88,7 +88,7 @@ impl TextFormat {
     /// ```
     pub fn from_extension(extension: &str) -> Option<Self> {
         Some(match extension.to_ascii_lowercase().as_str() {
-            "md" | "markdown" | "mdown" | "mkd" | "qmd" | "rmd" => Self::Markdown,
+            "md" | "markdown" | "mdown" | "mdx" | "mkd" | "qmd" | "rmd" => Self::Markdown,
             "tex" | "latex" | "ltx" => Self::Latex,
             "xml" | "cnxml" | "ptx" | "mml" | "docbook" | "dbk" => Self::Xml,
             "html" | "htm" | "xhtml" => Self::Html,
