@@ -14,6 +14,7 @@ use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::verdict::{ChainVerdict, PairJudgement};
+use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{Span, Token, TokenKind, any};
 use crate::unit::unit;
@@ -409,7 +410,7 @@ impl Factors {
     /// The findings whose factor at least [`HABIT`] different formulas share.
     pub(crate) fn habits(&self) -> Vec<usize> {
         let mut sorted: Vec<&Factor> = self.0.iter().collect();
-        sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
+        sort_by_place(&mut sorted, |of| NumberKey(of.factor));
         let mut out = Vec::new();
         let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
         for group in sorted.chunk_by(|one, other| same(one, other)) {

@@ -28,6 +28,7 @@ mod tex;
 mod unread;
 mod words;
 
+use crate::order::sort_by_place;
 use crate::token::{Span, Token};
 
 /// What a text is written in.
@@ -272,7 +273,7 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
         let length = text[at..].find(|c: char| c.is_whitespace() || ")>\"".contains(c)).unwrap_or(text.len() - at);
         out.push(at..at + length);
     }
-    out.sort_by_key(|range| range.start);
+    sort_by_place(&mut out, |range| range.start);
     out
 }
 
@@ -329,7 +330,7 @@ fn formulas(
                 taken.push(of.whole);
             }
             plain::read(text, &taken, &mut |formula| found.push(formula));
-            found.sort_by_key(|formula| formula.span);
+            sort_by_place(&mut found, |formula| formula.span);
             found.into_iter().for_each(each);
             UnreadParts::default()
         }

@@ -3,6 +3,7 @@
 use crate::evaluate::exponent::plain_exponent;
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::verdict::{ChainVerdict, PairJudgement, judge};
+use crate::order::sort_few_without_repeats;
 use crate::token::{Span, Token, TokenKind, show};
 use crate::unit::unit;
 use std::ops::ControlFlow;
@@ -289,8 +290,7 @@ fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()>
     if power != 0 {
         others.push(-power);
     }
-    others.sort_unstable();
-    others.dedup();
+    sort_few_without_repeats(&mut others);
     let base = truncate(&base.map(|base| show(std::slice::from_ref(base))).unwrap_or_default());
     for other in others.into_iter().filter(|other| *other != power && *other != 0) {
         let mut exponent = Vec::new();
