@@ -8,6 +8,7 @@ mod expansion;
 mod fences;
 mod formatting;
 mod formatting_arguments;
+mod json;
 mod latex;
 mod latex_text;
 mod markdown;
@@ -108,7 +109,7 @@ impl TextFormat {
 ///
 /// let why = proofread("no notebook", TextFormat::Notebook, CheckOptions::default()).expect_err("no notebook");
 /// assert!(matches!(why, UnreadableText::Notebook(_)));
-/// assert!(why.to_string().starts_with("this is not a Jupyter notebook: "));
+/// assert_eq!(why.to_string(), "this is not a Jupyter notebook: an object is expected at line 1, column 1");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnreadableText {
