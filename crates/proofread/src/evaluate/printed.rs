@@ -1,5 +1,7 @@
 //! Printed digits, and the interval that they leave open.
 
+use std::borrow::Cow;
+
 /// How much a printed number leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
@@ -30,7 +32,7 @@ impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let (text, goes_on) = text.strip_suffix('…').map_or((text, false), |text| (text, true));
-        let plain: String = text.chars().filter(|c| *c != ',').collect();
+        let plain = if text.contains(',') { Cow::Owned(text.replace(',', "")) } else { Cow::Borrowed(text) };
         let allowed = |c: char| c.is_ascii_digit() || c == '.';
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
             return None;

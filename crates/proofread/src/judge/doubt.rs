@@ -359,7 +359,7 @@ fn has_uncertainty(side: &ChainSide) -> bool {
 /// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
 fn has_signed_bracket(tokens: &[Token]) -> bool {
     without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
-        || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
+        || tokens.iter().any(|token| token.inner().any(has_signed_bracket))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.

@@ -431,7 +431,7 @@ pub(crate) fn follows_name(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let before = before.trim_end_matches([' ', '.']);
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+    word.chars().count() > 1 && !LINKS.split_ascii_whitespace().any(|link| link.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word that is numbered stands just before a number: line 12.
@@ -442,7 +442,7 @@ pub(crate) fn follows_label(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
     let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+    !word.is_empty() && LABELS.split_ascii_whitespace().any(|label| label.eq_ignore_ascii_case(word))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.

@@ -61,7 +61,7 @@ pub(crate) const MOST_FOR_ALL: usize = 600_000;
 
 /// How many tokens there are, with those inside others.
 fn size(tokens: &[Token]) -> usize {
-    tokens.iter().map(|token| 1 + token.inner().into_iter().map(size).sum::<usize>()).sum()
+    tokens.iter().map(|token| 1 + token.inner().map(size).sum::<usize>()).sum()
 }
 
 /// The one near edit that makes the sides agree; what the search costs is taken from `budget`.
@@ -251,7 +251,7 @@ fn nested_variants(tokens: &[Token], at: usize, near: EditNearness, tries: &mut 
         TokenKind::Root(..) | TokenKind::Group(_) => 1,
         _ => 0,
     };
-    for (which, list) in token.inner().into_iter().take(lists).enumerate() {
+    for (which, list) in token.inner().take(lists).enumerate() {
         variants(list, near, &mut |edit| {
             let mut kind = token.kind.clone();
             kind.lists().into_iter().skip(which).take(1).for_each(|list| list.clone_from(&edit.tokens));
