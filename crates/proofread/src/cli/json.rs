@@ -1,7 +1,6 @@
 //! Findings for programs: JSON, and lines of JSON.
 
 use super::{CheckedDocument, ReportWriter, RunTotals};
-use crate::check::CheckTally;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
@@ -9,6 +8,7 @@ use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::tell::finding::ChainFinding;
 use crate::tell::line_index::{LineColumn, LineIndex};
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::Span;
 use serde_json::{Map, Value, json};

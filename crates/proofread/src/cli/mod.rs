@@ -13,13 +13,14 @@ mod text;
 pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
-use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
+use crate::check::{CheckOptions, CheckReport, proofread};
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;

@@ -82,7 +82,7 @@ fn separates(token: &Token) -> bool {
         below above From For Given Noting Since are not ";
     match &token.kind {
         TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
-        TokenKind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
+        TokenKind::Word(word) => word.len() > 1 && WORDS.split_ascii_whitespace().any(|known| known == word),
         _ => false,
     }
 }

@@ -14,6 +14,7 @@ use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::verdict::{ChainVerdict, PairJudgement};
+use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{Span, Token, TokenKind, any};
 use crate::unit::unit;
@@ -392,7 +393,7 @@ fn has_uncertainty(side: &ChainSide) -> bool {
 /// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
 fn has_signed_bracket(tokens: &[Token]) -> bool {
     without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
-        || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
+        || tokens.iter().any(|token| token.inner().any(has_signed_bracket))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.
@@ -443,7 +444,7 @@ impl Factors {
     /// The findings whose factor at least [`HABIT`] different formulas share.
     pub(crate) fn habits(&self) -> Vec<usize> {
         let mut sorted: Vec<&Factor> = self.0.iter().collect();
-        sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
+        sort_by_place(&mut sorted, |of| NumberKey(of.factor));
         let mut out = Vec::new();
         let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
         for group in sorted.chunk_by(|one, other| same(one, other)) {

@@ -349,8 +349,7 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
             (at, found) = (at + 3, true);
             continue;
         }
-        let inner: Vec<Option<Vec<Token>>> =
-            token.inner().into_iter().map(|inner| with_raised_points(text, inner)).collect();
+        let inner: Vec<Option<Vec<Token>>> = token.inner().map(|inner| with_raised_points(text, inner)).collect();
         let mut copy = token.clone();
         for (list, changed) in copy.kind.lists().into_iter().zip(inner) {
             if let Some(changed) = changed {
@@ -402,7 +401,7 @@ pub(crate) fn has_phasor(side: &[Token]) -> bool {
     };
     let plain = without_space(side);
     let here = (0..plain.len()).any(|at| is_phasor(&plain[at..]));
-    here || side.iter().any(|token| token.inner().into_iter().any(has_phasor))
+    here || side.iter().any(|token| token.inner().any(has_phasor))
 }
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.

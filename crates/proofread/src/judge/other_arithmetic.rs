@@ -34,7 +34,7 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let source = text.get(span.range()).unwrap_or_default();
-    let near = format!("{sentence} {source} {rest}").to_lowercase();
+    let near = format!("{sentence} {source} {rest}").to_ascii_lowercase();
     let places = |word: &'static str| {
         let letter = |c: char| c.is_ascii_alphabetic();
         let near = &near;

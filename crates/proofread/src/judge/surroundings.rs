@@ -65,8 +65,8 @@ fn without_tags(text: &str) -> String {
 /// Whether the text asks if the formula holds, or says that it does not.
 pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
-    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
-    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_ascii_lowercase();
+    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_ascii_lowercase();
     let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
     // Asked at once: 1 + 5 = 2? – but not behind a word.
     if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
@@ -82,7 +82,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     let behind = after.split("\n\n").next().unwrap_or_default();
-    if [&*before, behind].into_iter().any(|text| text.to_lowercase().contains("true or false")) {
+    if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
         return true;
     }
     const REPORTS: [&str; 11] = [
@@ -111,7 +111,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "wrong on purpose",
         "find the error",
     ];
-    let before = before.to_lowercase();
+    let before = before.to_ascii_lowercase();
     let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
     if let Some(at) = headed
         && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
@@ -175,7 +175,7 @@ pub(crate) fn calls_undefined(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
-    let near = format!("{sentence} {rest}").to_lowercase();
+    let near = format!("{sentence} {rest}").to_ascii_lowercase();
     WORDS.iter().any(|word| near.contains(word))
 }
 
@@ -218,7 +218,7 @@ pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
 /// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
 pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
-    let words = format!("{before} {after}").to_lowercase();
+    let words = format!("{before} {after}").to_ascii_lowercase();
     let mut words = words.split(|c: char| !c.is_alphabetic());
     words.any(|word| {
         ["scale", "scaled", "map", "represents", "represent", "drawing", "drawn", "corresponds"].contains(&word)
@@ -239,7 +239,7 @@ pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
     let words: Vec<String> = plain
         .split(|c: char| !c.is_alphanumeric() && c != '\\')
         .filter(|word| word.len() > 1 && !word.starts_with('\\'))
-        .map(str::to_lowercase)
+        .map(str::to_ascii_lowercase)
         .collect();
     // Two values of a name in a list or a sentence, as in *r = ⅙ for a die and r = ½ for a coin*, are two values.
     let has_arrow = ["→", "⇒", "⟹", "Rightarrow", "implies", "\\to"].iter().any(|arrow| plain.contains(arrow));
@@ -343,7 +343,7 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
         before = before[..open].trim_end_matches(marks);
     }
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    PREPOSITIONS.contains(&word.to_lowercase().as_str())
+    PREPOSITIONS.contains(&word.to_ascii_lowercase().as_str())
 }
 
 /// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
@@ -481,7 +481,7 @@ pub(crate) fn follows_name(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let before = before.trim_end_matches([' ', '.']);
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+    word.chars().count() > 1 && !LINKS.split_ascii_whitespace().any(|link| link.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word that is numbered stands just before a number: line 12.
@@ -492,7 +492,7 @@ pub(crate) fn follows_label(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
     let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+    !word.is_empty() && LABELS.split_ascii_whitespace().any(|label| label.eq_ignore_ascii_case(word))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.
@@ -502,7 +502,7 @@ pub(crate) fn named_base(text: &str, span: Span) -> Option<u32> {
     let near = without_tags(&near);
     let near = near.split(['.', ';', '=', '?', '!']).next().unwrap_or_default();
     let mut words = near.split(|c: char| !c.is_alphabetic());
-    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_lowercase()).map(|(_, base)| *base))
+    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_ascii_lowercase()).map(|(_, base)| *base))
 }
 
 /// Words that say which way a quantity points, so that its sign may be left out.

@@ -10,6 +10,7 @@ use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::join::chain::Relation;
 use crate::join::token_joining::has_letters;
 use crate::judge::equals_conventions;
+use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
 use std::f64::consts::PI;
 
@@ -292,8 +293,7 @@ impl ComparedSides<'_> {
         if points[0].is_tuple != points[1].is_tuple {
             return Err(Obstacle::Unclear("a list beside a number"));
         }
-        used.sort();
-        used.dedup();
+        sort_few_without_repeats(&mut used);
         let literal = [points[0].is_literal(), points[1].is_literal()];
         let numbers = reading.contains(ReadingChoices::NUMBERS);
         let printed = points.clone();

@@ -160,7 +160,7 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
             TokenKind::Scripts(base, _, power) => {
                 [base, power].into_iter().for_each(|part| count_separators(part, text, seen))
             }
-            _ => token.inner().into_iter().for_each(|inner| count_separators(inner, text, seen)),
+            _ => token.inner().for_each(|inner| count_separators(inner, text, seen)),
         }
     }
 }

@@ -98,7 +98,7 @@ fn directive(info: &str) -> Option<bool> {
         return Some(true);
     }
     let plain = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "-_:.+".contains(c));
-    let is_code = CODE.split_whitespace().any(|known| known == name);
+    let is_code = CODE.split_ascii_whitespace().any(|known| known == name);
     // A formula is read as one.
     Some(plain && !is_code && !name.starts_with('.') && name != "math")
 }

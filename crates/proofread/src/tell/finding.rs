@@ -181,7 +181,7 @@ fn recomputed(
             format!("{} × 10^{power}", scaled(power)).replace("^-", "^−")
         }
         None if is_whole(tokens) && libm::fabs(value - libm::round(value)) < 1e-9 && value.abs() < 1e9 => {
-            format!("{}", libm::round(value))
+            (libm::round(value) as i64).to_string()
         }
         None => format_significant(value, digits),
     };

@@ -3,6 +3,7 @@
 use crate::evaluate::exponent::plain_exponent;
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::verdict::{ChainVerdict, PairJudgement, judge};
+use crate::order::sort_few_without_repeats;
 use crate::token::{Span, Token, TokenKind, show};
 use crate::unit::unit;
 use std::ops::ControlFlow;
@@ -60,7 +61,7 @@ pub(crate) const MOST_FOR_ALL: usize = 600_000;
 
 /// How many tokens there are, with those inside others.
 fn size(tokens: &[Token]) -> usize {
-    tokens.iter().map(|token| 1 + token.inner().into_iter().map(size).sum::<usize>()).sum()
+    tokens.iter().map(|token| 1 + token.inner().map(size).sum::<usize>()).sum()
 }
 
 /// The one near edit that makes the sides agree; what the search costs is taken from `budget`.
@@ -250,7 +251,7 @@ fn nested_variants(tokens: &[Token], at: usize, near: EditNearness, tries: &mut 
         TokenKind::Root(..) | TokenKind::Group(_) => 1,
         _ => 0,
     };
-    for (which, list) in token.inner().into_iter().take(lists).enumerate() {
+    for (which, list) in token.inner().take(lists).enumerate() {
         variants(list, near, &mut |edit| {
             let mut kind = token.kind.clone();
             kind.lists().into_iter().skip(which).take(1).for_each(|list| list.clone_from(&edit.tokens));
@@ -289,8 +290,7 @@ fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()>
     if power != 0 {
         others.push(-power);
     }
-    others.sort_unstable();
-    others.dedup();
+    sort_few_without_repeats(&mut others);
     let base = truncate(&base.map(|base| show(std::slice::from_ref(base))).unwrap_or_default());
     for other in others.into_iter().filter(|other| *other != power && *other != 0) {
         let mut exponent = Vec::new();

@@ -7,5 +7,6 @@ pub(crate) mod line_index;
 pub mod sarif;
 pub(crate) mod statistics_tally;
 pub mod summary;
+pub(crate) mod tally;
 #[cfg(feature = "cli")]
 pub(crate) mod unchecked_chain;

@@ -1,11 +1,11 @@
 //! What is said at the end of a report, for every program that shows one.
 
-use crate::check::CheckTally;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::{UnreadKind, UnreadParts};
+use crate::tell::tally::CheckTally;
 
 /// "1 chain", "2 chains", "12,345 chains".
 ///
