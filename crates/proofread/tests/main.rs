@@ -15,6 +15,7 @@ mod growth;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
+mod messages;
 mod notations;
 mod operations;
 mod plain;

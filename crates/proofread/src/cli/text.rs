@@ -101,7 +101,7 @@ fn finding_text(
     text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
     // Beside the number of the line, and with a sign at either end that says that the line goes on.
     let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
-    let said = printed_and_recomputed(finding);
+    let said = printable(&finding.values_in_words());
     let is_markup = matches!(checked.document.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook);
     let start = lines.line_start(from.line);
     let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
@@ -156,16 +156,6 @@ fn finding_text(
     }
     text.push('\n');
     text
-}
-
-/// What was printed and what is computed.
-fn printed_and_recomputed(finding: &ChainFinding) -> String {
-    let printed = printable(&finding.printed);
-    match &finding.recomputed {
-        Some(recomputed) if recomputed.contains(" against ") => format!("recomputed {recomputed}"),
-        Some(recomputed) => format!("printed {printed}, recomputed {recomputed}"),
-        None => format!("printed {printed}"),
-    }
 }
 
 /// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long

@@ -3,6 +3,8 @@
 pub(crate) mod finding;
 pub(crate) mod hint;
 pub(crate) mod line_index;
+mod number_form;
+mod recomputed;
 #[cfg(feature = "cli")]
 pub mod sarif;
 pub(crate) mod statistics_tally;
