@@ -12,6 +12,7 @@ mod doubts;
 mod formats;
 mod fuzz;
 mod growth;
+mod hints;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;

@@ -1,5 +1,6 @@
 //! Telling: what a report says about what was found, what was not checked and where.
 
+mod edit;
 pub(crate) mod finding;
 pub(crate) mod hint;
 pub(crate) mod line_index;
