@@ -14,6 +14,8 @@ mod fuzz;
 mod growth;
 mod hints;
 #[cfg(feature = "cli")]
+mod html;
+#[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
 mod messages;
