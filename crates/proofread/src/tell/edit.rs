@@ -17,7 +17,7 @@ pub(crate) enum EditKind {
     Sign,
     /// A factor 2 of a whole side.
     Factor,
-    /// The sign of an exponent.
+    /// The sign of a power of ten.
     ExponentSign,
     /// So many steps of a power of ten.
     Exponent(u32),
@@ -47,6 +47,13 @@ pub(crate) enum EditKind {
     ExtraAny,
     /// Plus for minus, or minus for plus.
     PlusMinus,
+}
+
+impl EditKind {
+    /// Whether it changes a number by a power of ten.
+    pub(crate) fn is_of_size(self) -> bool {
+        matches!(self, Self::Caret | Self::ExponentSign | Self::Exponent(_) | Self::Shift(_) | Self::Comma(_))
+    }
 }
 
 /// A side with a slip taken back.
@@ -299,6 +306,10 @@ fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()>
     let token = &tokens[at];
     let Some(power) = exponent_of(token) else { return ControlFlow::Continue(()) };
     let base = tokens[..at].last();
+    // An exponent of minus one behind a function's name is a name, too.
+    if base.is_some_and(|base| matches!(base.kind, TokenKind::Function(_))) {
+        return ControlFlow::Continue(());
+    }
     let of_ten = base.and_then(Token::number) == Some("10");
     let steps: &[i32] = if of_ten { &[-3, -2, -1, 1, 2, 3] } else { &[-1, 1] };
     let mut others: Vec<i32> = steps.iter().map(|step| power + step).collect();
@@ -321,9 +332,9 @@ fn powers(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> ControlFlow<()>
         all.extend_from_slice(&tokens[at + 1..]);
         let words = format!("{base}^{other}` for `{base}^{power}`").replace('-', "−");
         let kind = match (other == -power, of_ten) {
-            (true, _) => EditKind::ExponentSign,
+            (true, true) => EditKind::ExponentSign,
             (false, true) => EditKind::Exponent((other - power).unsigned_abs()),
-            (false, false) => EditKind::OtherExponent,
+            (_, false) => EditKind::OtherExponent,
         };
         tries(Edit { tokens: all, kind, words: format!("`{words}"), at: token.span })?;
     }

@@ -63,6 +63,9 @@ const LEAST_SHARE: f64 = 0.75;
 /// How much likelier an edit is if it offers a number that the text prints elsewhere.
 const PRINTED_ELSEWHERE: f64 = 20.0;
 
+/// How much less likely an edit of an operand is if the text prints the operand elsewhere as it is.
+const PRINTED_TWICE: f64 = 3.0;
+
 /// How many tokens there are, with those inside others.
 fn size(tokens: &[Token]) -> usize {
     tokens.iter().map(|token| 1 + token.inner().into_iter().map(size).sum::<usize>()).sum()
@@ -108,7 +111,7 @@ impl Places {
             EditKind::ExponentSign => 0.08 / self.powers.max(1.0),
             EditKind::Exponent(1) => 0.06 / self.powers.max(1.0),
             EditKind::Exponent(_) => 0.02 / self.powers.max(1.0),
-            EditKind::OtherExponent => 0.003 / self.powers.max(1.0),
+            EditKind::OtherExponent => 0.0008 / self.powers.max(1.0),
             EditKind::UnitPower => 0.0005 / self.words.max(1.0),
             EditKind::Square => 0.02 / self.numbers.max(1.0),
             EditKind::OutsideBracket => 0.1,
@@ -121,25 +124,30 @@ impl Places {
             EditKind::LostAny => 0.01 / (8.0 * digits),
             EditKind::Extra => 0.03 / digits,
             EditKind::ExtraAny => 0.005 / (9.0 * digits),
-            EditKind::PlusMinus => 0.02,
+            EditKind::PlusMinus => 0.003,
         }
     }
 }
 
-/// The significant digits that a side prints, without most of the zeros at the end of integers; a power of ten counts as one.
+/// The significant digits that a side prints, without most of the zeros at the end of integers and without powers of ten.
 fn printed_digits(tokens: &[Token]) -> usize {
-    let of = |token: &Token| match &token.kind {
+    let of = |(at, token): (usize, &Token)| match &token.kind {
         TokenKind::Number(text) => {
+            let is_raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
             let digits: String = text.chars().filter(char::is_ascii_digit).collect();
             let digits = digits.trim_start_matches('0');
             // Half of the zeros at the end of an integer may count.
             let sure = digits.trim_end_matches('0').len();
-            if text.contains('.') { digits.len() } else { sure + (digits.len() - sure) / 2 }
+            match text.contains('.') {
+                _ if is_raised && text == "10" => 0,
+                true => digits.len(),
+                false => sure + (digits.len() - sure) / 2,
+            }
         }
         TokenKind::Power(_) => 0,
         _ => token.inner().into_iter().map(printed_digits).sum(),
     };
-    tokens.iter().map(of).sum()
+    tokens.iter().enumerate().map(of).sum()
 }
 
 /// An edit that fits, and how likely it is.
@@ -148,6 +156,8 @@ struct Fit {
     /// The side that is edited: 0 for the left and 1 for the right one.
     side: usize,
     weight: f64,
+    /// How likely it is that it fits by accident.
+    accident: f64,
 }
 
 impl HintSearch<'_> {
@@ -171,6 +181,7 @@ impl HintSearch<'_> {
         let each = sizes[0] + sizes[1];
         let mut places = Places::default();
         sides.into_iter().for_each(|side| places.count(&side.tokens));
+        let digits = sides.map(|side| printed_digits(&side.tokens));
         let held = self.held_neighbours();
         let mut spent = 0;
         let mut is_spent = false;
@@ -191,13 +202,22 @@ impl HintSearch<'_> {
                     let of_side = match edit.kind {
                         // A result that is a thousand times too small has other causes more often.
                         EditKind::Comma(_) if is_result => 0.1,
+                        EditKind::Prefix | EditKind::UnitPower => 1.0,
                         _ if is_result => 2.0,
                         _ => 1.0,
                     };
                     let weight = places.weight(edit.kind) * of_side;
-                    let elsewhere = offered(&edit.words).is_some_and(|offered| self.is_printed_elsewhere(offered));
-                    let weight = weight * if elsewhere { PRINTED_ELSEWHERE } else { 1.0 };
-                    found.push(Fit { hint: Hint { words: edit.words, at: edit.at }, side: which, weight });
+                    let weight = weight * self.evidence_around(&edit.words, is_result);
+                    let known = match is_literal {
+                        [false, false] => digits[0].min(digits[1]),
+                        _ if is_result => printed_digits(&edit.tokens),
+                        _ => digits[printed],
+                    };
+                    // Where a power of ten agrees that did not, that is as good as a digit.
+                    let known = known + usize::from(edit.kind.is_of_size());
+                    let accident = NO_EDIT * libm::pow(10.0, -(known.clamp(1, 8) as f64));
+                    let hint = Hint { words: edit.words, at: edit.at };
+                    found.push(Fit { hint, side: which, weight, accident });
                 }
                 ControlFlow::Continue(())
             };
@@ -210,15 +230,9 @@ impl HintSearch<'_> {
                 return None;
             }
         }
-        let digits = sides.map(|side| printed_digits(&side.tokens));
-        let known = match is_literal {
-            [false, false] => digits[0].min(digits[1]),
-            _ => digits[printed],
-        };
-        let by_accident = NO_EDIT * libm::pow(10.0, -(known.clamp(1, 8) as f64));
-        let all: f64 = found.iter().map(|fit| fit.weight).sum::<f64>() + by_accident;
+        let all: f64 = found.iter().map(|fit| fit.weight).sum();
         let best = found.into_iter().reduce(|best, fit| if fit.weight > best.weight { fit } else { best })?;
-        let is_likely = best.weight >= LEAST_SHARE * all && only.is_none_or(|only| only == best.side);
+        let is_likely = best.weight >= LEAST_SHARE * (all + best.accident) && only.is_none_or(|only| only == best.side);
         is_likely.then_some(best.hint)
     }
 
@@ -239,6 +253,18 @@ impl HintSearch<'_> {
                 0 => is_agreed(&other.tokens, edited, Relation::Equal),
                 _ => is_agreed(edited, &other.tokens, Relation::Equal),
             })
+    }
+
+    /// How much likelier an edit is by what the text prints around the chain: the number that it offers, or the one that it
+    /// replaces.
+    fn evidence_around(&self, words: &str, is_result: bool) -> f64 {
+        let offers = offered(words).is_some_and(|offered| self.is_printed_elsewhere(offered));
+        let replaced = words.split('`').nth(3).filter(|_| !is_result);
+        match (offers, replaced.is_some_and(|replaced| self.is_printed_elsewhere(replaced))) {
+            (true, false) => PRINTED_ELSEWHERE,
+            (false, true) => 1.0 / PRINTED_TWICE,
+            _ => 1.0,
+        }
     }
 
     /// Whether a number of three digits or more stands in the text near the chain.
