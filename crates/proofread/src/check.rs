@@ -16,7 +16,7 @@ use crate::named_counts::NamedCounts;
 use crate::order::sort_by_place;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
 use crate::tell::finding::ChainFinding;
-use crate::tell::hint;
+use crate::tell::hint::{self, HintSearch};
 use crate::tell::tally::CheckTally;
 #[cfg(feature = "cli")]
 use crate::tell::unchecked_chain::UncheckedChain;
@@ -164,6 +164,26 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     check.report.tally.bytes = text.len();
     check.report.tally.doubts = check.report.findings.iter().filter(|of| of.section == ReportSection::Doubts).count();
     Ok(check.report)
+}
+
+/// The sides of a chain before the left and behind the right one of two neighbours, if they are equal to them.
+fn neighbours<'c>(chain: &'c Chain, left: &ChainSide, right: &ChainSide) -> [Option<&'c ChainSide>; 2] {
+    let at = |wanted: &ChainSide| chain.sides.iter().position(|side| std::ptr::eq(side, wanted));
+    let (Some(left), Some(right)) = (at(left), at(right)) else { return [None; 2] };
+    let is_equal = |side: &ChainSide| side.relation == Some(Relation::Equal);
+    let before = left.checked_sub(1).filter(|_| is_equal(&chain.sides[left])).map(|at| &chain.sides[at]);
+    [before, chain.sides.get(right + 1).filter(|behind| is_equal(behind))]
+}
+
+/// How far around a formula a number is looked for that a hint may offer, in bytes.
+const AROUND: usize = 2000;
+
+/// The text before and behind a formula.
+fn text_around(text: &str, span: Span) -> [&str; 2] {
+    let (start, end) = (span.start as usize, span.end as usize);
+    let from = (start.saturating_sub(AROUND)..=start).find(|at| text.is_char_boundary(*at)).unwrap_or(start);
+    let to = (end..=(end + AROUND).min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(end);
+    [text.get(from..start).unwrap_or_default(), text.get(end..to).unwrap_or_default()]
 }
 
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
@@ -415,7 +435,13 @@ impl DocumentCheck<'_> {
         let doubt = (list == ReportSection::Numbers).then(|| place.doubt(&judgement)).flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
+        let hint = wanted.then(|| {
+            let neighbours = neighbours(chain, left, right);
+            let around = text_around(self.text, formula.span);
+            let judgement = &judgement;
+            HintSearch { left, right, relation, judgement, neighbours, around }.hint(&mut self.budget)
+        });
+        let hint = hint.flatten();
         let hint = hint.filter(|hint| !hint.stands_in(self.text));
         let mut finding = ChainFinding::new(chain, left, right, &judgement, list, hint);
         match doubt {

@@ -421,6 +421,8 @@ fn show_into(tokens: &[Token], out: &mut String) {
             TokenKind::Space(0) | TokenKind::Cell => {}
             TokenKind::Space(_) | TokenKind::Line => out.push(' '),
             TokenKind::Fraction(above, below) => {
+                // A mixed number: 2 1/2, not 21/2.
+                out.push_str(if out.ends_with(|c: char| c.is_ascii_digit()) { " " } else { "" });
                 bracketed(above, out);
                 out.push('/');
                 bracketed(below, out);

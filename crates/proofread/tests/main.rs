@@ -12,9 +12,13 @@ mod doubts;
 mod formats;
 mod fuzz;
 mod growth;
+mod hints;
+#[cfg(feature = "cli")]
+mod html;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
+mod messages;
 mod notations;
 mod operations;
 mod plain;

@@ -18,6 +18,7 @@ Examples:
   proofread --accept accepted.jsonl book/src
   proofread --baseline accepted.jsonl book/src
   proofread --format sarif book/src > proofread.sarif
+  proofread --format html book/src > proofread.html
   pdftotext -layout paper.pdf - | proofread --input plain -
 
 Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
@@ -29,6 +30,7 @@ pub(crate) enum OutputFormat {
     Json,
     Jsonl,
     Sarif,
+    Html,
 }
 
 /// What all input is written in.
@@ -66,11 +68,12 @@ pub struct ProofreadArguments {
     pub(crate) accept: Option<PathBuf>,
 }
 
-const WRITTEN: [(&str, OutputFormat); 4] = [
+const WRITTEN: [(&str, OutputFormat); 5] = [
     ("text", OutputFormat::Text),
     ("json", OutputFormat::Json),
     ("jsonl", OutputFormat::Jsonl),
     ("sarif", OutputFormat::Sarif),
+    ("html", OutputFormat::Html),
 ];
 const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
@@ -104,7 +107,7 @@ impl Args for ProofreadArguments {
             option("format", "FORMAT")
                 .value_parser(value_names(&WRITTEN))
                 .default_value("text")
-                .help("How findings are written; sarif is for code review"),
+                .help("How findings are written; sarif is for code review, html a page for people"),
             switch("units").help("Also list numbers that agree although their units do not"),
             switch("doubts").help(
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",

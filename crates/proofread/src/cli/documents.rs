@@ -2,6 +2,7 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
+use super::nearest::missing;
 use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
@@ -90,7 +91,7 @@ pub(crate) fn sources(
                     shown_path(path)
                 ));
             }
-        } else if let Some(why) = missing(path) {
+        } else if let Some(why) = missing(path, WANTED) {
             out.push(Err(why));
         } else {
             out.push(
@@ -104,35 +105,6 @@ pub(crate) fn sources(
 
 /// Endings of names that tell a format, for errors.
 const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
-
-/// Why a path leads nowhere, with the name beside it that was probably meant.
-fn missing(path: &Path) -> Option<String> {
-    let why = fs::metadata(path).err()?;
-    let name = shown_path(path);
-    let text = path.to_string_lossy();
-    let bare = text.trim_end_matches(std::path::is_separator);
-    if bare.len() < text.len() && Path::new(bare).is_file() {
-        return Some(format!("{name} is no folder; give the file as {}", shown_path(Path::new(bare))));
-    }
-    let nearest = nearest(path).map(|near| format!("; the nearest name is {}", shown_path(&near)));
-    Some(format!("cannot read {name}: {}{}; give {WANTED}", in_words(&why), nearest.unwrap_or_default()))
-}
-
-/// The path whose last name is nearest to that of a path which leads nowhere.
-fn nearest(path: &Path) -> Option<PathBuf> {
-    const MOST_COMPARED: usize = 10_000;
-    let wanted = path.file_name()?.to_string_lossy();
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let entries = fs::read_dir(folder.unwrap_or(Path::new("."))).ok()?.filter_map(Result::ok).take(MOST_COMPARED);
-    let name = |entry: fs::DirEntry| entry.file_name();
-    let near = entries.map(name).filter_map(|name| {
-        let distance = strsim::damerau_levenshtein(&wanted, &name.to_string_lossy());
-        // A third of the letters: another name is no slip.
-        (3 * distance <= wanted.chars().count()).then_some((distance, name))
-    });
-    let (_, name) = near.min()?;
-    Some(folder.map_or_else(|| PathBuf::from(&name), |folder| folder.join(&name)))
-}
 
 fn file(path: &Path, input: Option<Input>) -> Option<Source> {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();

@@ -35,6 +35,8 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
         "right": finding.right,
         "printed": finding.printed,
         "recomputed": finding.recomputed,
+        "factor": finding.factor,
+        "difference": finding.difference,
         "explanation": finding.explanation,
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::reason),

@@ -3,7 +3,9 @@
 mod arguments;
 mod baseline;
 mod documents;
+mod html;
 mod json;
+mod nearest;
 mod output;
 mod project;
 mod sarif;
@@ -134,12 +136,16 @@ impl<'a> CommandRun<'a> {
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
             _ => Baseline::default(),
         };
+        if let Some(why) = arguments.accept.as_deref().and_then(|path| nearest::missing_folder(path, "--accept")) {
+            return Err(why);
+        }
         let option = OutputOption { name: "--accept", instead: "" };
         let accepted = arguments.accept.as_deref().map(|path| NewFile::new(path, option)).transpose()?;
         let writer: Box<dyn ReportWriter> = match arguments.format {
             OutputFormat::Text => Box::new(text::TextWriter(streams.layout())),
             OutputFormat::Json => Box::new(json::JsonWriter::default()),
             OutputFormat::Jsonl => Box::new(json::JsonLinesWriter),
+            OutputFormat::Html => Box::new(html::HtmlWriter::default()),
             OutputFormat::Sarif => Box::new(sarif::SarifWriter::default()),
         };
         Ok(Self {

@@ -26,12 +26,15 @@ fn uri(document: &Document) -> String {
     file_uri(path)
 }
 
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
+}
+
 fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
     let [start, end] = lines.line_columns(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
-    if let Some(recomputed) = &finding.recomputed {
-        message += &format!(" Printed {}, recomputed {recomputed}.", finding.printed);
-    }
+    message += &format!(" {}.", capitalised(&finding.values_in_words()));
     if let Some(hint) = &finding.hint {
         message += &format!(" {} would agree.", hint.words);
     }
@@ -45,6 +48,7 @@ fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
         "message": { "text": message },
         "locations": [location(uri, start, end)],
         "partialFingerprints": { "chain/v1": fingerprint(finding) },
+        "properties": { "printed": finding.printed, "recomputed": finding.recomputed, "factor": finding.factor },
     })
 }
 

@@ -100,33 +100,6 @@ pub(crate) fn power_of_ten(exponent: f64) -> f64 {
     libm::pow(10.0, exponent)
 }
 
-/// A number with as many significant digits as asked, in the manner of the printed number beside it.
-pub(crate) fn format_significant(value: f64, significant: usize) -> String {
-    let significant = significant.clamp(1, 15);
-    if value == 0.0 {
-        return if value.is_sign_negative() { "-0" } else { "0" }.to_owned();
-    }
-    if !value.is_finite() {
-        let [below, above] = ["-inf", "inf"];
-        return if value.is_nan() {
-            "NaN"
-        } else if value < 0.0 {
-            below
-        } else {
-            above
-        }
-        .to_owned();
-    }
-    let text = format!("{:.*e}", significant - 1, value);
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if (-4..6).contains(&exponent) {
-        let places = (significant as i32 - 1 - exponent).max(0) as usize;
-        return format!("{:.*}", places, text.parse::<f64>().unwrap_or(value));
-    }
-    format!("{mantissa}e{exponent}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,19 +130,6 @@ mod tests {
         assert_eq!(PrintedNumber::read("1,234.50").map(|of| (of.value, of.decimals)), Some((1234.5, Some(2))));
         for text in ["", ".", "1.2.3", "abc", "1e3"] {
             assert_eq!(PrintedNumber::read(text), None, "{text}");
-        }
-    }
-
-    #[test]
-    fn a_recomputed_number_is_written_with_as_many_digits() {
-        for (value, digits, expected) in [
-            (0.577_35, 3, "0.577"),
-            (4210.4, 4, "4210"),
-            (1.234e-7, 2, "1.2e-7"),
-            (5.63e-3, 3, "0.00563"),
-            (0.0, 3, "0"),
-        ] {
-            assert_eq!(format_significant(value, digits), expected);
         }
     }
 }

@@ -24,6 +24,22 @@ impl UnitDimension {
         Self(sixtieths)
     }
 
+    /// Its name: that of a unit of the SI without a prefix, or a product of base units; empty if there is none.
+    pub(crate) fn in_base_units(self) -> String {
+        const NAMED: [&str; 11] = ["N", "J", "W", "Pa", "C", "V", "Ω", "F", "T", "H", "Wb"];
+        const BASE: [&str; 7] = ["m", "kg", "s", "A", "K", "mol", "cd"];
+        let named = NAMED.into_iter().find(|name| unit(name).is_some_and(|unit| unit.dimension == self));
+        if let Some(name) = named {
+            return name.to_owned();
+        }
+        let part = |(name, sixtieths): (&str, i32)| match f64::from(sixtieths) / 60.0 {
+            0.0 => None,
+            1.0 => Some(name.to_owned()),
+            power => Some(format!("{name}^{power}").replace('-', "−")),
+        };
+        BASE.into_iter().zip(self.0).filter_map(part).collect::<Vec<_>>().join("·")
+    }
+
     /// Whether there is none.
     pub(crate) fn is_none(self) -> bool {
         self == Self::NONE
