@@ -23,6 +23,8 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "cli")]
+mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;

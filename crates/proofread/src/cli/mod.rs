@@ -8,7 +8,9 @@ mod output;
 mod project;
 mod sarif;
 mod since;
+mod staged;
 mod text;
+mod tree;
 
 pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
@@ -29,7 +31,9 @@ use geneva_host::printable::shown_path;
 use output::RunStatus;
 use project::Project;
 use since::{EarlierText, Since};
+use staged::Staging;
 use std::path::Path;
+use tree::FileTree;
 
 /// What a document gave, ready to be written.
 struct CheckedDocument<'d> {
@@ -160,9 +164,16 @@ impl<'a> CommandRun<'a> {
 
     fn run_all(mut self) -> Result<RunStatus, String> {
         let arguments = self.arguments;
-        let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+        let revision = arguments.since.as_deref();
         let accepting = arguments.accept.is_some();
-        let sources = documents::sources(&arguments.files, arguments.input, &mut self.not_read)?;
+        let (since, sources) = if arguments.staged {
+            let staging = Staging::new(revision, &arguments.files)?;
+            self.project = Project::new(FileTree::Staged(staging.files()));
+            (None, staging.sources(arguments.input, &mut self.not_read))
+        } else {
+            let since = revision.map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+            (since, documents::sources(&arguments.files, arguments.input, &mut self.not_read)?)
+        };
         for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
@@ -226,7 +237,11 @@ impl<'a> CommandRun<'a> {
 
     /// Proofreads a document and writes what it gave.
     fn proofread_document(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
-        let before = match since.map(|since| since.earlier_text(document)).transpose()? {
+        let before = match &document.staged {
+            Some(staged) => Some(EarlierText::of_staged(staged, document)?),
+            None => since.map(|since| since.earlier_text(document)).transpose()?,
+        };
+        let before = match before {
             Some(EarlierText::Same) => return Ok(()),
             Some(EarlierText::Other(text)) => Some(text),
             Some(EarlierText::Missing) | None => None,

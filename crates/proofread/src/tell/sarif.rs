@@ -1,14 +1,16 @@
 //! What every log of findings for code review has: the Static Analysis Results Interchange Format, version 2.1.0 (OASIS).
 
 use crate::tell::line_index::LineColumn;
+use geneva_host::files::whole_path;
 use geneva_host::git::Repository;
 use serde_json::{Value, json};
 use std::path::{Component, Path};
 
 /// Where a file is, as code review names it: by its path in its repository, or below the working directory where there is none.
 pub fn file_uri(path: &Path) -> String {
-    let whole = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let top = Repository::containing(&whole).map(|repository| repository.top().to_owned());
+    // A file that is staged may be gone from the disk.
+    let whole = path.canonicalize().unwrap_or_else(|_| whole_path(path));
+    let top = whole.ancestors().find_map(Repository::containing).map(|repository| repository.top().to_owned());
     let top = top.or_else(|| std::env::current_dir().and_then(|folder| folder.canonicalize()).ok());
     match top.and_then(|top| whole.strip_prefix(top).ok()) {
         Some(inside) => encoded(path_names(inside)),
