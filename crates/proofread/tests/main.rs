@@ -14,6 +14,8 @@ mod fuzz;
 mod growth;
 #[cfg(feature = "cli")]
 mod inclusions;
+#[cfg(feature = "cli")]
+mod integrations;
 mod judged;
 mod notations;
 mod operations;
