@@ -1,5 +1,7 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
+#[cfg(feature = "cli")]
+mod action;
 mod adjoining;
 mod chains;
 #[cfg(feature = "cli")]
