@@ -26,6 +26,8 @@ mod readings;
 mod remarks;
 mod running;
 #[cfg(feature = "cli")]
+mod sarif;
+#[cfg(feature = "cli")]
 mod since;
 #[cfg(feature = "cli")]
 mod staged;

@@ -41,25 +41,34 @@ pub(crate) fn encoded<'n>(names: impl Iterator<Item = &'n [u8]>) -> String {
     out
 }
 
-/// A stretch of a file.
-pub fn location(uri: &str, start: LineColumn, end: LineColumn) -> Value {
+/// A stretch of a file, from a place to the one behind its last character.
+pub fn region(start: LineColumn, end: LineColumn) -> Value {
     json!({
-        "physicalLocation": {
-            "artifactLocation": { "uri": uri },
-            "region": {
-                "startLine": start.line,
-                "startColumn": start.column,
-                "endLine": end.line,
-                "endColumn": end.column,
-            },
-        },
+        "startLine": start.line,
+        "startColumn": start.column,
+        "endLine": end.line,
+        "endColumn": end.column,
     })
+}
+
+/// Where in a file something is.
+pub fn location(uri: &str, start: LineColumn, end: LineColumn) -> Value {
+    json!({ "physicalLocation": { "artifactLocation": { "uri": uri }, "region": region(start, end) } })
+}
+
+/// Where people read about the program; none while it has no address.
+pub fn help_uri() -> Option<&'static str> {
+    [env!("CARGO_PKG_REPOSITORY"), env!("CARGO_PKG_HOMEPAGE")].into_iter().find(|address| !address.is_empty())
 }
 
 /// A whole log of a program, with its rules and its results.
 pub fn log(tool: &str, rules: &[Value], results: Vec<Value>) -> String {
+    let mut driver = json!({ "name": tool, "version": env!("CARGO_PKG_VERSION"), "rules": rules });
+    if let Some(address) = help_uri() {
+        driver["informationUri"] = address.into();
+    }
     let run = json!({
-        "tool": { "driver": { "name": tool, "version": env!("CARGO_PKG_VERSION"), "rules": rules } },
+        "tool": { "driver": driver },
         "columnKind": "unicodeCodePoints",
         "results": results,
     });
