@@ -9,6 +9,7 @@ use geneva_host::files::{self, whole_path};
 use geneva_host::git::{Blob, Repository, StagedChange};
 use geneva_host::printable::shown_path;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
 
@@ -114,11 +115,11 @@ impl Staging {
                 whole.clone_from(&top);
             }
             out.arguments.push((shown, whole));
-            if !out.by_top.contains_key(&top) {
+            if let Entry::Vacant(place) = out.by_top.entry(top.clone()) {
                 let changed = Changed::new(repository, revision)?;
                 let all = changed.repository.staged_files()?.into_iter();
                 files.files.extend(all.map(|(path, blob)| (top.join(path), (changed.repository.clone(), blob))));
-                out.by_top.insert(top, changed);
+                place.insert(changed);
             }
         }
         out.files = Rc::new(files);
