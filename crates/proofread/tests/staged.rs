@@ -193,6 +193,34 @@ fn a_hook_reads_what_is_being_committed() {
 }
 
 #[test]
+fn a_merge_brings_in_what_neither_side_had() {
+    let Some(folder) = repository() else { return };
+    let folder = folder.path();
+    write(folder, "a.md", RIGHT);
+    commit(folder);
+    for (branch, text) in [("one", "One: $3 + 3 = 7$\n"), ("two", "Two: $3 + 3 = 8$\n")] {
+        assert!(git(folder, &["checkout", "-q", "-b", branch, "main"]));
+        write(folder, "a.md", text);
+        write(folder, &format!("{branch}.md"), WRONG);
+        commit(folder);
+    }
+    assert!(!git(folder, &["merge", "-q", "one"]));
+    for (text, code) in [
+        ("Both: $3 + 3 = 7$ and $3 + 3 = 8$\n", 0),
+        ("Twice: $3 + 3 = 7$ and $3 + 3 = 7$\n", 1),
+        ("Another: $3 + 3 = 9$\n", 1),
+    ] {
+        write(folder, "a.md", text);
+        assert!(git(folder, &["add", "--all"]));
+        let (found, out, told) = staged(folder, &["."]);
+        assert!(found == code && (code == 0 || out.contains("1 finding:")), "{text}: {out}{told}");
+    }
+    // Without the merge, what the other side had is new.
+    let name = folder.to_string_lossy().into_owned();
+    assert!(run(&["--staged", "--since", "HEAD", &name]).1.contains("2 findings:"));
+}
+
+#[test]
 fn names_are_shown_from_the_working_directory() {
     let Some(folder) = repository() else { return };
     write(folder.path(), "below/a.md", WRONG);

@@ -243,8 +243,8 @@ impl<'a> CommandRun<'a> {
         };
         let before = match before {
             Some(EarlierText::Same) => return Ok(()),
-            Some(EarlierText::Other(text)) => Some(text),
-            Some(EarlierText::Missing) | None => None,
+            Some(EarlierText::Other(texts)) => texts,
+            Some(EarlierText::Missing) | None => Vec::new(),
         };
         let definitions =
             document.path.as_deref().filter(|_| matches!(document.format, TextFormat::Latex | TextFormat::Xml));
@@ -253,13 +253,12 @@ impl<'a> CommandRun<'a> {
             .report(document, &document.text, definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
         let mut findings = report.findings;
-        if let Some(before) = before {
-            let before = self
-                .report(document, &before, definitions.as_deref())
-                .map(|report| report.findings)
-                .unwrap_or_default();
-            since::remove_known(&mut findings, &before);
-        }
+        let before: Vec<Vec<ChainFinding>> = before
+            .iter()
+            .filter_map(|text| self.report(document, text, definitions.as_deref()).ok())
+            .map(|report| report.findings)
+            .collect();
+        since::remove_known(&mut findings, &before);
         if self.arguments.accept.is_some() {
             findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
         } else {

@@ -28,19 +28,22 @@ pub(crate) struct Since {
 pub(crate) enum EarlierText {
     /// It was as it is.
     Same,
-    /// It was another text.
-    Other(String),
+    /// It was another text, or several of them if commits are merged.
+    Other(Vec<String>),
     /// It was not there.
     Missing,
 }
 
 impl EarlierText {
-    /// Compares what a document was, if it was there, with what it is.
-    fn new(content: Option<Vec<u8>>, document: &Document) -> Self {
-        match content.map(decode_text) {
-            Some(Ok(text)) if text == document.text => Self::Same,
-            Some(Ok(text)) => Self::Other(text),
-            Some(Err(_)) | None => Self::Missing,
+    /// Compares what a document was, in each of the commits in which it was there, with what it is.
+    fn new(contents: Vec<Vec<u8>>, document: &Document) -> Self {
+        let texts: Vec<String> = contents.into_iter().filter_map(|content| decode_text(content).ok()).collect();
+        if texts.contains(&document.text) {
+            Self::Same
+        } else if texts.is_empty() {
+            Self::Missing
+        } else {
+            Self::Other(texts)
         }
     }
 
@@ -49,7 +52,7 @@ impl EarlierText {
         if document.path.is_none() {
             return Err(no_earlier_line(document));
         }
-        Ok(Self::new(file.earlier_content(&escape_and_shorten(&document.name))?, document))
+        Ok(Self::new(file.earlier_contents(&escape_and_shorten(&document.name))?, document))
     }
 }
 
@@ -101,7 +104,7 @@ impl Since {
         let blob = whole.strip_prefix(repository.top()).ok().and_then(|name: &Path| files.get(name));
         let Some(blob) = blob else { return Ok(EarlierText::Missing) };
         let content = repository.content(blob).map_err(|why| format!("{}: {why}", shown_path(path)))?;
-        Ok(EarlierText::new(Some(content), document))
+        Ok(EarlierText::new(vec![content], document))
     }
 }
 
@@ -121,11 +124,18 @@ pub(super) fn unknown_revision(revision: &str, repository: &Repository) -> Strin
     )
 }
 
-/// Leaves what was not there before; a case that occurs twice must have been there twice.
-pub(crate) fn remove_known(findings: &mut Vec<ChainFinding>, before: &[ChainFinding]) {
+/// Leaves what was in none of the texts before; a case that occurs twice must have been twice in one of them.
+pub(crate) fn remove_known(findings: &mut Vec<ChainFinding>, before: &[Vec<ChainFinding>]) {
     let mut known: HashMap<String, usize> = HashMap::new();
-    for finding in before {
-        *known.entry(fingerprint(finding)).or_default() += 1;
+    for text in before {
+        let mut counts: HashMap<String, usize> = HashMap::new();
+        for finding in text {
+            *counts.entry(fingerprint(finding)).or_default() += 1;
+        }
+        for (case, count) in counts {
+            let most = known.entry(case).or_default();
+            *most = count.max(*most);
+        }
     }
     findings.retain(|finding| match known.get_mut(&fingerprint(finding)) {
         Some(left) if *left > 0 => {

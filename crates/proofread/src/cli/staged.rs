@@ -8,8 +8,8 @@ use crate::reader::{LONGEST, UnreadParts};
 use geneva_host::files::{self, whole_path};
 use geneva_host::git::{Blob, Repository, StagedChange};
 use geneva_host::printable::shown_path;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
 
@@ -57,7 +57,8 @@ fn content(repository: &Repository, blob: &Blob, name: &str, most: u64) -> Resul
 pub(crate) struct StagedFile {
     repository: Rc<Repository>,
     staged: Blob,
-    earlier: Option<Blob>,
+    /// What it was in each of the commits before in which it was there.
+    earlier: Vec<Blob>,
 }
 
 impl StagedFile {
@@ -66,10 +67,9 @@ impl StagedFile {
         content(&self.repository, &self.staged, name, LONGEST as u64)
     }
 
-    /// What the commit before has; none if it has no such file.
-    pub(super) fn earlier_content(&self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        let earlier = self.earlier.as_ref();
-        earlier.map(|blob| content(&self.repository, blob, name, LONGEST as u64)).transpose()
+    /// What it was: nothing if it is new, and several texts if commits are merged.
+    pub(super) fn earlier_contents(&self, name: &str) -> Result<Vec<Vec<u8>>, String> {
+        self.earlier.iter().map(|blob| content(&self.repository, blob, name, LONGEST as u64)).collect()
     }
 }
 
@@ -78,6 +78,8 @@ struct Changed {
     repository: Rc<Repository>,
     changes: Vec<StagedChange>,
     conflicts: Vec<PathBuf>,
+    /// The files of the commit that is being merged, if one is: what they have is not new.
+    merged: HashMap<PathBuf, Blob>,
 }
 
 /// What is staged in the repositories around the arguments.
@@ -179,11 +181,14 @@ impl Changed {
         let mut changes = repository.staged_changes(commit.as_deref())?;
         changes.sort_by(|one, other| one.path.cmp(&other.path));
         let conflicts = repository.conflicts()?;
-        Ok(Self { repository: Rc::new(repository), changes, conflicts })
+        let other = if revision.is_none() { repository.commit("MERGE_HEAD")? } else { None };
+        let merged = other.map(|other| repository.files(&other)).transpose()?.into_iter().flatten().collect();
+        Ok(Self { repository: Rc::new(repository), changes, conflicts, merged })
     }
 
     fn file(&self, change: &StagedChange) -> Option<StagedFile> {
-        let StagedChange { staged, earlier, .. } = change.clone();
+        let StagedChange { path, staged, earlier } = change.clone();
+        let earlier = earlier.into_iter().chain(self.merged.get(&path).cloned()).collect();
         Some(StagedFile { repository: self.repository.clone(), staged: staged?, earlier })
     }
 
