@@ -2,7 +2,7 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
-use super::staged::StagedFile;
+use super::index::StagedFile;
 use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};

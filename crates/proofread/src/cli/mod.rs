@@ -3,6 +3,7 @@
 mod arguments;
 mod baseline;
 mod documents;
+mod index;
 mod json;
 mod output;
 mod project;

@@ -5,7 +5,7 @@
 
 use super::baseline::fingerprint;
 use super::documents::{Document, STANDARD_INPUT, decode_text};
-use super::staged::StagedFile;
+use super::index::StagedFile;
 use crate::tell::finding::ChainFinding;
 use geneva_host::git::{Blob, Repository};
 use geneva_host::printable::{escape_and_shorten, shown_path};

@@ -1,77 +1,16 @@
-//! What is about to be committed: the files in the index of git, and which of them a commit changes.
-//!
-//! The work tree is not looked at. A file that is right on the disk is reported if it is staged with a mistake, and the other way round.
+//! What is about to be committed: which of the staged files the next commit changes, and where they are asked for.
 
 use super::arguments::Input;
 use super::documents::{self, STANDARD_INPUT, Source};
-use crate::reader::{LONGEST, UnreadParts};
-use geneva_host::files::{self, whole_path};
+use super::index::{StagedFile, StagedFiles};
+use crate::reader::UnreadParts;
+use geneva_host::files::whole_path;
 use geneva_host::git::{Blob, Repository, StagedChange};
 use geneva_host::printable::shown_path;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
-
-/// The staged files of the repositories around the arguments, by their whole paths.
-#[derive(Default)]
-pub(crate) struct StagedFiles {
-    files: BTreeMap<PathBuf, (Rc<Repository>, Blob)>,
-}
-
-impl StagedFiles {
-    /// What is staged at a path.
-    pub(super) fn blob(&self, file: &Path) -> Option<&Blob> {
-        self.files.get(file).map(|(_, blob)| blob)
-    }
-
-    /// The files in a folder, without those in its folders.
-    pub(super) fn files_in(&self, folder: &Path) -> Vec<PathBuf> {
-        let below = self.below(folder);
-        below.filter(|file| file.parent() == Some(folder)).cloned().collect()
-    }
-
-    fn below(&self, folder: &Path) -> impl Iterator<Item = &PathBuf> {
-        let from = self.files.range(folder.to_owned()..);
-        from.map(|(file, _)| file).take_while(move |file| file.starts_with(folder))
-    }
-
-    /// The bytes that are staged at a path, at most so many.
-    pub(super) fn read(&self, file: &Path, most: u64, wanted: &str) -> Result<Vec<u8>, String> {
-        let (repository, blob) = self
-            .files
-            .get(file)
-            .ok_or_else(|| format!("{} is not staged in git; give {wanted} that is", shown_path(file)))?;
-        content(repository, blob, &shown_path(file), most)
-    }
-}
-
-/// The bytes of a blob, at most so many.
-fn content(repository: &Repository, blob: &Blob, name: &str, most: u64) -> Result<Vec<u8>, String> {
-    let bytes = repository.content(blob).map_err(|why| format!("{name}: {why}"))?;
-    files::read_stream(bytes.as_slice(), name, most)
-}
-
-/// A file that the next commit brings or changes.
-#[derive(Debug)]
-pub(crate) struct StagedFile {
-    repository: Rc<Repository>,
-    staged: Blob,
-    /// What it was in each of the commits before in which it was there.
-    earlier: Vec<Blob>,
-}
-
-impl StagedFile {
-    /// What is staged; `name` is for errors.
-    pub(super) fn content(&self, name: &str) -> Result<Vec<u8>, String> {
-        content(&self.repository, &self.staged, name, LONGEST as u64)
-    }
-
-    /// What it was: nothing if it is new, and several texts if commits are merged.
-    pub(super) fn earlier_contents(&self, name: &str) -> Result<Vec<Vec<u8>>, String> {
-        self.earlier.iter().map(|blob| content(&self.repository, blob, name, LONGEST as u64)).collect()
-    }
-}
 
 /// A repository with what the next commit changes in it.
 struct Changed {
@@ -120,7 +59,7 @@ impl Staging {
             if let Entry::Vacant(place) = out.by_top.entry(top.clone()) {
                 let changed = Changed::new(repository, revision)?;
                 let all = changed.repository.staged_files()?.into_iter();
-                files.files.extend(all.map(|(path, blob)| (top.join(path), (changed.repository.clone(), blob))));
+                all.for_each(|(path, blob)| files.add(top.join(path), changed.repository.clone(), blob));
                 place.insert(changed);
             }
         }
@@ -189,7 +128,7 @@ impl Changed {
     fn file(&self, change: &StagedChange) -> Option<StagedFile> {
         let StagedChange { path, staged, earlier } = change.clone();
         let earlier = earlier.into_iter().chain(self.merged.get(&path).cloned()).collect();
-        Some(StagedFile { repository: self.repository.clone(), staged: staged?, earlier })
+        Some(StagedFile::new(self.repository.clone(), staged?, earlier))
     }
 
     /// The changed files below a folder that a search of it on the disk would find, without lines of JSON.

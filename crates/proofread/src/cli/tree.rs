@@ -1,6 +1,6 @@
 //! Where files are: on the disk, or in the index of git, which has them as they will be committed.
 
-use super::staged::StagedFiles;
+use super::index::StagedFiles;
 use geneva_host::files;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
