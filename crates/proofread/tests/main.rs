@@ -1,5 +1,7 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
+#[cfg(feature = "cli")]
+mod action;
 mod adjoining;
 mod chains;
 #[cfg(feature = "cli")]
@@ -17,6 +19,8 @@ mod hints;
 mod html;
 #[cfg(feature = "cli")]
 mod inclusions;
+#[cfg(feature = "cli")]
+mod integrations;
 mod judged;
 mod messages;
 mod notations;
@@ -26,7 +30,11 @@ mod readings;
 mod remarks;
 mod running;
 #[cfg(feature = "cli")]
+mod sarif;
+#[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "cli")]
+mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;

@@ -15,6 +15,7 @@ Examples:
   proofread notes.tex chapters/
   proofread --units --bindings=always homework.md
   proofread --since main .
+  proofread --staged
   proofread --accept accepted.jsonl book/src
   proofread --baseline accepted.jsonl book/src
   proofread --format sarif book/src > proofread.sarif
@@ -64,6 +65,7 @@ pub struct ProofreadArguments {
     pub(crate) agreeing: bool,
     pub(crate) statistics: bool,
     pub(crate) since: Option<String>,
+    pub(crate) staged: bool,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
 }
@@ -92,7 +94,7 @@ impl Args for ProofreadArguments {
         command.args([
             Arg::new("files")
                 .value_name("FILE")
-                .required(true)
+                .required_unless_present("staged")
                 .num_args(1..)
                 .value_parser(value_parser!(PathBuf))
                 .help(
@@ -136,6 +138,10 @@ impl Args for ProofreadArguments {
                 ),
             switch("agreeing").help("Also list pairs that agree, for programs; they count as nothing found"),
             option("since", "REV").help("Report only what has come in since this revision, with the help of git"),
+            switch("staged").help(
+                "Read files as they are staged in git, and report only what is new since HEAD, or since the revision of --since; \
+                 without files, all of the repository",
+            ),
             option("baseline", "FILE").value_parser(value_parser!(PathBuf)).help("Leave out the cases in this file"),
             option("accept", "FILE")
                 .value_parser(value_parser!(PathBuf))
@@ -165,6 +171,7 @@ impl FromArgMatches for ProofreadArguments {
             agreeing: matches.get_flag("agreeing"),
             statistics: choice(text("statistics"), &COMPARED).unwrap_or(true),
             since: text("since").map(str::to_owned),
+            staged: matches.get_flag("staged"),
             baseline: path("baseline"),
             accept: path("accept"),
         })
