@@ -15,6 +15,8 @@ mod growth;
 #[cfg(feature = "cli")]
 mod inclusions;
 mod judged;
+#[cfg(feature = "cli")]
+mod lsp;
 mod notations;
 mod operations;
 mod plain;

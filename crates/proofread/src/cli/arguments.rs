@@ -19,6 +19,7 @@ Examples:
   proofread --baseline accepted.jsonl book/src
   proofread --format sarif book/src > proofread.sarif
   pdftotext -layout paper.pdf - | proofread --input plain -
+  proofread lsp
 
 Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
 
@@ -64,7 +65,24 @@ pub struct ProofreadArguments {
     pub(crate) since: Option<String>,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
+    /// Whether an editor is to be served instead.
+    pub(crate) lsp: bool,
 }
+
+/// The command for editors; a file of this name is `./lsp`.
+const LSP: &str = "lsp";
+
+/// What stands under the help of the command for editors.
+const LSP_OPTIONS: &str = "\
+Options of the editor, as initializationOptions or in workspace/didChangeConfiguration, alone or under `proofread`:
+  units       true or false   also list numbers that agree although their units do not
+  doubts      true or false   also list differences that are set aside
+  bindings    never, once or always
+  statistics  true or false
+
+A file that is named lsp is given as ./lsp.
+
+Exit codes: 0 the editor asked for the end, 1 it was gone before, 2 standard input is a terminal.";
 
 const WRITTEN: [(&str, OutputFormat); 4] = [
     ("text", OutputFormat::Text),
@@ -72,9 +90,9 @@ const WRITTEN: [(&str, OutputFormat); 4] = [
     ("jsonl", OutputFormat::Jsonl),
     ("sarif", OutputFormat::Sarif),
 ];
-const FOLLOWED: [(&str, NamePolicy); 3] =
+pub(super) const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
-const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
+pub(super) const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
 const LINES: &str = "jsonl";
 
 fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
@@ -85,6 +103,17 @@ impl Args for ProofreadArguments {
     fn augment_args(command: Command) -> Command {
         let option = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
         let switch = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
+        let stdio = switch("stdio").help("As it is anyway; some editors say so");
+        let lsp = Command::new(LSP)
+            .about("Serve an editor, which shows findings while a text is written")
+            .after_help(LSP_OPTIONS)
+            .arg(stdio);
+        // Behind an option or a file, the name is that of a file.
+        let command = command
+            .subcommand(lsp)
+            .args_conflicts_with_subcommands(true)
+            .subcommand_negates_reqs(true)
+            .disable_help_subcommand(true);
         let formats = TextFormat::ALL.iter().map(|(name, _)| *name).chain([LINES]);
         command.args([
             Arg::new("files")
@@ -164,6 +193,7 @@ impl FromArgMatches for ProofreadArguments {
             since: text("since").map(str::to_owned),
             baseline: path("baseline"),
             accept: path("accept"),
+            lsp: matches.subcommand_matches(LSP).is_some(),
         })
     }
 

@@ -4,6 +4,7 @@ mod arguments;
 mod baseline;
 mod documents;
 mod json;
+mod lsp;
 mod output;
 mod project;
 mod sarif;
@@ -73,7 +74,11 @@ struct CheckedDocument<'d> {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn run(arguments: &ProofreadArguments, streams: &mut dyn CommandStreams) -> u8 {
-    let outcome = CommandRun::new(arguments, streams).and_then(|run| run.run_all());
+    let outcome = if arguments.lsp {
+        lsp::serve().map(|well| if well { RunStatus::Clean } else { RunStatus::Found })
+    } else {
+        CommandRun::new(arguments, streams).and_then(|run| run.run_all())
+    };
     match outcome {
         Ok(outcome) => outcome.code(),
         Err(message) => {
