@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 /// After which time a message that does not come has failed a test. Nothing else depends on it.
-const LOST: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// An editor.
 struct Editor {
@@ -17,6 +17,8 @@ struct Editor {
     input: Option<ChildStdin>,
     messages: Receiver<Value>,
     last_id: u64,
+    /// What columns count, as the server says.
+    encoding: String,
 }
 
 fn read(stream: &mut impl BufRead) -> Option<Value> {
@@ -52,7 +54,7 @@ impl Editor {
             }
         });
         let input = server.stdin.take();
-        Self { server, input, messages, last_id: 0 }
+        Self { server, input, messages, last_id: 0, encoding: String::new() }
     }
 
     /// An editor that has introduced itself, with these options and abilities besides the usual ones.
@@ -67,7 +69,11 @@ impl Editor {
         let params = json!({ "processId": null, "rootUri": null, "capabilities": capabilities, "initializationOptions": options });
         let answer = editor.request("initialize", &params);
         let offered = &answer["result"]["capabilities"];
-        assert_eq!((&offered["textDocumentSync"]["change"], &offered["hoverProvider"]), (&json!(2), &json!(true)));
+        let sync = json!({ "openClose": true, "change": 2, "save": { "includeText": false } });
+        assert_eq!((&offered["textDocumentSync"], &offered["hoverProvider"]), (&sync, &json!(true)));
+        assert_eq!(offered["codeActionProvider"], json!({ "codeActionKinds": ["quickfix"] }));
+        assert_eq!(answer["result"]["serverInfo"]["name"], "proofread");
+        editor.encoding = offered["positionEncoding"].as_str().expect("a name").to_owned();
         editor.notify("initialized", &json!({}));
         editor
     }
@@ -89,7 +95,7 @@ impl Editor {
     /// The next message that fits.
     fn next(&mut self, fits: impl Fn(&Value) -> bool) -> Value {
         loop {
-            let message = self.messages.recv_timeout(LOST).expect("a message");
+            let message = self.messages.recv_timeout(PATIENCE).expect("a message");
             if fits(&message) {
                 return message;
             }
@@ -170,7 +176,7 @@ fn a_finding_is_marked_explained_and_mended() {
     let change = json!([{ "range": range(1, 0, 0), "text": "It is $\\tan 31.0^\\circ = 0.609$." }]);
     editor.change(NOTES, 2, &change);
     let marks = editor.marks(NOTES, 2);
-    let message = "the two sides differ: printed 0.609, recomputed 0.601\ntan 31.0° | 0.609";
+    let message = "the two sides differ: printed 0.609, recomputed 0.601\ntan 31.0° against 0.609";
     let other =
         json!([{ "location": { "uri": NOTES, "range": range(1, 7, 22) }, "message": "the other side: tan 31.0°" }]);
     let mark = json!({
@@ -181,7 +187,7 @@ fn a_finding_is_marked_explained_and_mended() {
         "message": message,
         "relatedInformation": other,
     });
-    assert_eq!(marks, [mark.clone()]);
+    assert_eq!(marks, std::slice::from_ref(&mark));
 
     let hover = editor.hover(NOTES, 1, 27);
     assert_eq!((&hover["range"], &hover["contents"]["kind"]), (&range(1, 25, 30), &json!("plaintext")));
@@ -215,11 +221,12 @@ fn a_finding_is_marked_explained_and_mended() {
 fn columns_are_counted_as_the_editor_wants_it() {
     let text = "𝟙𝟚 β $2 + 2 = 5$";
     for (offered, chosen, from) in [
-        (json!({}), "utf-16", 15),
-        (json!({ "positionEncodings": ["utf-16"] }), "utf-16", 15),
-        (json!({ "positionEncodings": ["utf-8", "utf-16"] }), "utf-8", 20),
+        (json!({}), "utf-16", 16),
+        (json!({ "positionEncodings": ["utf-16"] }), "utf-16", 16),
+        (json!({ "positionEncodings": ["utf-8", "utf-16"] }), "utf-8", 21),
     ] {
         let mut editor = Editor::introduced(&Value::Null, &offered);
+        assert_eq!(editor.encoding, chosen);
         editor.open(NOTES, "markdown", text);
         assert_eq!(editor.marks(NOTES, 1)[0]["range"], range(0, from, from + 1), "{chosen}");
         // The same columns in a change: the five becomes a four.

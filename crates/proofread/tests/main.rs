@@ -17,6 +17,8 @@ mod inclusions;
 mod judged;
 #[cfg(feature = "cli")]
 mod lsp;
+#[cfg(feature = "cli")]
+mod neovim;
 mod notations;
 mod operations;
 mod plain;

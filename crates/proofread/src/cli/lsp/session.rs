@@ -53,7 +53,7 @@ pub(super) struct Session {
     settings: Settings,
     folders: Vec<PathBuf>,
     documents: BTreeMap<String, OpenDocument>,
-    waiting: Debouncer<String>,
+    waiting: Debouncer<String, Instant>,
     /// The last number that was given to a state of a document.
     revision: u64,
     /// Whether a document is being checked.
@@ -157,11 +157,13 @@ impl Session {
         let params = &message["params"];
         match (message["method"].as_str(), id) {
             (Some(method), Some(id)) => {
+                let before = self.outgoing.len();
                 let answer = match self.request(method, params) {
                     Ok(result) => json!({ "jsonrpc": "2.0", "id": id, "result": result }),
                     Err(refusal) => refused(id, &refusal),
                 };
-                self.outgoing.push(answer);
+                // Until it is answered, an editor that starts expects nothing else.
+                self.outgoing.insert(before, answer);
             }
             (Some("exit"), None) => self.end(),
             (Some(method), None) if self.stage == Stage::Running && message.get("id").is_none() => {
@@ -430,4 +432,137 @@ fn published(address: &str, version: &Value, marks: Vec<Value>) -> Value {
 
 fn refused(id: &Value, Refusal(code, why): &Refusal) -> Value {
     json!({ "jsonrpc": "2.0", "id": id, "error": { "code": *code as i32, "message": why } })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::checking::{CheckedText, Checker};
+    use super::*;
+
+    struct Trial {
+        session: Session,
+        start: Instant,
+    }
+
+    impl Trial {
+        fn new() -> Self {
+            let mut trial = Self { session: Session::default(), start: Instant::now() };
+            trial.tell(0, "initialize", &json!({}));
+            trial.session.take_outgoing();
+            trial
+        }
+
+        fn at(&self, ms: u64) -> Instant {
+            self.start + Duration::from_millis(ms)
+        }
+
+        fn tell(&mut self, ms: u64, method: &str, params: &Value) {
+            let mut message = json!({ "method": method, "params": params });
+            if method == "initialize" {
+                message["id"] = json!(1);
+            }
+            self.session.take(Incoming::Message(message), self.at(ms));
+        }
+
+        fn open(&mut self, ms: u64, uri: &str, text: &str) {
+            let of = json!({ "uri": uri, "languageId": "markdown", "version": 1, "text": text });
+            self.tell(ms, "textDocument/didOpen", &json!({ "textDocument": of }));
+        }
+
+        fn change(&mut self, ms: u64, uri: &str, version: u64, text: &str) {
+            let of = json!({ "uri": uri, "version": version });
+            let params = json!({ "textDocument": of, "contentChanges": [{ "text": text }] });
+            self.tell(ms, "textDocument/didChange", &params);
+        }
+
+        /// The text of the check that begins at a time.
+        fn begun(&mut self, ms: u64) -> Option<CheckJob> {
+            self.session.next_job(self.at(ms))
+        }
+
+        /// The versions of the marks and how many there are, after a check has ended.
+        fn published(&mut self, ms: u64, job: &CheckJob) -> Vec<(Value, usize)> {
+            let outcome = Checker::default().check(job);
+            self.session.take_outcome(outcome, self.at(ms));
+            let marks = |message: Value| {
+                let params = &message["params"];
+                Some((params["version"].clone(), params["diagnostics"].as_array()?.len()))
+            };
+            self.session.take_outgoing().into_iter().filter_map(marks).collect()
+        }
+    }
+
+    #[test]
+    fn a_text_is_checked_after_a_pause_that_each_change_begins_anew() {
+        let mut trial = Trial::new();
+        trial.open(0, "a", "$2 + 2 = 5$");
+        let job = trial.begun(0).expect("at once");
+        assert_eq!(trial.published(1, &job), [(json!(1), 1)]);
+        trial.change(1000, "a", 2, "$2 + 2 = 6$");
+        trial.change(1200, "a", 3, "$2 + 2 = 4$");
+        assert_eq!(trial.session.next_due(), Some(trial.at(1500)));
+        assert!(trial.begun(1499).is_none());
+        let job = trial.begun(1500).expect("it is due");
+        assert_eq!(&*job.text, "$2 + 2 = 4$");
+        assert_eq!(trial.published(1501, &job), [(json!(3), 0)]);
+        assert!(trial.session.next_due().is_none() && trial.begun(9000).is_none());
+    }
+
+    #[test]
+    fn what_was_found_in_an_earlier_text_is_dropped() {
+        let mut trial = Trial::new();
+        trial.open(0, "a", "$2 + 2 = 5$");
+        let early = trial.begun(0).expect("at once");
+        trial.change(10, "a", 2, "$2 + 2 = 6$");
+        assert_eq!(trial.published(20, &early), []);
+        // Opened again, it has the same version and is not the same.
+        let job = trial.begun(310).expect("it is due");
+        trial.tell(320, "textDocument/didClose", &json!({ "textDocument": { "uri": "a" } }));
+        trial.session.take_outgoing();
+        trial.open(330, "a", "$1 + 1 = 2$");
+        assert_eq!(trial.published(340, &job), []);
+        let job = trial.begun(350).expect("at once");
+        assert_eq!(trial.published(360, &job), [(json!(1), 0)]);
+    }
+
+    #[test]
+    fn one_check_waits_for_another_and_takes_the_text_as_it_is_then() {
+        let mut trial = Trial::new();
+        trial.open(0, "a", "$2 + 2 = 5$");
+        let first = trial.begun(0).expect("at once");
+        trial.open(1, "b", "$2 + 2 = 6$");
+        assert!(trial.session.next_due().is_none() && trial.begun(500).is_none());
+        trial.change(600, "b", 2, "$2 + 2 = 4$");
+        assert_eq!(trial.published(700, &first), [(json!(1), 1)]);
+        assert!(trial.begun(899).is_none());
+        let second = trial.begun(900).expect("it is due");
+        assert_eq!((second.address.as_str(), &*second.text), ("b", "$2 + 2 = 4$"));
+    }
+
+    #[test]
+    fn a_text_that_is_closed_is_not_checked_and_loses_its_marks() {
+        let mut trial = Trial::new();
+        trial.open(0, "a", "$2 + 2 = 5$");
+        trial.tell(1, "textDocument/didClose", &json!({ "textDocument": { "uri": "a" } }));
+        assert!(trial.begun(500).is_none());
+        let gone = notification("textDocument/publishDiagnostics", &json!({ "uri": "a", "diagnostics": [] }));
+        assert_eq!(trial.session.take_outgoing(), [gone]);
+    }
+
+    #[test]
+    fn a_text_that_cannot_be_read_is_told_in_the_log() {
+        let mut trial = Trial::new();
+        trial.open(0, "a", "");
+        let job = trial.begun(0).expect("at once");
+        let outcome = CheckOutcome {
+            address: job.address,
+            revision: job.revision,
+            checked: Err::<CheckedText, _>("it is no notebook".to_owned()),
+            definitions_changed: false,
+        };
+        trial.session.take_outcome(outcome, trial.at(1));
+        let [told, marks] = trial.session.take_outgoing().try_into().expect("two messages");
+        assert_eq!(told["params"]["message"], "a is not checked: it is no notebook");
+        assert_eq!(marks["params"]["diagnostics"], json!([]));
+    }
 }
