@@ -9,13 +9,20 @@ end
 local function run()
   vim.cmd('edit ' .. vim.fn.fnameescape(vim.env.TEXT))
   vim.bo.filetype = 'markdown'
-  local client = vim.lsp.start_client({
+  local options = {
     name = 'proofread',
     cmd = { vim.env.PROOFREAD, 'lsp' },
     root_dir = vim.fn.getcwd(),
     settings = { proofread = { doubts = false } },
-  })
-  vim.lsp.buf_attach_client(0, client)
+  }
+  local client
+  if vim.lsp.start then
+    client = vim.lsp.start(options)
+  else
+    -- Before 0.8.
+    client = vim.lsp.start_client(options)
+    vim.lsp.buf_attach_client(0, client)
+  end
 
   wait_for('a finding', function() return #vim.diagnostic.get(0) == 1 end)
   local found = vim.diagnostic.get(0)[1]
