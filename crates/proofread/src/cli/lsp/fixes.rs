@@ -7,8 +7,8 @@ use crate::tell::hint::Hint;
 ///
 /// A number keeps the way in which it is written: its separators and its decimal sign.
 pub(super) fn replacement(hint: &Hint, source: &str, format: TextFormat) -> Option<String> {
+    let is_tex = matches!(format, TextFormat::Markdown | TextFormat::Latex);
     if hint.words.starts_with("the square of ") {
-        let is_tex = matches!(format, TextFormat::Markdown | TextFormat::Latex);
         return (is_tex && source.ends_with(')')).then(|| format!("{source}^2"));
     }
     let mut words = hint.words.split('`');
@@ -20,6 +20,10 @@ pub(super) fn replacement(hint: &Hint, source: &str, format: TextFormat) -> Opti
         ("−", "+") => (source == "+").then(|| "-".to_owned()),
         ("+", "−") => matches!(source, "-" | "−").then(|| "+".to_owned()),
         _ if is_number(new) && is_number(old) => number(new, old, source),
+        // A unit that is raised, as it stands.
+        _ if source == old && new.strip_prefix(old).is_some_and(|power| power.starts_with('^')) => {
+            is_tex.then(|| new.to_owned())
+        }
         _ => exponent(new, old, source),
     }
 }
@@ -121,7 +125,11 @@ mod tests {
             ("a factor 2 on one of the two sides", "7", None),
             ("the opposite sign on one of the two sides", "7", None),
             ("the exponent 2 outside the bracket", "^2", None),
-            ("`m^2` for `m`", "m", None),
+            ("`m^2` for `m`", "m", Some("m^2")),
+            ("`m^2` for `m`", r"\metre", None),
+            ("the square of `(2.0 cm)`", ")", Some(")^2")),
+            ("the square of `(2.0 cm)`", r"\right)", Some(r"\right)^2")),
+            ("the square of `(2.0 cm)`", "</mo>", None),
             ("", "1", None),
         ] {
             assert_eq!(replaced(words, source).as_deref(), wanted, "{words} in {source}");
@@ -147,7 +155,6 @@ mod tests {
 
     #[test]
     fn what_a_fix_changes_agrees() {
-        let mut fixed = 0;
         for (format, text) in [
             (TextFormat::Markdown, r"It is $\tan 31.0^\circ = 0.609$."),
             (TextFormat::Markdown, r"$(46.6\ \mathrm{W})(86.400\ \mathrm{s}) = 4.03\times10^6\ \mathrm{J}$"),
@@ -165,13 +172,12 @@ mod tests {
         ] {
             let findings = |text: &str| proofread(text, format, CheckOptions::default()).expect("it is read").findings;
             let before = findings(text);
-            let Some(hint) = before.first().and_then(|of| of.hint.clone()) else { continue };
-            let Some(new) = replacement(&hint, &text[hint.at.range()], format) else { continue };
+            let hint = before.first().and_then(|of| of.hint.clone()).unwrap_or_else(|| panic!("no hint for {text}"));
+            let new = replacement(&hint, &text[hint.at.range()], format);
+            let new = new.unwrap_or_else(|| panic!("no edit for {hint:?} in {text}"));
             let mut after = text.to_owned();
             after.replace_range(hint.at.range(), &new);
             assert_eq!(findings(&after).len(), before.len() - 1, "{text}\n{after}");
-            fixed += 1;
         }
-        assert!(fixed >= 9, "{fixed}");
     }
 }
