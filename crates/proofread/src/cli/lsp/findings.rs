@@ -47,7 +47,7 @@ fn severity(section: ReportSection) -> u8 {
     }
 }
 
-/// The finding in a line: what it is, what was printed and recomputed, and both sides.
+/// A finding in two lines: what it is with what was printed and recomputed, and both sides.
 fn message(finding: &ChainFinding) -> String {
     let said = format!("{}: {}", finding.verdict.description(), printed_and_recomputed(finding));
     printable(&said) + "\n" + &printable(&format!("{} against {}", finding.left, finding.right))
