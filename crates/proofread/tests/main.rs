@@ -22,7 +22,11 @@ mod inclusions;
 #[cfg(feature = "cli")]
 mod integrations;
 mod judged;
+#[cfg(feature = "cli")]
+mod lsp;
 mod messages;
+#[cfg(feature = "cli")]
+mod neovim;
 mod notations;
 mod operations;
 mod plain;

@@ -21,6 +21,7 @@ Examples:
   proofread --format sarif book/src > proofread.sarif
   proofread --format html book/src > proofread.html
   pdftotext -layout paper.pdf - | proofread --input plain -
+  proofread lsp
 
 Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
 
@@ -68,7 +69,24 @@ pub struct ProofreadArguments {
     pub(crate) staged: bool,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
+    /// Whether an editor is to be served instead.
+    pub(crate) lsp: bool,
 }
+
+/// The command for editors; a file of this name is `./lsp`.
+const LSP: &str = "lsp";
+
+/// What stands under the help of the command for editors.
+const LSP_OPTIONS: &str = "\
+Options of the editor, as initializationOptions or in workspace/didChangeConfiguration, alone or under `proofread`:
+  units       true or false   also list numbers that agree although their units do not
+  doubts      true or false   also list differences that are set aside
+  bindings    never, once or always
+  statistics  true or false
+
+A file that is named lsp is given as ./lsp.
+
+Exit codes: 0 the editor asked for the end, 1 it was gone before, 2 standard input is a terminal.";
 
 const WRITTEN: [(&str, OutputFormat); 5] = [
     ("text", OutputFormat::Text),
@@ -77,9 +95,9 @@ const WRITTEN: [(&str, OutputFormat); 5] = [
     ("sarif", OutputFormat::Sarif),
     ("html", OutputFormat::Html),
 ];
-const FOLLOWED: [(&str, NamePolicy); 3] =
+pub(super) const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
-const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
+pub(super) const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
 const LINES: &str = "jsonl";
 
 fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
@@ -90,6 +108,17 @@ impl Args for ProofreadArguments {
     fn augment_args(command: Command) -> Command {
         let option = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
         let switch = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
+        let stdio = switch("stdio").help("As it is anyway; some editors say so");
+        let lsp = Command::new(LSP)
+            .about("Serve an editor, which shows findings while a text is written")
+            .after_help(LSP_OPTIONS)
+            .arg(stdio);
+        // Behind an option or a file, the name is that of a file.
+        let command = command
+            .subcommand(lsp)
+            .args_conflicts_with_subcommands(true)
+            .subcommand_negates_reqs(true)
+            .disable_help_subcommand(true);
         let formats = TextFormat::ALL.iter().map(|(name, _)| *name).chain([LINES]);
         command.args([
             Arg::new("files")
@@ -174,6 +203,7 @@ impl FromArgMatches for ProofreadArguments {
             staged: matches.get_flag("staged"),
             baseline: path("baseline"),
             accept: path("accept"),
+            lsp: matches.subcommand_matches(LSP).is_some(),
         })
     }
 

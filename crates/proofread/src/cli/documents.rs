@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader, Cursor, Read};
 use std::path::{Component, Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The name that stands for standard input.
 pub(crate) const STANDARD_INPUT: &str = "-";
@@ -28,7 +28,7 @@ pub(crate) struct Document {
     /// The argument that named the file, or the folder in which it was found.
     pub argument: Option<PathBuf>,
     /// What is staged in its place, if that is what was read.
-    pub staged: Option<Rc<StagedFile>>,
+    pub staged: Option<Arc<StagedFile>>,
 }
 
 /// Where documents come from.
@@ -39,7 +39,7 @@ pub(crate) struct Source {
     /// The folder that was asked for, if the file was found in one.
     folder: Option<PathBuf>,
     /// What is staged in the place of the file, if that is to be read.
-    staged: Option<Rc<StagedFile>>,
+    staged: Option<Arc<StagedFile>>,
 }
 
 impl Source {
@@ -51,7 +51,7 @@ impl Source {
         staged: StagedFile,
     ) -> Result<Self, String> {
         let found = file(&path, input).ok_or_else(|| unknown_format(&path))?;
-        Ok(Self { folder, staged: Some(Rc::new(staged)), ..found })
+        Ok(Self { folder, staged: Some(Arc::new(staged)), ..found })
     }
 
     /// The file with the folder in which it was found, if other files may define something for it.

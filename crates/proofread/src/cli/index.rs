@@ -8,17 +8,17 @@ use geneva_host::git::{Blob, Repository};
 use geneva_host::printable::shown_path;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The staged files of the repositories around the arguments, by their whole paths.
 #[derive(Default)]
 pub(crate) struct StagedFiles {
-    files: BTreeMap<PathBuf, (Rc<Repository>, Blob)>,
+    files: BTreeMap<PathBuf, (Arc<Repository>, Blob)>,
 }
 
 impl StagedFiles {
     /// Adds what is staged at a path.
-    pub(super) fn add(&mut self, file: PathBuf, repository: Rc<Repository>, blob: Blob) {
+    pub(super) fn add(&mut self, file: PathBuf, repository: Arc<Repository>, blob: Blob) {
         self.files.insert(file, (repository, blob));
     }
 
@@ -58,7 +58,7 @@ fn content(repository: &Repository, blob: &Blob, name: &str, most: u64) -> Resul
 /// A file that the next commit brings or changes.
 #[derive(Debug)]
 pub(crate) struct StagedFile {
-    repository: Rc<Repository>,
+    repository: Arc<Repository>,
     staged: Blob,
     /// What it was in each of the commits before in which it was there.
     earlier: Vec<Blob>,
@@ -66,7 +66,7 @@ pub(crate) struct StagedFile {
 
 impl StagedFile {
     /// What is staged, with what it was in each of the commits before in which it was there.
-    pub(super) fn new(repository: Rc<Repository>, staged: Blob, earlier: Vec<Blob>) -> Self {
+    pub(super) fn new(repository: Arc<Repository>, staged: Blob, earlier: Vec<Blob>) -> Self {
         Self { repository, staged, earlier }
     }
 

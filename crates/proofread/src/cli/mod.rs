@@ -6,6 +6,7 @@ mod documents;
 mod html;
 mod index;
 mod json;
+mod lsp;
 mod nearest;
 mod output;
 mod project;
@@ -81,7 +82,11 @@ struct CheckedDocument<'d> {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn run(arguments: &ProofreadArguments, streams: &mut dyn CommandStreams) -> u8 {
-    let outcome = CommandRun::new(arguments, streams).and_then(|run| run.run_all());
+    let outcome = if arguments.lsp {
+        lsp::serve().map(|well| if well { RunStatus::Clean } else { RunStatus::Found })
+    } else {
+        CommandRun::new(arguments, streams).and_then(|run| run.run_all())
+    };
     match outcome {
         Ok(outcome) => outcome.code(),
         Err(message) => {

@@ -9,6 +9,7 @@ use geneva_host::files::whole_path;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 
 /// Longest file that is searched for definitions, in bytes.
 const LONGEST: u64 = 8 << 20;
@@ -32,7 +33,7 @@ const KNOWN: [&str; 9] =
     ["siunitx", "physics", "units", "nicefrac", "amsmath", "mathtools", "gensymb", "cancel", "mhchem"];
 
 /// Another file that a file names.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 struct Inclusion {
     /// The path as it is written, with an extension if it is a package or a class.
     name: String,
@@ -41,7 +42,7 @@ struct Inclusion {
 }
 
 /// What a file says.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 struct Contents {
     preamble: Definitions,
     body: Definitions,
@@ -55,12 +56,24 @@ struct Contents {
 /// A file that is read before the document begins, or in it.
 type InclusionRoot = (PathBuf, bool);
 
+/// When a file was changed last, and its bytes.
+type FileState = (SystemTime, u64);
+
+/// A file that was read.
+struct ReadFile {
+    contents: Option<Arc<Contents>>,
+    /// As the file was before it was read; none for a text that an editor has open, and where the system does not tell.
+    state: Option<FileState>,
+}
+
 /// The files that were read, and which of them belong together.
 #[derive(Default)]
 pub(crate) struct Project {
     /// Where the files are.
     tree: FileTree,
-    files: HashMap<PathBuf, Option<Arc<Contents>>>,
+    files: HashMap<PathBuf, ReadFile>,
+    /// Texts that an editor has open: they count before the files on disk.
+    open: HashMap<PathBuf, Arc<str>>,
     /// Where the files of a document may be.
     tops: HashMap<PathBuf, PathBuf>,
     /// The documents that include a file.
@@ -107,6 +120,30 @@ impl Project {
     /// A project whose files are there.
     pub(super) fn new(tree: FileTree) -> Self {
         Self { tree, ..Self::default() }
+    }
+
+    /// Begins anew with the texts that an editor has open, by their real paths, and keeps what was read of files and texts that
+    /// have not changed since. The answer is whether the definitions or inclusions of an open text have changed.
+    pub(super) fn renew(&mut self, open: HashMap<PathBuf, Arc<str>>) -> bool {
+        let before = std::mem::take(self);
+        let (mut files, mut edited) = (HashMap::new(), Vec::new());
+        for (file, read) in before.files {
+            let is_same = match (before.open.get(&file), open.get(&file)) {
+                (Some(old), Some(new)) => Arc::ptr_eq(old, new),
+                (None, None) => read.state.is_some_and(|state| file_state(&file) == Some(state)),
+                _ => {
+                    edited.push((file, read.contents));
+                    continue;
+                }
+            };
+            if is_same {
+                files.insert(file, read);
+            } else if open.contains_key(&file) {
+                edited.push((file, read.contents));
+            }
+        }
+        *self = Self { tree: before.tree, files, open, ..Self::default() };
+        edited.into_iter().fold(false, |changed, (file, contents)| (self.read(&file) != contents) || changed)
     }
 
     /// Adds a file that is proofread, with the folder in which it was found.
@@ -224,14 +261,24 @@ impl Project {
     /// The contents of a file, which is read once.
     fn read(&mut self, file: &Path) -> Option<Arc<Contents>> {
         if let Some(known) = self.files.get(file) {
-            return known.clone();
+            return known.contents.clone();
         }
-        let text = self.tree.read(file, LONGEST, "a LaTeX file").and_then(decode_text);
         let read = if is_xml(file) { contents_of_xml } else { contents };
-        let contents = text.ok().map(|text| Arc::new(read(&text)));
-        self.files.insert(file.to_owned(), contents.clone());
+        let (contents, state) = if let Some(text) = self.open.get(file) {
+            (Some(Arc::new(read(text))), None)
+        } else {
+            let state = file_state(file);
+            let text = self.tree.read(file, LONGEST, "a LaTeX file").and_then(decode_text);
+            (text.ok().map(|text| Arc::new(read(&text))), state)
+        };
+        self.files.insert(file.to_owned(), ReadFile { contents: contents.clone(), state });
         contents
     }
+}
+
+fn file_state(file: &Path) -> Option<FileState> {
+    let of = std::fs::metadata(file).ok()?;
+    Some((of.modified().ok()?, of.len()))
 }
 
 fn has_extension(file: &Path, extension: &str) -> bool {

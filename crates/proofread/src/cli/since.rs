@@ -11,7 +11,7 @@ use geneva_host::git::{Blob, Repository};
 use geneva_host::printable::{escape_and_shorten, shown_path};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A commit and its files.
 struct Commit {
@@ -21,7 +21,7 @@ struct Commit {
 
 /// An earlier revision, of the repository around each argument.
 pub(crate) struct Since {
-    commits: HashMap<PathBuf, Rc<Commit>>,
+    commits: HashMap<PathBuf, Arc<Commit>>,
 }
 
 /// A document at the earlier revision.
@@ -66,7 +66,7 @@ fn no_earlier_line(document: &Document) -> String {
 impl Since {
     /// Looks the revision up in the repositories around the arguments. What an argument that leads nowhere lacks is not told here.
     pub(super) fn new(revision: &str, arguments: &[PathBuf]) -> Result<Self, String> {
-        let mut by_top: HashMap<PathBuf, Rc<Commit>> = HashMap::new();
+        let mut by_top: HashMap<PathBuf, Arc<Commit>> = HashMap::new();
         let mut commits = HashMap::new();
         for argument in arguments {
             let name = shown_path(argument);
@@ -84,7 +84,7 @@ impl Since {
                 None => {
                     let top = repository.top().to_owned();
                     let found = commit(repository, revision).map_err(|why| format!("{name}: {why}"))?;
-                    by_top.entry(top).or_insert(Rc::new(found)).clone()
+                    by_top.entry(top).or_insert(Arc::new(found)).clone()
                 }
             };
             commits.insert(argument.clone(), commit);
@@ -97,7 +97,7 @@ impl Since {
         let (Some(path), Some(argument)) = (&document.path, &document.argument) else {
             return Err(no_earlier_line(document));
         };
-        let Some(Commit { repository, files }) = self.commits.get(argument).map(Rc::as_ref) else {
+        let Some(Commit { repository, files }) = self.commits.get(argument).map(Arc::as_ref) else {
             return Ok(EarlierText::Missing);
         };
         let whole = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());

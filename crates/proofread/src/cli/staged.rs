@@ -10,11 +10,11 @@ use geneva_host::printable::shown_path;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Component, Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A repository with what the next commit changes in it.
 struct Changed {
-    repository: Rc<Repository>,
+    repository: Arc<Repository>,
     changes: Vec<StagedChange>,
     conflicts: Vec<PathBuf>,
     /// The files of the commit that is being merged, if one is: what they have is not new.
@@ -26,14 +26,14 @@ pub(crate) struct Staging {
     /// The arguments with their whole paths.
     arguments: Vec<(PathBuf, PathBuf)>,
     by_top: BTreeMap<PathBuf, Changed>,
-    files: Rc<StagedFiles>,
+    files: Arc<StagedFiles>,
 }
 
 impl Staging {
     /// Reads the lists of what is staged, and of what of it differs from a revision. Without a revision that is `HEAD`, or nothing
     /// before the first commit; without arguments they are of the whole repository around the working directory.
     pub(super) fn new(revision: Option<&str>, arguments: &[PathBuf]) -> Result<Self, String> {
-        let mut out = Self { arguments: Vec::new(), by_top: BTreeMap::new(), files: Rc::default() };
+        let mut out = Self { arguments: Vec::new(), by_top: BTreeMap::new(), files: Arc::default() };
         let mut files = StagedFiles::default();
         let here = [PathBuf::from(".")];
         for argument in if arguments.is_empty() { &here } else { arguments } {
@@ -63,12 +63,12 @@ impl Staging {
                 place.insert(changed);
             }
         }
-        out.files = Rc::new(files);
+        out.files = Arc::new(files);
         Ok(out)
     }
 
     /// All staged files, from which definitions are taken.
-    pub(super) fn files(&self) -> Rc<StagedFiles> {
+    pub(super) fn files(&self) -> Arc<StagedFiles> {
         self.files.clone()
     }
 
@@ -122,7 +122,7 @@ impl Changed {
         let conflicts = repository.conflicts()?;
         let other = if revision.is_none() { repository.commit("MERGE_HEAD")? } else { None };
         let merged = other.map(|other| repository.files(&other)).transpose()?.into_iter().flatten().collect();
-        Ok(Self { repository: Rc::new(repository), changes, conflicts, merged })
+        Ok(Self { repository: Arc::new(repository), changes, conflicts, merged })
     }
 
     fn file(&self, change: &StagedChange) -> Option<StagedFile> {

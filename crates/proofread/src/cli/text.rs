@@ -161,23 +161,32 @@ fn finding_text(
     if !is_markup {
         note("read as", &finding.chain);
     }
-    if let Some(doubt) = finding.doubt {
-        note("set aside", doubt.reason());
-    }
-    if let Some(why) = &finding.why {
-        note("why", why);
-    }
-    if let Some(hint) = &finding.hint {
-        note("hint", &format!("{} would agree", hint.words));
-    }
-    if !finding.reading.is_empty() {
-        note("nearest reading", &finding.reading.join(", "));
-    }
-    if !finding.names.is_empty() {
-        note("with values from elsewhere", &finding.names.join(", "));
+    for (what, words) in notes(finding) {
+        note(what, &words);
     }
     text.push('\n');
     text
+}
+
+/// What else is to be said of a finding, each with the words before it.
+pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
+    let mut notes = Vec::new();
+    if let Some(doubt) = finding.doubt {
+        notes.push(("set aside", doubt.reason().to_owned()));
+    }
+    if let Some(why) = &finding.why {
+        notes.push(("why", why.clone()));
+    }
+    if let Some(hint) = &finding.hint {
+        notes.push(("hint", format!("{} would agree", hint.words)));
+    }
+    if !finding.reading.is_empty() {
+        notes.push(("nearest reading", finding.reading.join(", ")));
+    }
+    if !finding.names.is_empty() {
+        notes.push(("with values from elsewhere", finding.names.join(", ")));
+    }
+    notes
 }
 
 /// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long

@@ -3,7 +3,7 @@
 use super::index::StagedFiles;
 use geneva_host::files;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Files by their paths.
 #[derive(Clone, Default)]
@@ -11,7 +11,7 @@ pub(crate) enum FileTree {
     #[default]
     Disk,
     /// The files that are staged, whatever is on the disk in their places.
-    Staged(Rc<StagedFiles>),
+    Staged(Arc<StagedFiles>),
 }
 
 impl FileTree {
