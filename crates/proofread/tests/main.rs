@@ -16,6 +16,8 @@ mod growth;
 mod inclusions;
 mod judged;
 mod notations;
+#[cfg(feature = "cli")]
+mod office;
 mod operations;
 mod plain;
 mod readings;
@@ -30,6 +32,8 @@ mod symbols;
 mod thresholds;
 #[cfg(feature = "statistics")]
 mod totals;
+#[cfg(feature = "cli")]
+mod typst;
 #[cfg(feature = "cli")]
 mod unchecked;
 mod units;

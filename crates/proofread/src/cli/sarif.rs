@@ -26,7 +26,7 @@ fn uri(document: &Document) -> String {
     file_uri(path)
 }
 
-fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
+fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -> Value {
     let [start, end] = lines.line_columns(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
     if let Some(recomputed) = &finding.recomputed {
@@ -34,6 +34,11 @@ fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
     }
     if let Some(hint) = &finding.hint {
         message += &format!(" {} would agree.", hint.words);
+    }
+    let mut place = location(uri, start, end);
+    if let Some(label) = document.label(start.line) {
+        place["logicalLocations"] = json!([{ "name": label }]);
+        message = format!("In {label}: {message}");
     }
     json!({
         "ruleId": finding.verdict.name(),
@@ -43,7 +48,7 @@ fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
             ReportSection::Units | ReportSection::Bindings | ReportSection::Agreeing => "warning",
         },
         "message": { "text": message },
-        "locations": [location(uri, start, end)],
+        "locations": [place],
         "partialFingerprints": { "chain/v1": fingerprint(finding) },
     })
 }
@@ -52,7 +57,7 @@ impl ReportWriter for SarifWriter {
     fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
         let lines = LineIndex::new(&checked.document.text);
         let uri = if checked.findings.is_empty() { String::new() } else { uri(checked.document) };
-        let results = checked.findings.iter().map(|finding| result(&uri, finding, &lines));
+        let results = checked.findings.iter().map(|finding| result(&uri, finding, &lines, checked.document));
         self.results.extend(results);
         String::new()
     }

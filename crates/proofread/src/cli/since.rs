@@ -3,8 +3,9 @@
 //! Texts may be by strangers, so that nothing of a text's folder is asked or run. The repository is the one around an argument,
 //! and of that only the objects are read. A file that is not in the revision is new, and so is one in a repository within.
 
+use super::arguments::Input;
 use super::baseline::fingerprint;
-use super::documents::{Document, STANDARD_INPUT, decode_text};
+use super::documents::{Document, STANDARD_INPUT, documents_in};
 use crate::tell::finding::ChainFinding;
 use geneva_host::git::{Blob, Repository};
 use geneva_host::printable::{escape_and_shorten, shown_path};
@@ -28,7 +29,7 @@ pub(crate) enum EarlierText {
     /// It was as it is.
     Same,
     /// It was another text.
-    Other(String),
+    Other(Box<Document>),
     /// It was not there.
     Missing,
 }
@@ -77,10 +78,14 @@ impl Since {
         let blob = whole.strip_prefix(repository.top()).ok().and_then(|name: &Path| files.get(name));
         let Some(blob) = blob else { return Ok(EarlierText::Missing) };
         let content = repository.content(blob).map_err(|why| format!("{}: {why}", shown_path(path)))?;
-        Ok(match decode_text(content) {
-            Ok(text) if text == document.text => EarlierText::Same,
-            Ok(text) => EarlierText::Other(text),
-            Err(_) => EarlierText::Missing,
+        let input = Input::of_document(document);
+        // Of an archive, the text with the same name.
+        let own = path.display().to_string();
+        let before = documents_in(&own, content, input).unwrap_or_default();
+        Ok(match before.into_iter().find(|before| before.name == document.name) {
+            Some(before) if before.checked_text() == document.checked_text() => EarlierText::Same,
+            Some(before) => EarlierText::Other(Box::new(before)),
+            None => EarlierText::Missing,
         })
     }
 }
