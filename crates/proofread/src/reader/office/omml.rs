@@ -308,7 +308,8 @@ impl Translation<'_> {
         self.page.tags("<mover><mrow>");
         self.child(of, "e");
         self.page.tags("</mrow>");
-        element_shown_as(self.page, "mo", sign, "");
+        // A line above digits says that they go on.
+        element_shown_as(self.page, "mo", sign, if sign == "¯" { "\u{305}" } else { "" });
         self.page.tags("</mover>");
     }
 
