@@ -1,6 +1,8 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
 mod adjoining;
+#[cfg(feature = "cli")]
+mod archives;
 mod chains;
 #[cfg(feature = "cli")]
 mod command;
@@ -19,6 +21,7 @@ mod notations;
 #[cfg(feature = "cli")]
 mod office;
 mod operations;
+mod page_lines;
 mod plain;
 mod readings;
 mod remarks;

@@ -2,7 +2,6 @@
 //!
 //! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
 
-use super::documents::Document;
 use crate::evaluate::binding::NamePolicy;
 use crate::reader::{ArchiveFormat, TextFormat};
 use clap::builder::PossibleValuesParser;
@@ -57,15 +56,6 @@ impl Input {
             TYPST => Self::Typst,
             _ => Self::Lines,
         })
-    }
-
-    /// What the file is written in that a document comes from.
-    pub(super) fn of_document(document: &Document) -> Self {
-        match ArchiveFormat::from_name(document.written_in) {
-            Some(format) => Self::Archive(format),
-            None if document.written_in == TYPST => Self::Typst,
-            None => Self::One(document.format),
-        }
     }
 
     /// What files are written in whose names end so, without the dot.

@@ -2,7 +2,9 @@
 
 use super::arguments::{Input, TYPST};
 use super::baseline::Baseline;
-use crate::reader::{ArchivedText, LONGEST, MadePage, TextFormat, UnreadKind, UnreadParts, read_archive, read_typst};
+use crate::reader::{
+    ArchiveFormat, ArchivedText, LONGEST, MadePage, TextFormat, UnreadKind, UnreadParts, read_archive, read_typst,
+};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
@@ -45,6 +47,15 @@ impl Document {
             not_read: UnreadParts::default(),
             path: None,
             argument: None,
+        }
+    }
+
+    /// What the file is written in.
+    pub(super) fn input(&self) -> Input {
+        match ArchiveFormat::from_name(self.written_in) {
+            Some(format) => Input::Archive(format),
+            None if self.written_in == TYPST => Input::Typst,
+            None => Input::One(self.format),
         }
     }
 

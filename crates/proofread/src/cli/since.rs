@@ -3,7 +3,6 @@
 //! Texts may be by strangers, so that nothing of a text's folder is asked or run. The repository is the one around an argument,
 //! and of that only the objects are read. A file that is not in the revision is new, and so is one in a repository within.
 
-use super::arguments::Input;
 use super::baseline::fingerprint;
 use super::documents::{Document, STANDARD_INPUT, documents_in};
 use crate::tell::finding::ChainFinding;
@@ -78,7 +77,7 @@ impl Since {
         let blob = whole.strip_prefix(repository.top()).ok().and_then(|name: &Path| files.get(name));
         let Some(blob) = blob else { return Ok(EarlierText::Missing) };
         let content = repository.content(blob).map_err(|why| format!("{}: {why}", shown_path(path)))?;
-        let input = Input::of_document(document);
+        let input = document.input();
         // Of an archive, the text with the same name.
         let own = path.display().to_string();
         let before = documents_in(&own, content, input).unwrap_or_default();

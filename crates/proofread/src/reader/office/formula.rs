@@ -127,3 +127,27 @@ pub(super) fn accent(sign: &str) -> &str {
         other => other,
     }
 }
+
+/// The character of a font of symbols, by its number there.
+pub(super) fn symbol(number: Option<&str>) -> char {
+    let number = number.and_then(|number| u32::from_str_radix(number, 16).ok()).map(|number| number & 0xff);
+    match number {
+        Some(0xb4) => '×',
+        Some(0xd7) => '·',
+        Some(0xb8) => '÷',
+        Some(0xb1) => '±',
+        Some(0xbb) => '≈',
+        Some(0xb9) => '≠',
+        Some(0xa3) => '≤',
+        Some(0xb3) => '≥',
+        Some(0xb0) => '°',
+        Some(0xd6) => '√',
+        Some(0x2d) => '−',
+        Some(0x6d) => 'μ',
+        Some(0x70) => 'π',
+        Some(0x57) => 'Ω',
+        Some(0x44) => 'Δ',
+        Some(of @ 0x28..=0x3f) => char::from_u32(of).unwrap_or('\u{fffc}'),
+        _ => '\u{fffc}',
+    }
+}

@@ -346,7 +346,7 @@ fn run_leaves(of: &Node<'_>) -> Vec<Leaf> {
         .iter()
         .map(|child| match child.name.as_str() {
             "t" => child.text.clone(),
-            "sym" => super::word::symbol(child.attribute("char")).to_string(),
+            "sym" => formula::symbol(child.attribute("char")).to_string(),
             "tab" => " ".to_owned(),
             "nobreakhyphen" => "-".to_owned(),
             _ => String::new(),
