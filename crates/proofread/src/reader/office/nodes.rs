@@ -51,10 +51,13 @@ pub(super) fn decoded(text: &str) -> String {
 
 /// The element that a tag opens, the byte behind it, and whether all of it is in the tree.
 pub(super) fn parse<'t>(xml: &'t str, open: Tag<'t>) -> (Node<'t>, usize, bool) {
-    let (mut at, is_empty) = (open.end, open.empty);
+    let mut at = open.end;
+    if open.empty {
+        return (Node::new(open), at, true);
+    }
     let mut stack = vec![Node::new(open)];
     let (mut count, mut whole, mut left_out) = (0usize, true, 0usize);
-    while !is_empty {
+    loop {
         let Some(tag) = next_tag(xml, at) else {
             at = xml.len();
             break;

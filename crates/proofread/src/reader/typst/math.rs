@@ -153,7 +153,9 @@ impl MathParser<'_> {
 
     /// A sign that is written with so many more characters.
     fn several(&mut self, start: usize, more: usize, sign: char) -> Part {
-        (0..more).for_each(|_| drop(self.scan.next()));
+        for _ in 0..more {
+            self.scan.next();
+        }
         Part::Sign(sign, start..self.scan.at)
     }
 
