@@ -122,6 +122,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         results: EarlierResults::default(),
         factors: Factors::default(),
         budget: options.hint_effort,
+        is_plain_text: format == TextFormat::Plain,
         #[cfg(feature = "cli")]
         unchecked_before: None,
         #[cfg(feature = "cli")]
@@ -214,6 +215,8 @@ struct DocumentCheck<'t> {
     factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
+    /// Whether the text is one of plain lines.
+    is_plain_text: bool,
     /// How many chains that were not checked are in the formulas, before those of running text.
     #[cfg(feature = "cli")]
     unchecked_before: Option<usize>,
@@ -359,6 +362,7 @@ impl DocumentCheck<'_> {
                 results: &self.results,
                 is_free: free,
                 ends_formula: ends,
+                is_plain_text: self.is_plain_text,
                 judgement,
             };
             pair.explain()

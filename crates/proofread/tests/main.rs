@@ -3,6 +3,8 @@
 #[cfg(feature = "cli")]
 mod action;
 mod adjoining;
+#[cfg(feature = "cli")]
+mod archives;
 mod chains;
 #[cfg(feature = "cli")]
 mod command;
@@ -28,7 +30,10 @@ mod messages;
 #[cfg(feature = "cli")]
 mod neovim;
 mod notations;
+#[cfg(feature = "cli")]
+mod office;
 mod operations;
+mod page_lines;
 mod plain;
 mod readings;
 mod remarks;
@@ -46,6 +51,8 @@ mod symbols;
 mod thresholds;
 #[cfg(feature = "statistics")]
 mod totals;
+#[cfg(feature = "cli")]
+mod typst;
 #[cfg(feature = "cli")]
 mod unchecked;
 mod units;

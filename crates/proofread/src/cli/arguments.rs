@@ -3,7 +3,7 @@
 //! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
 
 use crate::evaluate::binding::NamePolicy;
-use crate::reader::TextFormat;
+use crate::reader::{ArchiveFormat, TextFormat};
 use clap::builder::PossibleValuesParser;
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
@@ -39,16 +39,37 @@ pub(crate) enum OutputFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
     One(TextFormat),
+    /// An archive with one text or several.
+    Archive(ArchiveFormat),
+    /// A document in Typst.
+    Typst,
     /// One JSON object per line, each with its own format.
     Lines,
 }
 
 impl Input {
-    /// The format of a file, or none for lines of JSON.
-    pub(crate) fn format(self) -> Option<TextFormat> {
-        match self {
-            Self::One(format) => Some(format),
-            Self::Lines => None,
+    /// The names of all, as they are given to `--input`.
+    fn names() -> impl Iterator<Item = &'static str> {
+        let texts = TextFormat::ALL.iter().map(|(name, _)| *name);
+        texts.chain(ArchiveFormat::ALL.iter().map(|(name, _)| *name)).chain([TYPST, LINES])
+    }
+
+    fn from_name(name: &str) -> Self {
+        let text = TextFormat::from_name(name).map(Self::One);
+        text.or_else(|| ArchiveFormat::from_name(name).map(Self::Archive)).unwrap_or(match name {
+            TYPST => Self::Typst,
+            _ => Self::Lines,
+        })
+    }
+
+    /// What files are written in whose names end so, without the dot.
+    pub(super) fn from_extension(extension: &str) -> Option<Self> {
+        match extension {
+            "jsonl" | "ndjson" => Some(Self::Lines),
+            "typ" => Some(Self::Typst),
+            _ => TextFormat::from_extension(extension)
+                .map(Self::One)
+                .or_else(|| ArchiveFormat::from_extension(extension).map(Self::Archive)),
         }
     }
 }
@@ -99,6 +120,8 @@ pub(super) const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
 pub(super) const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
 const LINES: &str = "jsonl";
+/// The name of Typst, for programs.
+pub(super) const TYPST: &str = "typst";
 
 fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
     PossibleValuesParser::new(of.iter().map(|(name, _)| *name))
@@ -119,7 +142,6 @@ impl Args for ProofreadArguments {
             .args_conflicts_with_subcommands(true)
             .subcommand_negates_reqs(true)
             .disable_help_subcommand(true);
-        let formats = TextFormat::ALL.iter().map(|(name, _)| *name).chain([LINES]);
         command.args([
             Arg::new("files")
                 .value_name("FILE")
@@ -131,7 +153,7 @@ impl Args for ProofreadArguments {
                      tells. A LaTeX file is read with the macros of the local files that it includes and of those that \
                      include it",
                 ),
-            option("input", "FORMAT").value_parser(PossibleValuesParser::new(formats)).help(
+            option("input", "FORMAT").value_parser(PossibleValuesParser::new(Input::names())).help(
                 "What all input is written in; jsonl is one object per line with `id`, `format` and `text` [default: told by \
                  the name of each file; markdown on standard input]",
             ),
@@ -188,7 +210,7 @@ impl FromArgMatches for ProofreadArguments {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let text = |name: &str| matches.get_one::<String>(name).map(String::as_str);
         let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
-        let input = text("input").map(|name| TextFormat::from_name(name).map_or(Input::Lines, Input::One));
+        let input = text("input").map(Input::from_name);
         Ok(Self {
             files: matches.get_many("files").into_iter().flatten().cloned().collect(),
             input,

@@ -1,10 +1,12 @@
 //! The documents that were asked for: files, folders, standard input, and lines of JSON.
 
-use super::arguments::Input;
+use super::arguments::{Input, TYPST};
 use super::baseline::Baseline;
 use super::index::StagedFile;
 use super::nearest::missing;
-use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
+use crate::reader::{
+    ArchiveFormat, ArchivedText, LONGEST, MadePage, TextFormat, UnreadKind, UnreadParts, read_archive, read_typst,
+};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
@@ -21,8 +23,15 @@ const WANTED: &str = "a text file or a folder of them, or - for standard input";
 /// A text and its name.
 pub(crate) struct Document {
     pub name: String,
+    /// The text as its author sees it.
     pub text: String,
     pub format: TextFormat,
+    /// What the file is written in, by its name for programs.
+    pub written_in: &'static str,
+    /// The page that is proofread in place of the text, if the file is no text.
+    pub made: Option<MadePage>,
+    /// What of the file is not read, beside parts of the text.
+    pub not_read: UnreadParts,
     /// The file, if it is one.
     pub path: Option<PathBuf>,
     /// The argument that named the file, or the folder in which it was found.
@@ -31,11 +40,87 @@ pub(crate) struct Document {
     pub staged: Option<Arc<StagedFile>>,
 }
 
+impl Document {
+    fn of_text(name: String, text: String, format: TextFormat) -> Self {
+        let written_in = format.name();
+        Self {
+            name,
+            text,
+            format,
+            written_in,
+            made: None,
+            not_read: UnreadParts::default(),
+            path: None,
+            argument: None,
+            staged: None,
+        }
+    }
+
+    /// What the file is written in.
+    pub(super) fn input(&self) -> Input {
+        match ArchiveFormat::from_name(self.written_in) {
+            Some(format) => Input::Archive(format),
+            None if self.written_in == TYPST => Input::Typst,
+            None => Input::One(self.format),
+        }
+    }
+
+    /// What is proofread, and what it is written in.
+    pub(super) fn checked_text(&self) -> (&str, TextFormat) {
+        match &self.made {
+            Some(made) => (&made.page, TextFormat::Html),
+            None => (&self.text, self.format),
+        }
+    }
+
+    /// What a line of the text is called, if it isn't called by its number.
+    pub(super) fn label(&self, line: usize) -> Option<&str> {
+        self.made.as_ref()?.label(line)
+    }
+
+    /// Whether its lines are mark-up that no person reads.
+    pub(super) fn is_markup(&self) -> bool {
+        self.made.is_none() && matches!(self.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook)
+    }
+}
+
+/// The documents in a file with this name.
+pub(super) fn documents_in(name: &str, bytes: Vec<u8>, input: Input) -> Result<Vec<Document>, String> {
+    let of_text = |format, bytes| decode_text(bytes).map(|text| vec![Document::of_text(name.to_owned(), text, format)]);
+    match input {
+        Input::One(format) => of_text(format, bytes),
+        Input::Lines => of_text(TextFormat::Markdown, bytes),
+        Input::Typst => {
+            let text = decode_text(bytes)?;
+            let (made, not_read) = read_typst(&text);
+            let document = Document::of_text(name.to_owned(), text, TextFormat::Plain);
+            Ok(vec![Document { written_in: TYPST, made: Some(made), not_read, ..document }])
+        }
+        Input::Archive(format) => {
+            let texts = read_archive(&bytes, format)?.into_iter().map(|text| match text {
+                ArchivedText::Page { name: inner, page } => Document {
+                    written_in: format.name(),
+                    ..Document::of_text(format!("{name}/{inner}"), page, TextFormat::Html)
+                },
+                ArchivedText::Made(mut made, not_read) => {
+                    let text = std::mem::take(&mut made.text);
+                    Document {
+                        written_in: format.name(),
+                        made: Some(made),
+                        not_read,
+                        ..Document::of_text(name.to_owned(), text, TextFormat::Html)
+                    }
+                }
+            });
+            Ok(texts.collect())
+        }
+    }
+}
+
 /// Where documents come from.
 pub(crate) struct Source {
     path: Option<PathBuf>,
-    /// None for lines of JSON.
-    format: Option<TextFormat>,
+    format: Input,
     /// The folder that was asked for, if the file was found in one.
     folder: Option<PathBuf>,
     /// What is staged in the place of the file, if that is to be read.
@@ -57,8 +142,8 @@ impl Source {
     /// The file with the folder in which it was found, if other files may define something for it.
     pub(super) fn file_of_project(&self) -> Option<(&Path, Option<&Path>)> {
         let in_project = |path: &&Path| match self.format {
-            Some(TextFormat::Latex) => true,
-            Some(TextFormat::Xml) => is_xml(path),
+            Input::One(TextFormat::Latex) => true,
+            Input::One(TextFormat::Xml) => is_xml(path),
             _ => false,
         };
         let path = self.path.as_deref().filter(in_project)?;
@@ -78,8 +163,8 @@ const SKIPPED: [&str; 3] = ["target", "node_modules", "__pycache__"];
 const DEEPEST: usize = 64;
 
 /// Endings of files that hold texts or numbers in formats that are not read.
-const UNREAD: &str = " rst rest adoc asciidoc asc org typ rnw rtex rmarkdown snw lnw mdx lyx tm texi texinfo textile wiki mediawiki \
-    tei dita docx doc docm odt rtf pages pdf ps djvu epub pptx ppt odp xlsx xls xlsm ods csv tsv nb cdf mw wxm wxmx \
+const UNREAD: &str = " rst rest adoc asciidoc asc org rnw rtex rmarkdown snw lnw mdx lyx tm texi texinfo textile wiki mediawiki \
+    tei dita doc rtf pages pdf ps djvu pptx ppt odp xlsx xls xlsm ods csv tsv nb cdf mw wxm wxmx \
     lhs lagda markua typst mdoc ";
 
 /// The sources that the arguments name, folders in the order of their names, and how many files in them are not read.
@@ -91,7 +176,7 @@ pub(crate) fn sources(
     let mut out = Vec::new();
     for path in paths {
         if path.as_os_str() == STANDARD_INPUT {
-            let format = input.map_or(Some(TextFormat::Markdown), Input::format);
+            let format = input.unwrap_or(Input::One(TextFormat::Markdown));
             out.push(Ok(Source { path: None, format, folder: None, staged: None }));
         } else if path.is_dir() {
             let before = out.len();
@@ -118,7 +203,7 @@ pub(crate) fn sources(
 }
 
 /// Endings of names that tell a format, for errors.
-const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
+const KNOWN: &str = "md, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
 
 fn unknown_format(path: &Path) -> String {
     format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))
@@ -140,7 +225,7 @@ pub(super) fn is_searched(below: &Path) -> bool {
 
 /// Whether a file that is staged somewhere in a folder is read. Lines of JSON have no earlier revision, and tables are mostly data.
 pub(super) fn is_taken_from_folder(path: &Path) -> bool {
-    file(path, None).is_some_and(|found| found.format.is_some_and(|format| format != TextFormat::Csv))
+    file(path, None).is_some_and(|found| found.format != Input::Lines && found.format != Input::One(TextFormat::Csv))
 }
 
 /// Counts a file in a folder whose format is not read.
@@ -154,12 +239,7 @@ pub(super) fn count_unread(path: &Path, unread: &mut UnreadParts) {
 
 fn file(path: &Path, input: Option<Input>) -> Option<Source> {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    let of_lines = matches!(extension, "jsonl" | "ndjson");
-    let format = match input {
-        Some(input) => input.format(),
-        None if of_lines => None,
-        None => Some(TextFormat::from_extension(extension)?),
-    };
+    let format = input.or_else(|| Input::from_extension(extension))?;
     Some(Source { path: Some(path.to_owned()), format, folder: None, staged: None })
 }
 
@@ -192,12 +272,15 @@ fn folder(
             unread.count(UnreadKind::Link, "", 1);
         } else if kind.is_file() {
             // Whatever the input is said to be, only files whose name tells a text are taken from a folder. Tables are mostly data.
-            let is_text = |found: &Source| found.format != Some(TextFormat::Csv);
+            let is_text =
+                |found: &Source| found.format != Input::One(TextFormat::Csv) && !name.starts_with(OPEN_IN_OFFICE);
             if let Some(found) = file(&entry.path(), None)
                 .filter(is_text)
-                .filter(|found| found.format.is_some() || !Baseline::is_in(&entry.path()))
+                .filter(|found| found.format != Input::Lines || !Baseline::is_in(&entry.path()))
             {
-                let format = input.map_or(found.format, Input::format);
+                // An archive is none of the other formats, whatever the others are said to be.
+                let given = input.filter(|_| !matches!(found.format, Input::Archive(_)));
+                let format = given.unwrap_or(found.format);
                 out.push(Ok(Source { format, ..found }));
             } else {
                 count_unread(&entry.path(), unread);
@@ -206,6 +289,8 @@ fn folder(
     }
 }
 
+/// How the name of a file begins that Word puts beside one which is open in it.
+const OPEN_IN_OFFICE: &str = "~$";
 /// The content of a file, as it is staged if that is asked for.
 fn opened(path: &Path, staged: Option<&StagedFile>) -> Result<Box<dyn Read>, String> {
     Ok(match staged {
@@ -227,18 +312,29 @@ pub(crate) fn read_documents(
         },
     };
     let is_stream = source.path.is_none();
-    let Some(format) = source.format else {
+    if source.format == Input::Lines {
         return lines(&name, is_stream, BufReader::new(stream), take);
-    };
+    }
     let bytes = files::read_stream(stream, &escape_and_shorten(&name), LONGEST as u64);
-    let text = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
+    let found = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
         // Whatever was to write a text into it has failed, or was never started.
         true => Err(EMPTY.to_owned()),
-        false => decode_text(bytes).map_err(|why| format!("{}: {why}", escape_and_shorten(&name))),
+        false => {
+            documents_in(&name, bytes, source.format).map_err(|why| format!("{}: {why}", escape_and_shorten(&name)))
+        }
     });
     let argument = source.folder.clone().or_else(|| source.path.clone());
-    let (path, staged) = (source.path.clone(), source.staged.clone());
-    take(text.map(|text| Document { name, text, format, path, argument, staged }))
+    match found {
+        Err(why) => take(Err(why)),
+        Ok(found) => found.into_iter().try_for_each(|document| {
+            take(Ok(Document {
+                path: source.path.clone(),
+                argument: argument.clone(),
+                staged: source.staged.clone(),
+                ..document
+            }))
+        }),
+    }
 }
 
 /// What is told if nothing at all comes from standard input.
@@ -304,5 +400,5 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         }
         _ => return Err("`format` must be a string".to_owned()),
     };
-    Ok(Document { name, text, format, path: None, argument: None, staged: None })
+    Ok(Document::of_text(name, text, format))
 }

@@ -262,13 +262,13 @@ impl<'a> CommandRun<'a> {
         let definitions =
             document.path.as_deref().filter(|_| matches!(document.format, TextFormat::Latex | TextFormat::Xml));
         let definitions = definitions.and_then(|path| self.project.definitions(path));
-        let report = self
-            .report(document, &document.text, definitions.as_deref())
+        let mut report = self
+            .report(document, document.path.is_none(), definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
-        let mut findings = report.findings;
+        let mut findings = std::mem::take(&mut report.findings);
         let before: Vec<Vec<ChainFinding>> = before
             .iter()
-            .filter_map(|text| self.report(document, text, definitions.as_deref()).ok())
+            .filter_map(|before| self.report(before, false, definitions.as_deref()).ok())
             .map(|report| report.findings)
             .collect();
         since::remove_known(&mut findings, &before);
@@ -279,6 +279,7 @@ impl<'a> CommandRun<'a> {
         }
         self.sum.add(&report.tally);
         self.not_checked.add(&report.not_checked);
+        report.not_read.add(&document.not_read);
         self.not_read.add(&report.not_read);
         self.documents += 1;
         for finding in &findings {
@@ -298,16 +299,16 @@ impl<'a> CommandRun<'a> {
     fn report(
         &mut self,
         document: &Document,
-        text: &str,
+        is_line: bool,
         definitions: Option<&Definitions>,
     ) -> Result<CheckReport, String> {
         let ProofreadArguments { name_policy, agreeing, unchecked, .. } = *self.arguments;
         let mut options = CheckOptions { name_policy, agreeing, unchecked, definitions, ..CheckOptions::default() };
-        let is_line = document.path.is_none();
+        let (text, format) = document.checked_text();
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
         }
-        let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
+        let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
         }
@@ -317,8 +318,13 @@ impl<'a> CommandRun<'a> {
             report.unchecked.sort_by_key(|chain| chain.span);
         }
         if self.arguments.statistics {
-            let statistics = find_statistics(text, document.format).map_err(|why| why.to_string())?;
+            let statistics = find_statistics(text, format).map_err(|why| why.to_string())?;
             statistics.add_to(&mut report);
+        }
+        if let Some(made) = &document.made {
+            report.tally.bytes = document.text.len();
+            report.findings.iter_mut().for_each(|of| of.map_spans(&|span| made.span_in_text(span)));
+            report.unchecked.iter_mut().for_each(|of| of.span = made.span_in_text(of.span));
         }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,

@@ -60,7 +60,7 @@ fn fix(uri: &str, hint: &Hint, text: &str, lines: &LineIndex<'_>) -> Option<Valu
 }
 
 /// A finding; `occurrence` counts those of its document with this fingerprint, from 1.
-fn result(uri: &str, finding: &ChainFinding, occurrence: usize, text: &str, lines: &LineIndex<'_>) -> Value {
+fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Document, lines: &LineIndex<'_>) -> Value {
     let [start, end] = lines.line_columns(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
     message += &format!(" {}.", capitalised(&finding.values_in_words()));
@@ -70,17 +70,24 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, text: &str, line
     if let Some(doubt) = finding.doubt {
         message += &format!(" Set aside: {}.", doubt.reason());
     }
+    let mut place = location(uri, start, end);
+    if let Some(label) = document.label(start.line) {
+        place["logicalLocations"] = json!([{ "name": label }]);
+        message = format!("In {label}: {message}");
+    }
     let level = level(finding);
     let mut out = json!({
         "ruleId": finding.verdict.name(),
         "kind": if level == "none" { "pass" } else { "fail" },
         "level": level,
         "message": { "text": message },
-        "locations": [location(uri, start, end)],
+        "locations": [place],
         "partialFingerprints": { "chain/v1": format!("{}: {occurrence}", fingerprint(finding)) },
         "properties": { "printed": finding.printed, "recomputed": finding.recomputed, "factor": finding.factor },
     });
-    if let Some(fix) = finding.hint.as_ref().and_then(|hint| fix(uri, hint, text, lines)) {
+    if let Some(fix) =
+        finding.hint.as_ref().filter(|_| document.made.is_none()).and_then(|hint| fix(uri, hint, &document.text, lines))
+    {
         out["fixes"] = json!([fix]);
     }
     out
@@ -149,7 +156,7 @@ impl ReportWriter for SarifWriter {
         let results = checked.findings.iter().map(|finding| {
             let occurrence = occurrences.entry(fingerprint(finding)).or_default();
             *occurrence += 1;
-            result(&uri, finding, *occurrence, text, &lines)
+            result(&uri, finding, *occurrence, checked.document, &lines)
         });
         self.results.extend(results);
         String::new()

@@ -4,7 +4,7 @@
 //! and of that only the objects are read. A file that is not in the revision is new, and so is one in a repository within.
 
 use super::baseline::fingerprint;
-use super::documents::{Document, STANDARD_INPUT, decode_text};
+use super::documents::{Document, STANDARD_INPUT, documents_in};
 use super::index::StagedFile;
 use crate::tell::finding::ChainFinding;
 use geneva_host::git::{Blob, Repository};
@@ -29,7 +29,7 @@ pub(crate) enum EarlierText {
     /// It was as it is.
     Same,
     /// It was another text, or several of them if commits are merged.
-    Other(Vec<String>),
+    Other(Vec<Document>),
     /// It was not there.
     Missing,
 }
@@ -37,8 +37,14 @@ pub(crate) enum EarlierText {
 impl EarlierText {
     /// Compares what a document was, in each of the commits in which it was there, with what it is.
     fn new(contents: Vec<Vec<u8>>, document: &Document) -> Self {
-        let texts: Vec<String> = contents.into_iter().filter_map(|content| decode_text(content).ok()).collect();
-        if texts.contains(&document.text) {
+        // Of an archive, the text with the same name.
+        let own = document.path.as_deref().map_or_else(|| document.name.clone(), |path| path.display().to_string());
+        let found = |content| {
+            let texts = documents_in(&own, content, document.input()).ok()?;
+            texts.into_iter().find(|before| before.name == document.name)
+        };
+        let texts: Vec<Document> = contents.into_iter().filter_map(found).collect();
+        if texts.iter().any(|before| before.checked_text() == document.checked_text()) {
             Self::Same
         } else if texts.is_empty() {
             Self::Missing

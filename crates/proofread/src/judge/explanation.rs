@@ -4,6 +4,7 @@ use crate::evaluate::expression::NameValues;
 use crate::evaluate::value::{DIVIDES_BY_ZERO, NEGATIVE_ROOT, Obstacle};
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::equals_conventions;
+use crate::judge::flattened;
 use crate::judge::notation;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
@@ -69,6 +70,8 @@ pub(crate) struct DifferingPair<'t> {
     pub is_free: bool,
     /// Whether the right side ends the formula.
     pub ends_formula: bool,
+    /// Whether the text has nothing but plain lines, so that it may come out of a page.
+    pub is_plain_text: bool,
     /// How the sides compare, as far as the explanations have been tried.
     pub judgement: PairJudgement,
 }
@@ -259,6 +262,15 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
             in_numbers = Some(other);
         }
     }
+    if pair.is_plain_text {
+        let before = pair.text.get(..pair.left.span.start as usize).unwrap_or_default();
+        for [left, right] in flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens) {
+            let other = pair.judge(&left, &right);
+            if other.verdict == ChainVerdict::Consistent {
+                return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
+            }
+        }
+    }
     in_numbers
 }
 
@@ -318,6 +330,7 @@ mod tests {
                         results: &results,
                         is_free: true,
                         ends_formula: which + 1 == chains.len() && at + 1 == chain.sides.len(),
+                        is_plain_text: false,
                         judgement,
                     };
                     let judgement = judge(&left.tokens, &right.tokens, relation, None);

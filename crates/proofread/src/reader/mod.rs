@@ -16,6 +16,8 @@ mod markup;
 mod mathml;
 mod matrix;
 mod notebook;
+#[cfg(feature = "cli")]
+mod office;
 mod plain;
 mod pretext;
 mod recognised;
@@ -26,6 +28,8 @@ mod siunitx;
 mod symbols;
 mod tags;
 mod tex;
+#[cfg(feature = "cli")]
+mod typst;
 mod unread;
 mod words;
 
@@ -279,6 +283,8 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
 }
 
 pub use definitions::Definitions;
+#[cfg(feature = "cli")]
+pub(crate) use office::{ArchiveFormat, ArchivedText, MadePage, read_archive};
 pub(crate) use plain::is_noun;
 #[cfg(feature = "cli")]
 pub(crate) use pretext::macros_text;
@@ -288,6 +294,8 @@ pub use shown_lines::shown_lines;
 pub(crate) use symbols::unit_sign;
 #[cfg(feature = "statistics")]
 pub(crate) use tags::next_tag;
+#[cfg(feature = "cli")]
+pub(crate) use typst::read as read_typst;
 pub use unread::{UnreadKind, UnreadParts};
 
 /// The lines of a text whose mark-up has to be taken away first, with the definitions of other texts; none in other formats.

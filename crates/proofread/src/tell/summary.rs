@@ -197,6 +197,7 @@ pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
             UnreadKind::Comment => ("comment", "comments"),
             UnreadKind::File => ("file of", "files of"),
             UnreadKind::Link => ("symbolic link", "symbolic links"),
+            UnreadKind::Object => ("object of", "objects of"),
         };
         let mut words = (if times == 1 { one } else { many }).to_owned();
         if !name.is_empty() {
