@@ -225,7 +225,7 @@ mod tests {
         cut("Lines for ever\n", "\n");
         cut("words for ever ", " ");
         cut("ä", "ä");
-        assert_eq!((pieces(""), pieces("a")), (vec![0..0], vec![0..1]));
+        assert_eq!(pieces("a"), std::iter::once(0..1).collect::<Vec<_>>());
     }
 
     #[test]
