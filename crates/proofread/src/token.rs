@@ -311,6 +311,14 @@ impl TokenKind {
         few.into_iter().take(count).chain(rows.iter().map(Vec::as_slice))
     }
 
+    /// Whether there are lists of tokens inside it: most tokens have none.
+    fn has_inner(&self) -> bool {
+        !matches!(
+            self,
+            Self::Number(_) | Self::Name(_) | Self::Word(_) | Self::Operator(_) | Self::Space(_) | Self::Unknown(_)
+        )
+    }
+
     /// Whether it stands for something that was not read because it went beyond a bound.
     pub(crate) fn is_unread(&self) -> bool {
         matches!(self, Self::Unknown(what) if [TOO_DEEP, TOO_LONG, ENDLESS].contains(&what.as_str()))
@@ -354,7 +362,7 @@ pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&TokenKind) -> bool) -> bool {
         effort::count_steps(1);
         is(&token.kind)
     };
-    tokens.iter().any(|token| looked_at(token) || token.inner().any(|inner| any(inner, is)))
+    tokens.iter().any(|token| looked_at(token) || (token.kind.has_inner() && token.inner().any(|inner| any(inner, is))))
 }
 
 /// Whether a number is printed anywhere in the tokens.

@@ -341,7 +341,8 @@ fn contents(text: &str) -> Contents {
     let mut out = Contents::default();
     let (mut begins, mut ends) = (text.len(), text.len());
     let mut at = 0;
-    while let Some(found) = text[at..].find(['\\', '%']).map(|found| at + found) {
+    while let Some(found) = text.as_bytes()[at..].iter().position(|byte| b"\\%".contains(byte)).map(|found| at + found)
+    {
         let rest = &text[found + 1..];
         if text.as_bytes()[found] == b'%' {
             let line = rest.lines().next().unwrap_or_default();

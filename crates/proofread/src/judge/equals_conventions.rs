@@ -29,6 +29,10 @@ fn has_word(tokens: &[Token], words: &[&str]) -> bool {
 
 /// How far two sides may be apart, relative to their size, since the size of a unit of only one of them is rounded.
 pub(crate) fn unit_looseness(left: &[Token], right: &[Token]) -> f64 {
+    let has_words = |side: &[Token]| any(side, &|kind| matches!(kind, TokenKind::Word(_)));
+    if !has_words(left) && !has_words(right) {
+        return 0.0;
+    }
     LOOSE.iter().filter(|(words, _)| has_word(left, words) != has_word(right, words)).map(|(_, by)| by).sum()
 }
 

@@ -101,17 +101,21 @@ const MOST_FINDINGS: usize = 1000;
 /// ```
 pub fn find_statistics(text: &str, format: TextFormat) -> Result<StatisticsReport, UnreadableText> {
     let shown = shown_text(text, format)?;
-    let plain = PlainCharacters::new(shown.text(), format);
-    let mut judged = Vec::new();
     let mut tally = StatisticsTally::default();
-    if format != TextFormat::Csv {
-        tally.tests = significance::check(&plain, &mut judged);
-        tally.intervals = confidence::check(&plain, &mut judged);
-        tally.shares = share::check(&plain, &mut judged);
+    let mut findings: Vec<ChainFinding> = Vec::new();
+    for piece in if format == TextFormat::Csv { Vec::new() } else { pieces(shown.text()) } {
+        let plain = PlainCharacters::new(&shown.text()[piece.clone()], format);
+        let mut judged = Vec::new();
+        tally.tests += significance::check(&plain, &mut judged);
+        tally.intervals += confidence::check(&plain, &mut judged);
+        tally.shares += share::check(&plain, &mut judged);
+        let place = |range: Range<usize>| {
+            let span = plain.span(range).range();
+            shown.span_in_file(Span::new(piece.start + span.start, piece.start + span.end))
+        };
+        judged.truncate(MOST_FINDINGS.saturating_sub(findings.len()));
+        findings.extend(judged.into_iter().map(|of| finding(of, &plain, &place)));
     }
-    let place = |range: Range<usize>| shown.span_in_file(plain.span(range));
-    judged.truncate(MOST_FINDINGS);
-    let mut findings: Vec<ChainFinding> = judged.into_iter().map(|of| finding(of, &plain, &place)).collect();
     let tables = table_rows::tables(text, shown.text(), format, &|span| shown.span_in_file(span));
     for table in &tables {
         tally.totals += totals::check(table, &mut findings);
@@ -119,6 +123,25 @@ pub fn find_statistics(text: &str, format: TextFormat) -> Result<StatisticsRepor
     findings.truncate(MOST_FINDINGS);
     findings.sort_by_key(|finding| finding.at);
     Ok(StatisticsReport { findings, tally })
+}
+
+/// How long a piece is at least, in bytes: each character of a piece takes some thirty while it is looked at.
+const PIECE: usize = 1 << 20;
+
+/// Cuts before a paragraph, or in one that never ends behind a line or a word.
+fn pieces(text: &str) -> Vec<Range<usize>> {
+    let boundary = |at: usize| (at..text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(text.len());
+    let (mut out, mut start) = (Vec::new(), 0);
+    while text.len() - start > PIECE {
+        let from = boundary(start + PIECE);
+        let next = &text[from..boundary(from + PIECE)];
+        let behind = |mark: &str| next.find(mark).map(|at| at + mark.len());
+        let end = from + behind("\n\n").or_else(|| behind("\n")).or_else(|| behind(" ")).unwrap_or(next.len());
+        out.push(start..end);
+        start = end;
+    }
+    out.push(start..text.len());
+    out
 }
 
 fn finding(of: Judged, plain: &PlainCharacters, place: &dyn Fn(Range<usize>) -> Span) -> ChainFinding {
@@ -183,5 +206,36 @@ fn statistic_finding(of: StatisticDifference) -> ChainFinding {
         hint: None,
         reading: Vec::new(),
         names: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_text_is_cut_between_paragraphs_if_it_has_any() {
+        let cut = |unit: &str, behind: &str| {
+            let text = unit.repeat(3 * PIECE / unit.len());
+            let pieces = pieces(&text);
+            assert!(pieces.len() > 1 && pieces.windows(2).all(|two| two[0].end == two[1].start), "{unit:?}");
+            assert_eq!((pieces[0].start, pieces[pieces.len() - 1].end), (0, text.len()));
+            assert!(pieces.iter().all(|piece| piece.len() <= 2 * PIECE + 4), "{unit:?}");
+            assert!(pieces[1..].iter().all(|piece| text[..piece.start].ends_with(behind)), "{unit:?}");
+        };
+        cut("A line,\nand one more.\n\n", "\n\n");
+        cut("Lines for ever\n", "\n");
+        cut("words for ever ", " ");
+        cut("ä", "ä");
+        assert_eq!(pieces("a"), std::iter::once(0..1).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn what_is_found_far_behind_has_its_place_in_the_whole_text() {
+        let test = "*t*(28) = 2.20, *p* = .36";
+        let text = format!("{}{test}.\n", "It made a difference.\n\n".repeat(2 * PIECE / 22));
+        let report = find_statistics(&text, TextFormat::Markdown).expect("it can be read");
+        let found: Vec<&str> = report.findings.iter().map(|finding| &text[finding.at.range()]).collect();
+        assert_eq!((report.tally.count(), found), (1, vec!["p* = .36"]));
     }
 }

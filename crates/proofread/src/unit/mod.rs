@@ -48,6 +48,9 @@ impl UnitDimension {
     /// The dimension of a product with another quantity to a power; sizes that no text has are cut.
     #[must_use]
     pub(crate) fn with_factor(self, other: Self, power: f64) -> Self {
+        if other == Self::NONE {
+            return self;
+        }
         let mut result = self.0;
         for (mine, its) in result.iter_mut().zip(other.0) {
             let more = (f64::from(its) * power).round().clamp(-1e6, 1e6) as i32;
@@ -263,6 +266,9 @@ const NO_UNITS: &str = " as am aA aK aN aJ aV aT aH aC aF aL al ds dA dV dN dK d
 const AMBIGUOUS: &str =
     " kT fL fC mg mV fA mL mA mC nl pV nT fT dN mH mT mK mN nA nV pT pA nC pC kA kV mF fF hc dL ML MV GM MR ";
 
+/// The bytes of each of these.
+const AMBIGUOUS_LENGTH: usize = 2;
+
 fn is_listed(list: &str, word: &str) -> bool {
     list.split_ascii_whitespace().any(|of| of == word)
 }
@@ -309,7 +315,7 @@ pub(crate) fn unit(word: &str) -> Option<MeasurementUnit> {
 
 /// Whether the letters are as likely a product of quantities as a unit.
 pub(crate) fn is_ambiguous(word: &str) -> bool {
-    is_listed(AMBIGUOUS, word)
+    word.len() == AMBIGUOUS_LENGTH && is_listed(AMBIGUOUS, word)
 }
 
 /// Whether a word is the sign of a percentage.
@@ -357,6 +363,12 @@ mod tests {
         for word in ["as", "dV", "PV", "xyz", ""] {
             assert_eq!(unit(word), None, "{word}");
         }
+    }
+
+    #[test]
+    fn ambiguous_letters_have_the_length_by_which_others_are_told() {
+        assert!(AMBIGUOUS.split_ascii_whitespace().all(|word| word.len() == AMBIGUOUS_LENGTH && is_ambiguous(word)));
+        assert!(!is_ambiguous("m") && !is_ambiguous("km"));
     }
 
     #[test]
