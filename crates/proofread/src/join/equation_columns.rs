@@ -62,7 +62,12 @@ fn is_aligned(row: &[&[Token]]) -> bool {
 /// Whether two cells are an equation of their own: something stands before the relation and behind it.
 fn is_equation(cells: &[&[Token]]) -> bool {
     match cells {
-        [left, right] => !trim_space(left).is_empty() && begins_with_relation(right) && trim_space(right).len() > 1,
+        [left, right] => {
+            // It may also be asked whether it holds.
+            let is_asked = trim_space(right).first().is_some_and(|first| first.is_sign('≡'));
+            let related = begins_with_relation(right) || is_asked;
+            !trim_space(left).is_empty() && related && trim_space(right).len() > 1
+        }
         _ => false,
     }
 }

@@ -414,7 +414,13 @@ impl ComparedSides<'_> {
         // A small difference of open numbers explains anything: the source's own digits decide.
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
         let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none());
-        let explained = meets && is_likely(&strict, &points, literal, !bare || literal[0] == literal[1]);
+        // A bare number is given as it is, or it has the digits of the others and one more was dropped.
+        let share = match literal[0] == literal[1] || !bare {
+            true => LIKELY,
+            false if self.is_finer_than_operands(literal) => LIKELY_FROM_TENS,
+            false => LIKELY_OF_BARE,
+        };
+        let explained = meets && is_likely(&strict, &points, literal, share);
         let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
         let ill = explained && self.cancels && literal[0] != literal[1] && !close;
         if explained && !ill {
@@ -455,7 +461,7 @@ impl ComparedSides<'_> {
         }
         if lenient[0].meets(&lenient[1], 0.0)
             && !ill
-            && is_likely(&lenient, &points, literal, false)
+            && is_likely(&lenient, &points, literal, LIKELY_FROM_TENS)
             && is_as_coarse(&lenient, literal)
         {
             return Ok(judgement(if by_numbers { ChainVerdict::Units } else { ChainVerdict::Doubtful }));
@@ -469,6 +475,13 @@ impl ComparedSides<'_> {
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
         let is_ill_conditioned = ill && self.cancels_decimals;
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
+    }
+
+    /// Whether the printed result has more digits than each decimal number that goes into it.
+    fn is_finer_than_operands(&self, literal: [bool; 2]) -> bool {
+        let computed = self.sides[usize::from(literal[0])];
+        let printed = self.sides[usize::from(literal[1])];
+        most_digits(computed) < most_digits(printed)
     }
 
     /// Whether whole numbers are reckoned with and give one that is small enough to be printed in full, in mathematics and not as a
@@ -498,10 +511,20 @@ impl ComparedSides<'_> {
     }
 }
 
-/// Whether the digits that were lost on the way explain the difference: it is about one unit of the last digit (if `one_more`), or within
-/// [`LIKELY`] of what all the steps together leave open. Their errors hardly ever all point the same way.
-fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2], one_more: bool) -> bool {
-    let likely = if one_more { LIKELY } else { LIKELY_FROM_TENS };
+/// The most significant digits of a decimal number anywhere in these tokens.
+fn most_digits(tokens: &[Token]) -> usize {
+    let own = |token: &Token| {
+        let digits = token.number().filter(|digits| digits.contains('.'));
+        digits.map_or(0, |digits| digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count())
+    };
+    let inner = |token: &Token| token.inner().map(most_digits).max().unwrap_or(0);
+    tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
+}
+
+/// Whether the digits that were lost on the way explain the difference: it is within a share of what all the steps together leave open, or
+/// about one unit of the last digit if the share is [`LIKELY`]. Their errors hardly ever all point the same way.
+fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2], likely: f64) -> bool {
+    let one_more = likely == LIKELY;
     let (computed, printed) = match literal {
         [false, true] => (0, 1),
         [true, false] => (1, 0),
@@ -558,7 +581,7 @@ fn is_as_coarse([left, right]: &[SideValue; 2], literal: [bool; 2]) -> bool {
 
 /// How much of a value its digits leave open.
 fn relative_width(value: &SideValue) -> f64 {
-    value.number().map_or(0.0, |of| of.half_width() / of.point.abs())
+    value.number().map_or(0.0, |of| if of.point == 0.0 { 1.0 } else { of.half_width() / of.point.abs() })
 }
 
 /// How much less a conversion may leave open than the quantity that is converted.
@@ -573,6 +596,8 @@ const FINEST: f64 = 10.0;
 /// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
 /// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.
 const LIKELY: f64 = 0.25;
+/// How much they are expected to use in arithmetic without units, whose numbers are often exact.
+const LIKELY_OF_BARE: f64 = 0.6;
 /// How much they are expected to use if only integers that were rounded to tens explain a difference.
 const LIKELY_FROM_TENS: f64 = 0.15;
 
