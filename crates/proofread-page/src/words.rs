@@ -63,7 +63,7 @@ pub(crate) fn summary(
 pub(crate) fn facts(finding: &ChainFinding) -> Vec<Fact> {
     let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
-    say("recomputed", finding.recomputed.clone());
+    say("recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()));
     say("set aside", finding.doubt.map(|doubt| doubt.reason().to_owned()));
     say("why", finding.why.clone());
     say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));
@@ -83,6 +83,6 @@ fn in_quotes(words: &str) -> String {
 /// A sentence with a capital letter, and a point at its end.
 pub(crate) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    let first = letters.next().map(|first| first.to_ascii_uppercase().to_string()).unwrap_or_default();
     format!("{first}{}.", letters.as_str().trim_end_matches('.'))
 }

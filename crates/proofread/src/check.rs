@@ -13,10 +13,11 @@ use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 use crate::named_counts::NamedCounts;
+use crate::order::sort_by_place;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
 use crate::tell::finding::ChainFinding;
-use crate::tell::hint;
-use crate::tell::statistics_tally::StatisticsTally;
+use crate::tell::hint::{self, HintSearch};
+use crate::tell::tally::CheckTally;
 #[cfg(feature = "cli")]
 use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::{Span, TokenKind, any, has_number};
@@ -65,75 +66,6 @@ impl Default for CheckOptions<'_> {
             hints: MOST_HINTS,
             hint_effort: hint::MOST_FOR_ALL,
             definitions: None,
-        }
-    }
-}
-
-/// How much of a document was checked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CheckTally {
-    /// Bytes of the document.
-    pub bytes: usize,
-    /// Formulas, and lines that may be one.
-    pub formulas: usize,
-    /// Formulas and lines that are not read to their end, since they are too long, nest too deeply, or have macros that never end.
-    pub unread: usize,
-    /// Chains of equal sides with a number in them.
-    pub chains: usize,
-    /// Chains with two sides that are numbers without letters: what arithmetic can check. Commands, environments and functions
-    /// count as numbers, whether the program knows them or not.
-    pub checkable: usize,
-    /// Chains of which at least one pair of sides was compared.
-    pub checked: usize,
-    /// Chains that were checked, but not all of their numbers.
-    pub partly: usize,
-    /// Pairs of neighbouring sides that were compared.
-    pub pairs: usize,
-    /// Pairs with each verdict, in the order of [`ChainVerdict::ALL`].
-    pub verdicts: [usize; 10],
-    /// Differences that are set aside as doubts, of those that are kept.
-    pub doubts: usize,
-    /// Statistics and totals that were compared with what they follow from.
-    pub statistics: StatisticsTally,
-}
-
-impl CheckTally {
-    /// Pairs with a verdict.
-    ///
-    /// ```
-    /// use proofread::{CheckOptions, ChainVerdict, TextFormat, proofread};
-    ///
-    /// let tally = proofread("$1 + 1 = 2$, $1/3 = 0.33$, $2/3 = 0.66$", TextFormat::Markdown, CheckOptions::default())?.tally;
-    /// assert_eq!(tally.pairs_with(ChainVerdict::Consistent), 2);
-    /// assert_eq!(tally.pairs_with(ChainVerdict::Truncated), 1);
-    /// # Ok::<(), proofread::UnreadableText>(())
-    /// ```
-    pub fn pairs_with(&self, verdict: ChainVerdict) -> usize {
-        self.verdicts[verdict as usize]
-    }
-
-    /// Adds the counts of another document.
-    ///
-    /// ```
-    /// use proofread::CheckTally;
-    ///
-    /// let mut sum = CheckTally { chains: 2, ..CheckTally::default() };
-    /// sum.add(&CheckTally { chains: 3, pairs: 4, ..CheckTally::default() });
-    /// assert_eq!((sum.chains, sum.pairs), (5, 4));
-    /// ```
-    pub fn add(&mut self, other: &Self) {
-        self.bytes += other.bytes;
-        self.formulas += other.formulas;
-        self.unread += other.unread;
-        self.chains += other.chains;
-        self.checkable += other.checkable;
-        self.checked += other.checked;
-        self.partly += other.partly;
-        self.pairs += other.pairs;
-        self.doubts += other.doubts;
-        self.statistics.add(&other.statistics);
-        for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
-            *mine += its;
         }
     }
 }
@@ -220,7 +152,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     if let Some(at) = in_lines {
         let findings = &mut check.report.findings;
         findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
-        findings.sort_by_key(|finding| finding.span);
+        sort_by_place(findings, |finding| finding.span);
     }
     #[cfg(feature = "cli")]
     if let Some(at) = check.unchecked_before {
@@ -232,6 +164,26 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     check.report.tally.bytes = text.len();
     check.report.tally.doubts = check.report.findings.iter().filter(|of| of.section == ReportSection::Doubts).count();
     Ok(check.report)
+}
+
+/// The sides of a chain before the left and behind the right one of two neighbours, if they are equal to them.
+fn neighbours<'c>(chain: &'c Chain, left: &ChainSide, right: &ChainSide) -> [Option<&'c ChainSide>; 2] {
+    let at = |wanted: &ChainSide| chain.sides.iter().position(|side| std::ptr::eq(side, wanted));
+    let (Some(left), Some(right)) = (at(left), at(right)) else { return [None; 2] };
+    let is_equal = |side: &ChainSide| side.relation == Some(Relation::Equal);
+    let before = left.checked_sub(1).filter(|_| is_equal(&chain.sides[left])).map(|at| &chain.sides[at]);
+    [before, chain.sides.get(right + 1).filter(|behind| is_equal(behind))]
+}
+
+/// How far around a formula a number is looked for that a hint may offer, in bytes.
+const AROUND: usize = 2000;
+
+/// The text before and behind a formula.
+fn text_around(text: &str, span: Span) -> [&str; 2] {
+    let (start, end) = (span.start as usize, span.end as usize);
+    let from = (start.saturating_sub(AROUND)..=start).find(|at| text.is_char_boundary(*at)).unwrap_or(start);
+    let to = (end..=(end + AROUND).min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(end);
+    [text.get(from..start).unwrap_or_default(), text.get(end..to).unwrap_or_default()]
 }
 
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
@@ -483,7 +435,13 @@ impl DocumentCheck<'_> {
         let doubt = (list == ReportSection::Numbers).then(|| place.doubt(&judgement)).flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| hint::hint(left, right, relation, &judgement, &mut self.budget)).flatten();
+        let hint = wanted.then(|| {
+            let neighbours = neighbours(chain, left, right);
+            let around = text_around(self.text, formula.span);
+            let judgement = &judgement;
+            HintSearch { left, right, relation, judgement, neighbours, around }.hint(&mut self.budget)
+        });
+        let hint = hint.flatten();
         let hint = hint.filter(|hint| !hint.stands_in(self.text));
         let mut finding = ChainFinding::new(chain, left, right, &judgement, list, hint);
         match doubt {

@@ -75,15 +75,31 @@ fn misprints_are_flagged() {
     assert!(names.is_empty(), "a misprint that a run found is not flagged any more: {names:#?}");
 }
 
+/// Right hints that are withheld all the same, and why.
+const WITHHELD: [(&str, &str); 3] = [
+    ("(105.4 − 97.5)/√((37.3^2)/9 + (39.4^2)/11) = 0.56", "a result of two digits agrees with a wrong edit as easily"),
+    ("√(8 × 1.38 × 10^23 × 273)/(π × 28.0 × 10^−3/6.02 × 10^23) = 454 m·s^−1", "either exponent would do"),
+    ("9 × 2 − 9 − 9 = 8", "either of two nines would do"),
+];
+
 #[test]
-fn hints_for_misprints_are_judged_and_stay() {
+fn right_hints_for_misprints_stay() {
+    let (mut lost, mut wrong) = (Vec::new(), Vec::new());
     for chain in all().iter().filter(|chain| chain.judgement == "real" && !chain.hint.is_empty()) {
         assert!(["yes", "no"].contains(&chain.hint_right.as_str()), "{}", chain.chain);
         let findings = findings(chain, 10);
         let hints: Vec<&str> =
             findings.iter().filter_map(|of| of.hint.as_ref()).map(|hint| hint.words.as_str()).collect();
-        assert!(hints.contains(&chain.hint.as_str()), "{}: {hints:?}, not {}", chain.chain, chain.hint);
+        match (chain.hint_right.as_str(), hints.contains(&chain.hint.as_str())) {
+            ("yes", false) if WITHHELD.iter().all(|(of, _)| *of != chain.chain) => {
+                lost.push(format!("{}: {hints:?}, not {}", chain.chain, chain.hint));
+            }
+            ("no", true) => wrong.push(format!("{}: {}", chain.chain, chain.hint)),
+            _ => {}
+        }
     }
+    println!("{} wrong hints are still given: {wrong:#?}", wrong.len());
+    assert!(lost.is_empty(), "{} lost: {lost:#?}", lost.len());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
+#[cfg(feature = "cli")]
+mod action;
 mod adjoining;
 mod chains;
 #[cfg(feature = "cli")]
@@ -12,11 +14,17 @@ mod doubts;
 mod formats;
 mod fuzz;
 mod growth;
+mod hints;
+#[cfg(feature = "cli")]
+mod html;
 #[cfg(feature = "cli")]
 mod inclusions;
+#[cfg(feature = "cli")]
+mod integrations;
 mod judged;
 #[cfg(feature = "cli")]
 mod lsp;
+mod messages;
 #[cfg(feature = "cli")]
 mod neovim;
 mod notations;
@@ -26,7 +34,11 @@ mod readings;
 mod remarks;
 mod running;
 #[cfg(feature = "cli")]
+mod sarif;
+#[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "cli")]
+mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;

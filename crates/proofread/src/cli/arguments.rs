@@ -15,9 +15,11 @@ Examples:
   proofread notes.tex chapters/
   proofread --units --bindings=always homework.md
   proofread --since main .
+  proofread --staged
   proofread --accept accepted.jsonl book/src
   proofread --baseline accepted.jsonl book/src
   proofread --format sarif book/src > proofread.sarif
+  proofread --format html book/src > proofread.html
   pdftotext -layout paper.pdf - | proofread --input plain -
   proofread lsp
 
@@ -30,6 +32,7 @@ pub(crate) enum OutputFormat {
     Json,
     Jsonl,
     Sarif,
+    Html,
 }
 
 /// What all input is written in.
@@ -63,6 +66,7 @@ pub struct ProofreadArguments {
     pub(crate) agreeing: bool,
     pub(crate) statistics: bool,
     pub(crate) since: Option<String>,
+    pub(crate) staged: bool,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
     /// Whether an editor is to be served instead.
@@ -84,11 +88,12 @@ A file that is named lsp is given as ./lsp.
 
 Exit codes: 0 the editor asked for the end, 1 it was gone before, 2 standard input is a terminal.";
 
-const WRITTEN: [(&str, OutputFormat); 4] = [
+const WRITTEN: [(&str, OutputFormat); 5] = [
     ("text", OutputFormat::Text),
     ("json", OutputFormat::Json),
     ("jsonl", OutputFormat::Jsonl),
     ("sarif", OutputFormat::Sarif),
+    ("html", OutputFormat::Html),
 ];
 pub(super) const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
@@ -118,7 +123,7 @@ impl Args for ProofreadArguments {
         command.args([
             Arg::new("files")
                 .value_name("FILE")
-                .required(true)
+                .required_unless_present("staged")
                 .num_args(1..)
                 .value_parser(value_parser!(PathBuf))
                 .help(
@@ -133,7 +138,7 @@ impl Args for ProofreadArguments {
             option("format", "FORMAT")
                 .value_parser(value_names(&WRITTEN))
                 .default_value("text")
-                .help("How findings are written; sarif is for code review"),
+                .help("How findings are written; sarif is for code review, html a page for people"),
             switch("units").help("Also list numbers that agree although their units do not"),
             switch("doubts").help(
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",
@@ -162,6 +167,10 @@ impl Args for ProofreadArguments {
                 ),
             switch("agreeing").help("Also list pairs that agree, for programs; they count as nothing found"),
             option("since", "REV").help("Report only what has come in since this revision, with the help of git"),
+            switch("staged").help(
+                "Read files as they are staged in git, and report only what is new since HEAD, or since the revision of --since; \
+                 without files, all of the repository",
+            ),
             option("baseline", "FILE").value_parser(value_parser!(PathBuf)).help("Leave out the cases in this file"),
             option("accept", "FILE")
                 .value_parser(value_parser!(PathBuf))
@@ -191,6 +200,7 @@ impl FromArgMatches for ProofreadArguments {
             agreeing: matches.get_flag("agreeing"),
             statistics: choice(text("statistics"), &COMPARED).unwrap_or(true),
             since: text("since").map(str::to_owned),
+            staged: matches.get_flag("staged"),
             baseline: path("baseline"),
             accept: path("accept"),
             lsp: matches.subcommand_matches(LSP).is_some(),

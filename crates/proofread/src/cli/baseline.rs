@@ -1,5 +1,6 @@
 //! Accepted cases: a file with a line of JSON for each, which people may edit and add reasons to.
 
+use super::nearest::missing;
 use crate::reader::LONGEST;
 use crate::tell::finding::ChainFinding;
 use geneva_host::files::{self, NewFile};
@@ -33,7 +34,11 @@ impl Baseline {
     /// Reads the file.
     pub(super) fn read(path: &Path) -> Result<Self, String> {
         let wrong = |why: String| format!("{}: {why}; give a file that --accept wrote", shown_path(path));
-        let bytes = files::read(path, LONGEST as u64, "a file that --accept wrote")?;
+        const WANTED: &str = "a file that --accept wrote";
+        if let Some(why) = missing(path, WANTED) {
+            return Err(why);
+        }
+        let bytes = files::read(path, LONGEST as u64, WANTED)?;
         let text = String::from_utf8(bytes).map_err(|_| wrong("this is not text in UTF-8".to_owned()))?;
         let mut cases = BTreeMap::new();
         for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {

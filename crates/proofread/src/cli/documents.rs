@@ -2,13 +2,16 @@
 
 use super::arguments::Input;
 use super::baseline::Baseline;
+use super::index::StagedFile;
+use super::nearest::missing;
 use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
 use std::fs;
-use std::io::{BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::io::{BufRead, BufReader, Cursor, Read};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 /// The name that stands for standard input.
 pub(crate) const STANDARD_INPUT: &str = "-";
@@ -24,6 +27,8 @@ pub(crate) struct Document {
     pub path: Option<PathBuf>,
     /// The argument that named the file, or the folder in which it was found.
     pub argument: Option<PathBuf>,
+    /// What is staged in its place, if that is what was read.
+    pub staged: Option<Arc<StagedFile>>,
 }
 
 /// Where documents come from.
@@ -33,9 +38,22 @@ pub(crate) struct Source {
     format: Option<TextFormat>,
     /// The folder that was asked for, if the file was found in one.
     folder: Option<PathBuf>,
+    /// What is staged in the place of the file, if that is to be read.
+    staged: Option<Arc<StagedFile>>,
 }
 
 impl Source {
+    /// A file that is read as it is staged, with the folder in which it was found.
+    pub(super) fn staged(
+        path: PathBuf,
+        input: Option<Input>,
+        folder: Option<PathBuf>,
+        staged: StagedFile,
+    ) -> Result<Self, String> {
+        let found = file(&path, input).ok_or_else(|| unknown_format(&path))?;
+        Ok(Self { folder, staged: Some(Arc::new(staged)), ..found })
+    }
+
     /// The file with the folder in which it was found, if other files may define something for it.
     pub(super) fn file_of_project(&self) -> Option<(&Path, Option<&Path>)> {
         let in_project = |path: &&Path| match self.format {
@@ -74,7 +92,7 @@ pub(crate) fn sources(
     for path in paths {
         if path.as_os_str() == STANDARD_INPUT {
             let format = input.map_or(Some(TextFormat::Markdown), Input::format);
-            out.push(Ok(Source { path: None, format, folder: None }));
+            out.push(Ok(Source { path: None, format, folder: None, staged: None }));
         } else if path.is_dir() {
             let before = out.len();
             folder(path, input, 0, &mut out, unread);
@@ -90,13 +108,10 @@ pub(crate) fn sources(
                     shown_path(path)
                 ));
             }
-        } else if let Some(why) = missing(path) {
+        } else if let Some(why) = missing(path, WANTED) {
             out.push(Err(why));
         } else {
-            out.push(
-                file(path, input)
-                    .ok_or_else(|| format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))),
-            );
+            out.push(file(path, input).ok_or_else(|| unknown_format(path)));
         }
     }
     Ok(out)
@@ -105,33 +120,36 @@ pub(crate) fn sources(
 /// Endings of names that tell a format, for errors.
 const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
 
-/// Why a path leads nowhere, with the name beside it that was probably meant.
-fn missing(path: &Path) -> Option<String> {
-    let why = fs::metadata(path).err()?;
-    let name = shown_path(path);
-    let text = path.to_string_lossy();
-    let bare = text.trim_end_matches(std::path::is_separator);
-    if bare.len() < text.len() && Path::new(bare).is_file() {
-        return Some(format!("{name} is no folder; give the file as {}", shown_path(Path::new(bare))));
-    }
-    let nearest = nearest(path).map(|near| format!("; the nearest name is {}", shown_path(&near)));
-    Some(format!("cannot read {name}: {}{}; give {WANTED}", in_words(&why), nearest.unwrap_or_default()))
+fn unknown_format(path: &Path) -> String {
+    format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))
 }
 
-/// The path whose last name is nearest to that of a path which leads nowhere.
-fn nearest(path: &Path) -> Option<PathBuf> {
-    const MOST_COMPARED: usize = 10_000;
-    let wanted = path.file_name()?.to_string_lossy();
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let entries = fs::read_dir(folder.unwrap_or(Path::new("."))).ok()?.filter_map(Result::ok).take(MOST_COMPARED);
-    let name = |entry: fs::DirEntry| entry.file_name();
-    let near = entries.map(name).filter_map(|name| {
-        let distance = strsim::damerau_levenshtein(&wanted, &name.to_string_lossy());
-        // A third of the letters: another name is no slip.
-        (3 * distance <= wanted.chars().count()).then_some((distance, name))
-    });
-    let (_, name) = near.min()?;
-    Some(folder.map_or_else(|| PathBuf::from(&name), |folder| folder.join(&name)))
+fn is_hidden(name: &str) -> bool {
+    name.starts_with('.')
+}
+
+/// Whether a search of a folder comes to a file with this path below it.
+pub(super) fn is_searched(below: &Path) -> bool {
+    let names: Vec<String> = below.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    let folders = names.split_last().map_or(&[][..], |(_, folders)| folders);
+    folders.len() <= DEEPEST
+        && below.components().all(|part| matches!(part, Component::Normal(_)))
+        && !names.iter().any(|name| is_hidden(name))
+        && !folders.iter().any(|name| SKIPPED.contains(&name.as_str()))
+}
+
+/// Whether a file that is staged somewhere in a folder is read. Lines of JSON have no earlier revision, and tables are mostly data.
+pub(super) fn is_taken_from_folder(path: &Path) -> bool {
+    file(path, None).is_some_and(|found| found.format.is_some_and(|format| format != TextFormat::Csv))
+}
+
+/// Counts a file in a folder whose format is not read.
+pub(super) fn count_unread(path: &Path, unread: &mut UnreadParts) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    let Some((_, ending)) = name.rsplit_once('.') else { return };
+    if UNREAD.split_whitespace().any(|known| known == ending) {
+        unread.count(UnreadKind::File, &format!(".{ending}"), 1);
+    }
 }
 
 fn file(path: &Path, input: Option<Input>) -> Option<Source> {
@@ -142,7 +160,7 @@ fn file(path: &Path, input: Option<Input>) -> Option<Source> {
         None if of_lines => None,
         None => Some(TextFormat::from_extension(extension)?),
     };
-    Some(Source { path: Some(path.to_owned()), format, folder: None })
+    Some(Source { path: Some(path.to_owned()), format, folder: None, staged: None })
 }
 
 fn folder(
@@ -164,7 +182,7 @@ fn folder(
     for entry in entries {
         let name = entry.file_name().to_string_lossy().into_owned();
         let Ok(kind) = entry.file_type() else { continue };
-        if name.starts_with('.') {
+        if is_hidden(&name) {
             continue;
         }
         if kind.is_dir() && depth < DEEPEST && !SKIPPED.contains(&name.as_str()) {
@@ -181,14 +199,19 @@ fn folder(
             {
                 let format = input.map_or(found.format, Input::format);
                 out.push(Ok(Source { format, ..found }));
-            } else if let Some((_, ending)) = name.rsplit_once('.') {
-                let ending = ending.to_ascii_lowercase();
-                if UNREAD.split_whitespace().any(|known| known == ending) {
-                    unread.count(UnreadKind::File, &format!(".{ending}"), 1);
-                }
+            } else {
+                count_unread(&entry.path(), unread);
             }
         }
     }
+}
+
+/// The content of a file, as it is staged if that is asked for.
+fn opened(path: &Path, staged: Option<&StagedFile>) -> Result<Box<dyn Read>, String> {
+    Ok(match staged {
+        Some(staged) => Box::new(Cursor::new(staged.content(&shown_path(path))?)),
+        None => Box::new(files::open(path, WANTED)?),
+    })
 }
 
 /// Hands over the documents of a source.
@@ -198,8 +221,8 @@ pub(crate) fn read_documents(
 ) -> Result<(), String> {
     let (stream, name): (Box<dyn Read>, String) = match &source.path {
         None => (Box::new(std::io::stdin()), "standard input".to_owned()),
-        Some(path) => match files::open(path, WANTED) {
-            Ok(file) => (Box::new(file), path.display().to_string()),
+        Some(path) => match opened(path, source.staged.as_deref()) {
+            Ok(stream) => (stream, path.display().to_string()),
             Err(why) => return take(Err(why)),
         },
     };
@@ -214,7 +237,8 @@ pub(crate) fn read_documents(
         false => decode_text(bytes).map_err(|why| format!("{}: {why}", escape_and_shorten(&name))),
     });
     let argument = source.folder.clone().or_else(|| source.path.clone());
-    take(text.map(|text| Document { name, text, format, path: source.path.clone(), argument }))
+    let (path, staged) = (source.path.clone(), source.staged.clone());
+    take(text.map(|text| Document { name, text, format, path, argument, staged }))
 }
 
 /// What is told if nothing at all comes from standard input.
@@ -280,5 +304,5 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         }
         _ => return Err("`format` must be a string".to_owned()),
     };
-    Ok(Document { name, text, format, path: None, argument: None })
+    Ok(Document { name, text, format, path: None, argument: None, staged: None })
 }

@@ -1,7 +1,6 @@
 //! Findings for programs: JSON, and lines of JSON.
 
 use super::{CheckedDocument, ReportWriter, RunTotals};
-use crate::check::CheckTally;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
@@ -9,6 +8,7 @@ use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::tell::finding::ChainFinding;
 use crate::tell::line_index::{LineColumn, LineIndex};
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::Span;
 use serde_json::{Map, Value, json};
@@ -35,6 +35,8 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
         "right": finding.right,
         "printed": finding.printed,
         "recomputed": finding.recomputed,
+        "factor": finding.factor,
+        "difference": finding.difference,
         "explanation": finding.explanation,
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::reason),

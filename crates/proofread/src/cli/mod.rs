@@ -3,24 +3,30 @@
 mod arguments;
 mod baseline;
 mod documents;
+mod html;
+mod index;
 mod json;
 mod lsp;
+mod nearest;
 mod output;
 mod project;
 mod sarif;
 mod since;
+mod staged;
 mod text;
+mod tree;
 
 pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
-use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
+use crate::check::{CheckOptions, CheckReport, proofread};
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;
@@ -30,7 +36,9 @@ use geneva_host::printable::shown_path;
 use output::RunStatus;
 use project::Project;
 use since::{EarlierText, Since};
+use staged::Staging;
 use std::path::Path;
+use tree::FileTree;
 
 /// What a document gave, ready to be written.
 struct CheckedDocument<'d> {
@@ -138,12 +146,16 @@ impl<'a> CommandRun<'a> {
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
             _ => Baseline::default(),
         };
+        if let Some(why) = arguments.accept.as_deref().and_then(|path| nearest::missing_folder(path, "--accept")) {
+            return Err(why);
+        }
         let option = OutputOption { name: "--accept", instead: "" };
         let accepted = arguments.accept.as_deref().map(|path| NewFile::new(path, option)).transpose()?;
         let writer: Box<dyn ReportWriter> = match arguments.format {
             OutputFormat::Text => Box::new(text::TextWriter(streams.layout())),
             OutputFormat::Json => Box::new(json::JsonWriter::default()),
             OutputFormat::Jsonl => Box::new(json::JsonLinesWriter),
+            OutputFormat::Html => Box::new(html::HtmlWriter::default()),
             OutputFormat::Sarif => Box::new(sarif::SarifWriter::default()),
         };
         Ok(Self {
@@ -165,9 +177,16 @@ impl<'a> CommandRun<'a> {
 
     fn run_all(mut self) -> Result<RunStatus, String> {
         let arguments = self.arguments;
-        let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+        let revision = arguments.since.as_deref();
         let accepting = arguments.accept.is_some();
-        let sources = documents::sources(&arguments.files, arguments.input, &mut self.not_read)?;
+        let (since, sources) = if arguments.staged {
+            let staging = Staging::new(revision, &arguments.files)?;
+            self.project = Project::new(FileTree::Staged(staging.files()));
+            (None, staging.sources(arguments.input, &mut self.not_read))
+        } else {
+            let since = revision.map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+            (since, documents::sources(&arguments.files, arguments.input, &mut self.not_read)?)
+        };
         for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
@@ -231,10 +250,14 @@ impl<'a> CommandRun<'a> {
 
     /// Proofreads a document and writes what it gave.
     fn proofread_document(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
-        let before = match since.map(|since| since.earlier_text(document)).transpose()? {
+        let before = match &document.staged {
+            Some(staged) => Some(EarlierText::of_staged(staged, document)?),
+            None => since.map(|since| since.earlier_text(document)).transpose()?,
+        };
+        let before = match before {
             Some(EarlierText::Same) => return Ok(()),
-            Some(EarlierText::Other(text)) => Some(text),
-            Some(EarlierText::Missing) | None => None,
+            Some(EarlierText::Other(texts)) => texts,
+            Some(EarlierText::Missing) | None => Vec::new(),
         };
         let definitions =
             document.path.as_deref().filter(|_| matches!(document.format, TextFormat::Latex | TextFormat::Xml));
@@ -243,13 +266,12 @@ impl<'a> CommandRun<'a> {
             .report(document, &document.text, definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
         let mut findings = report.findings;
-        if let Some(before) = before {
-            let before = self
-                .report(document, &before, definitions.as_deref())
-                .map(|report| report.findings)
-                .unwrap_or_default();
-            since::remove_known(&mut findings, &before);
-        }
+        let before: Vec<Vec<ChainFinding>> = before
+            .iter()
+            .filter_map(|text| self.report(document, text, definitions.as_deref()).ok())
+            .map(|report| report.findings)
+            .collect();
+        since::remove_known(&mut findings, &before);
         if self.arguments.accept.is_some() {
             findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
         } else {

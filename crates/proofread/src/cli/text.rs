@@ -31,35 +31,57 @@ impl ReportWriter for TextWriter {
     }
 
     fn end(&mut self, sum: &RunTotals) -> String {
-        let tally = &sum.tally;
-        let mut text = format!(
-            "Checked {} of {} that arithmetic can check, in {} and {}.\n",
-            describe_count(tally.checked, "chain"),
-            describe_count(tally.checkable.max(tally.checked), "chain"),
-            describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
-            describe_count(sum.documents, "document"),
-        );
-        text.extend(summary::describe_statistics(tally).map(|said| said + "\n"));
-        let hint = if sum.unchecked_listed { "\n" } else { " --unchecked lists them.\n" };
-        text.extend(summary::describe_unchecked_chains(&sum.not_checked).map(|said| said + hint));
-        text.extend(summary::describe_partly_checked_chains(tally).map(|said| said + "\n"));
-        text.extend(summary::describe_unread_formulas(tally).map(|said| said + "\n"));
-        text.extend(summary::describe_unread_parts(&sum.not_read).map(|said| said + "\n"));
+        let [checked, left] = [checked_sentences(sum), left_out_sentences(sum)];
+        let mut text = checked.into_iter().map(|said| said + "\n").collect::<String>();
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
-        match summary::describe_findings(|list| sum.found[list as usize]).as_deref().map(|said| said.split_once(':')) {
-            Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}.\n"),
+        match findings_sentence(sum).as_deref().map(|said| said.split_once(':')) {
+            Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}\n"),
             _ => text += &format!("{green}Nothing found.{green:#}\n"),
         }
-        let hidden = summary::describe_unit_differences(tally).filter(|_| !sum.units_listed);
-        text.extend(hidden.map(|said| format!("{said}; --units lists them.\n")));
-        let hidden = summary::describe_doubts(tally).filter(|_| !sum.doubts_listed);
-        text.extend(hidden.map(|said| format!("{said}; --doubts lists them.\n")));
-        if sum.accepted > 0 {
-            text += &format!("{} left out as accepted.\n", describe_count(sum.accepted, "case"));
-        }
+        text.extend(left.into_iter().map(|said| said + "\n"));
         self.0.folded(&text)
     }
+}
+
+/// How many findings there are and on which lists; none if there are none.
+pub(super) fn findings_sentence(sum: &RunTotals) -> Option<String> {
+    summary::describe_findings(|list| sum.found[list as usize]).map(|said| said + ".")
+}
+
+/// All that is said of a run beside [`findings_sentence`].
+pub(super) fn summary_sentences(sum: &RunTotals) -> Vec<String> {
+    [checked_sentences(sum), left_out_sentences(sum)].concat()
+}
+
+/// What was checked, and what was not and why.
+fn checked_sentences(sum: &RunTotals) -> Vec<String> {
+    let tally = &sum.tally;
+    let mut said = vec![format!(
+        "Checked {} of {} that arithmetic can check, in {} and {}.",
+        describe_count(tally.checked, "chain"),
+        describe_count(tally.checkable.max(tally.checked), "chain"),
+        describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
+        describe_count(sum.documents, "document"),
+    )];
+    said.extend(summary::describe_statistics(tally));
+    let hint = if sum.unchecked_listed { "" } else { " --unchecked lists them." };
+    said.extend(summary::describe_unchecked_chains(&sum.not_checked).map(|said| said + hint));
+    said.extend(summary::describe_partly_checked_chains(tally));
+    said.extend(summary::describe_unread_formulas(tally));
+    said.extend(summary::describe_unread_parts(&sum.not_read));
+    said
+}
+
+/// What was found and is not listed.
+fn left_out_sentences(sum: &RunTotals) -> Vec<String> {
+    let units = summary::describe_unit_differences(&sum.tally).filter(|_| !sum.units_listed);
+    let doubts = summary::describe_doubts(&sum.tally).filter(|_| !sum.doubts_listed);
+    let accepted =
+        (sum.accepted > 0).then(|| format!("{} left out as accepted.", describe_count(sum.accepted, "case")));
+    let units = units.map(|said| said + "; --units lists them.");
+    let doubts = doubts.map(|said| said + "; --doubts lists them.");
+    [units, doubts, accepted].into_iter().flatten().collect()
 }
 
 /// A chain that was not checked, with its place and the reason.
@@ -101,7 +123,7 @@ fn finding_text(
     text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
     // Beside the number of the line, and with a sign at either end that says that the line goes on.
     let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
-    let said = printed_and_recomputed(finding);
+    let said = printable(&finding.values_in_words());
     let is_markup = matches!(checked.document.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook);
     let start = lines.line_start(from.line);
     let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
@@ -165,16 +187,6 @@ pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
         notes.push(("with values from elsewhere", finding.names.join(", ")));
     }
     notes
-}
-
-/// What was printed and what is computed.
-pub(super) fn printed_and_recomputed(finding: &ChainFinding) -> String {
-    let printed = printable(&finding.printed);
-    match &finding.recomputed {
-        Some(recomputed) if recomputed.contains(" against ") => format!("recomputed {recomputed}"),
-        Some(recomputed) => format!("printed {printed}, recomputed {recomputed}"),
-        None => format!("printed {printed}"),
-    }
 }
 
 /// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long

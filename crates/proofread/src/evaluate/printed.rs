@@ -1,5 +1,7 @@
 //! Printed digits, and the interval that they leave open.
 
+use std::borrow::Cow;
+
 /// How much a printed number leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
@@ -30,7 +32,7 @@ impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let (text, goes_on) = text.strip_suffix('…').map_or((text, false), |text| (text, true));
-        let plain: String = text.chars().filter(|c| *c != ',').collect();
+        let plain = if text.contains(',') { Cow::Owned(text.replace(',', "")) } else { Cow::Borrowed(text) };
         let allowed = |c: char| c.is_ascii_digit() || c == '.';
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
             return None;
@@ -78,33 +80,37 @@ impl PrintedNumber {
     }
 }
 
+/// The powers of ten that are exact.
+const POWERS_OF_TEN: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
 /// Ten to a power, the same on every machine.
 pub(crate) fn power_of_ten(exponent: f64) -> f64 {
     if exponent.fract() == 0.0 && exponent.abs() <= 400.0 {
-        return format!("1e{exponent:.0}").parse().unwrap_or(f64::INFINITY);
+        let exponent = exponent as i32;
+        // Up to here the powers themselves are exact, and so the quotient is the nearest number to the power below one.
+        return match POWERS_OF_TEN.get(exponent.unsigned_abs() as usize) {
+            Some(power) if exponent >= 0 => *power,
+            Some(power) => 1.0 / power,
+            None => format!("1e{exponent}").parse().unwrap_or(f64::INFINITY),
+        };
     }
     libm::pow(10.0, exponent)
-}
-
-/// A number with as many significant digits as asked, in the manner of the printed number beside it.
-pub(crate) fn format_significant(value: f64, significant: usize) -> String {
-    let significant = significant.clamp(1, 15);
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value}");
-    }
-    let text = format!("{:.*e}", significant - 1, value);
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if (-4..6).contains(&exponent) {
-        let places = (significant as i32 - 1 - exponent).max(0) as usize;
-        return format!("{:.*}", places, text.parse::<f64>().unwrap_or(value));
-    }
-    format!("{mantissa}e{exponent}")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_power_of_ten_is_the_nearest_number_to_it() {
+        for exponent in -330..=310 {
+            let nearest: f64 = format!("1e{exponent}").parse().expect("a number");
+            assert_eq!(power_of_ten(f64::from(exponent)), nearest, "{exponent}");
+        }
+    }
 
     #[test]
     fn the_last_place_says_how_much_is_open() {
@@ -124,19 +130,6 @@ mod tests {
         assert_eq!(PrintedNumber::read("1,234.50").map(|of| (of.value, of.decimals)), Some((1234.5, Some(2))));
         for text in ["", ".", "1.2.3", "abc", "1e3"] {
             assert_eq!(PrintedNumber::read(text), None, "{text}");
-        }
-    }
-
-    #[test]
-    fn a_recomputed_number_is_written_with_as_many_digits() {
-        for (value, digits, expected) in [
-            (0.577_35, 3, "0.577"),
-            (4210.4, 4, "4210"),
-            (1.234e-7, 2, "1.2e-7"),
-            (5.63e-3, 3, "0.00563"),
-            (0.0, 3, "0"),
-        ] {
-            assert_eq!(format_significant(value, digits), expected);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What may explain that two sides differ, although nothing is wrong: each explanation has a name, and they are tried in order.
 
 use crate::evaluate::expression::NameValues;
-use crate::evaluate::value::{DIVIDES_BY_ZERO, Obstacle};
+use crate::evaluate::value::{DIVIDES_BY_ZERO, NEGATIVE_ROOT, Obstacle};
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::equals_conventions;
 use crate::judge::notation;
@@ -112,12 +112,13 @@ fn doubtful_if_agreeing(judgement: PairJudgement) -> Option<PairJudgement> {
     agrees(&judgement).then_some(PairJudgement { verdict: ChainVerdict::Doubtful, ..judgement })
 }
 
-/// That a side has no value is what the text shows: both sides divide by zero, the right one does, or it is called undefined.
+/// That a side has no value is what the text shows: both sides divide by zero or take a root of a negative number, or it is called
+/// undefined.
 fn try_undefined(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let Some(Obstacle::NoValue(why)) = &pair.judgement.obstacle else { return None };
     let of_right = evaluate_freely(&pair.right.tokens, pair.bindings).err();
-    let shown =
-        matches!(of_right, Some(Obstacle::NoValue(of_right)) if of_right == DIVIDES_BY_ZERO && *why == DIVIDES_BY_ZERO);
+    let alike = [DIVIDES_BY_ZERO, NEGATIVE_ROOT].contains(why);
+    let shown = matches!(of_right, Some(Obstacle::NoValue(of_right)) if alike && of_right == *why);
     (shown || surroundings::calls_undefined(pair.text, pair.left.span.join(pair.right.span)))
         .then(|| pair.with_verdict(ChainVerdict::Doubtful))
         .flatten()
@@ -241,7 +242,7 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
         return None;
     }
     // A factorial whose sign stands behind the formula.
-    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.formula.span) {
+    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.right.span, pair.formula.span) {
         let sign = Token::new(TokenKind::Operator('!'), pair.right.span);
         let other = pair.judge(&pair.left.tokens, &[pair.right.tokens.as_slice(), &[sign]].concat());
         if other.verdict < ChainVerdict::Doubtful {

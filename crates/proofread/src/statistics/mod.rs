@@ -176,6 +176,8 @@ fn statistic_finding(of: StatisticDifference) -> ChainFinding {
         right_span,
         at: right_span,
         recomputed: Some(of.recomputed),
+        factor: None,
+        difference: None,
         explanation: None,
         why: of.why,
         hint: None,

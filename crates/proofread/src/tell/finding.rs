@@ -1,15 +1,12 @@
 //! What was found at one place.
 
-use crate::evaluate::exponent::plain_exponent;
-use crate::evaluate::printed::{format_significant, power_of_ten};
-use crate::evaluate::reading::ReadingChoices;
-use crate::evaluate::value::SideValue;
 use crate::join::chain::{Chain, ChainSide, Relation};
 use crate::judge::doubt::Doubt;
 use crate::judge::section::ReportSection;
 use crate::judge::verdict::{ChainVerdict, PairJudgement};
 use crate::tell::hint::Hint;
-use crate::token::{Span, Token, TokenKind, show};
+use crate::tell::recomputed::PrintedPair;
+use crate::token::{Span, show};
 use std::ops::Range;
 
 /// Two neighbouring sides that do not agree.
@@ -51,8 +48,14 @@ pub struct ChainFinding {
     pub at: Span,
     /// The printed result, with its unit.
     pub printed: String,
-    /// What is computed, to as many digits and in the same unit; none if the sides have no common unit.
+    /// What is computed, to as many digits and in the same unit, so that it may stand in the place of the printed result; if no side
+    /// is a printed result, what both sides give, as *7 against 8*; if the units differ, in units of its own. None if a side
+    /// has no value.
     pub recomputed: Option<String>,
+    /// The printed value over the computed one, to six digits; none if they have no common unit, or one of them is zero.
+    pub factor: Option<f64>,
+    /// In which way the values differ, in words, where that says more than their digits: *a factor of 1,000*.
+    pub difference: Option<String>,
     /// The name of the explanation that decided the verdict, one of [`explanation_names`](crate::explanation_names); none if the
     /// sides compare so as they are printed.
     pub explanation: Option<&'static str>,
@@ -84,10 +87,8 @@ impl ChainFinding {
         let ends = chain.sides.first().into_iter().chain(chain.sides.last());
         let span = ends.fold(left.span.join(right.span), |span, side| span.join(side.span));
         let (line, marked) = line(chain, right, printed);
-        let recomputed = values.and_then(|(left, right)| {
-            let (computed, printed_value) = if right_is_printed { (left, right) } else { (right, left) };
-            recomputed(computed, printed_value, &printed.tokens, judgement)
-        });
+        let computed = if right_is_printed { left } else { right };
+        let recomputed = PrintedPair { computed, printed, right_is_printed, judgement }.recomputed(section);
         Self {
             verdict: judgement.verdict,
             section,
@@ -101,13 +102,60 @@ impl ChainFinding {
             right_span: right.span,
             at: printed.span,
             printed: show(&printed.tokens),
-            recomputed,
+            recomputed: recomputed.shown,
+            factor: recomputed.factor,
+            difference: recomputed.difference,
             explanation: judgement.explanation,
             why: judgement.obstacle.as_ref().map(ToString::to_string),
             hint,
             reading: judgement.reading.descriptions(),
             names: judgement.used.clone(),
         }
+    }
+
+    /// What is printed and what is computed, in words.
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, TextFormat, proofread};
+    ///
+    /// let report = proofread(r"$0.6 \cdot 200 = 12000$", TextFormat::Markdown, CheckOptions::default())?;
+    /// let finding = &report.findings[0];
+    /// assert_eq!(finding.values_in_words(), "printed 12000, recomputed 120 (a factor of 100)");
+    /// assert_eq!(finding.factor, Some(100.0));
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn values_in_words(&self) -> String {
+        match (self.recomputed_in_words(), &self.difference) {
+            (Some(recomputed), _) if self.gives_both() => format!("recomputed {recomputed}"),
+            (Some(_), _) if self.recomputed.as_ref() == Some(&self.printed) => {
+                format!("printed and recomputed {}", self.printed)
+            }
+            (Some(recomputed), _) => format!("printed {}, recomputed {recomputed}", self.printed),
+            (None, Some(difference)) => format!("printed {}, but {difference}", self.printed),
+            (None, None) => format!("printed {}", self.printed),
+        }
+    }
+
+    /// What is computed and in which way it differs from what is printed, in words; none if a side has no value.
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, TextFormat, proofread};
+    ///
+    /// let report = proofread(r"$3.0 \cdot 20 = -60$", TextFormat::Markdown, CheckOptions::default())?;
+    /// assert_eq!(report.findings[0].recomputed_in_words().as_deref(), Some("60 (the sign differs)"));
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn recomputed_in_words(&self) -> Option<String> {
+        let recomputed = self.recomputed.as_ref()?;
+        Some(match &self.difference {
+            Some(difference) => format!("{recomputed} ({difference})"),
+            None => recomputed.clone(),
+        })
+    }
+
+    /// Whether neither side is a printed result.
+    fn gives_both(&self) -> bool {
+        self.recomputed.as_ref().is_some_and(|recomputed| recomputed.contains(" against "))
     }
 
     /// Changes where everything in it was written.
@@ -150,73 +198,4 @@ fn line_around(chain: &Chain, at: usize, printed: Option<&ChainSide>) -> (String
         line += " …";
     }
     (line, marked)
-}
-
-/// The computed value in the unit and with the digits of the printed one.
-fn recomputed(
-    computed: &SideValue,
-    printed: &SideValue,
-    tokens: &[Token],
-    judgement: &PairJudgement,
-) -> Option<String> {
-    if judgement.verdict == ChainVerdict::Units || judgement.verdict == ChainVerdict::Dimensions {
-        return None;
-    }
-    if computed.parts.is_vector() || printed.parts.is_vector() || judgement.reading.contains(ReadingChoices::POINTS) {
-        return None;
-    }
-    let computed = computed.number().ok()?.point;
-    let printed_point = printed.number().ok()?.point;
-    if !printed.is_literal() {
-        return Some(format!("{} against {}", format_significant(computed, 4), format_significant(printed_point, 4)));
-    }
-    let factor = if printed.factor == 0.0 { 1.0 } else { printed.factor };
-    let (value, digits) = (computed / factor, digits_of(tokens));
-    let scaled = |power: i32| format_significant(value / power_of_ten(f64::from(power)), digits);
-    let mut text = match power_of(tokens) {
-        // The power of ten of the printed number, or the nearest one if that is far off.
-        Some(power) => {
-            let own = if value == 0.0 { power } else { libm::floor(libm::log10(value.abs())) as i32 };
-            let power = if (-1..=2).contains(&(own - power)) { power } else { own };
-            format!("{} × 10^{power}", scaled(power)).replace("^-", "^−")
-        }
-        None if is_whole(tokens) && libm::fabs(value - libm::round(value)) < 1e-9 && value.abs() < 1e9 => {
-            format!("{}", libm::round(value))
-        }
-        None => format_significant(value, digits),
-    };
-    if let Some(size) = text.strip_prefix('-') {
-        text = format!("−{size}");
-    }
-    let unit = unit_text(tokens);
-    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") {
-        text + &unit
-    } else {
-        format!("{text} {unit}").trim().to_owned()
-    })
-}
-
-/// Whether the number is printed without a point.
-fn is_whole(tokens: &[Token]) -> bool {
-    tokens.iter().find_map(Token::number).is_some_and(|number| !number.contains('.'))
-}
-
-fn digits_of(tokens: &[Token]) -> usize {
-    let number = tokens.iter().find_map(Token::number).unwrap_or("0");
-    let digits: String = number.chars().filter(char::is_ascii_digit).collect();
-    let significant = digits.trim_start_matches('0').len();
-    significant.max(2)
-}
-
-fn power_of(tokens: &[Token]) -> Option<i32> {
-    let at = tokens.iter().position(|token| token.number() == Some("10"))?;
-    let TokenKind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
-    plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
-}
-
-/// What follows the number.
-fn unit_text(tokens: &[Token]) -> String {
-    let start = tokens.iter().position(|token| token.word().is_some() || matches!(token.kind, TokenKind::Fraction(..)));
-    let unit = start.map_or(&[][..], |start| &tokens[start..]);
-    show(unit)
 }

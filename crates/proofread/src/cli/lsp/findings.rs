@@ -1,7 +1,7 @@
 //! Findings as an editor shows them: marks, what is said beside them, and edits.
 
 use super::super::output::printable;
-use super::super::text::{notes, printed_and_recomputed};
+use super::super::text::notes;
 use super::checking::CheckedText;
 use super::fixes::replacement;
 use super::positions::{PositionEncoding, PositionIndex};
@@ -49,7 +49,7 @@ fn severity(section: ReportSection) -> u8 {
 
 /// A finding in two lines: what it is with what was printed and recomputed, and both sides.
 fn message(finding: &ChainFinding) -> String {
-    let said = format!("{}: {}", finding.verdict.description(), printed_and_recomputed(finding));
+    let said = format!("{}: {}", finding.verdict.description(), printable(&finding.values_in_words()));
     printable(&said) + "\n" + &printable(&format!("{} against {}", finding.left, finding.right))
 }
 
@@ -95,7 +95,7 @@ pub(super) fn hover(checked: &CheckedText, at: usize, features: EditorFeatures) 
     let Some(finding) = found else { return Value::Null };
     let mut lines = vec![
         format!("{}: {}", finding.verdict.name(), finding.verdict.description()),
-        printed_and_recomputed(finding),
+        printable(&finding.values_in_words()),
         format!("read as: {}", finding.chain),
     ];
     lines.extend(notes(finding).into_iter().map(|(what, words)| format!("{what}: {words}")));

@@ -1,0 +1,230 @@
+//! Findings on a page for people: one file without a script, which loads nothing.
+
+use super::output::printable;
+use super::text::{findings_sentence, summary_sentences};
+use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::judge::section::ReportSection;
+use crate::tell::finding::ChainFinding;
+use crate::tell::line_index::LineIndex;
+use crate::tell::summary::describe_count;
+use crate::tell::unchecked_chain::UncheckedChain;
+use crate::token::Span;
+use geneva_host::printable::escaped;
+use std::fmt::Write;
+use std::ops::Range;
+
+const STYLE: &str = include_str!("html.css");
+
+/// Lines of the text that are shown before the marked place, and as many behind it.
+const AROUND: usize = 2;
+
+/// Longest part of a marked line that is shown, in characters.
+const LONGEST: usize = 240;
+
+/// Longest part of a line around it that is shown, in characters.
+const LONGEST_AROUND: usize = 120;
+
+/// Most lines of a marked place that are shown: one may be as long as a table.
+const MOST_LINES: usize = 12;
+
+/// A page, of which the parts are kept until the sum is known.
+#[derive(Default)]
+pub(crate) struct HtmlWriter {
+    documents: Vec<DocumentPart>,
+}
+
+/// What the page says of a document.
+struct DocumentPart {
+    name: String,
+    count: String,
+    body: String,
+}
+
+/// Text of which nothing is taken for mark-up, and nothing changes the direction or the place of what follows.
+fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in printable(text).chars() {
+        match c {
+            '&' => out += "&amp;",
+            '<' => out += "&lt;",
+            '>' => out += "&gt;",
+            '"' => out += "&quot;",
+            '\'' => out += "&#39;",
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Words in which formulas stand between backticks.
+fn with_code(words: &str) -> String {
+    let pieces = words.split('`').enumerate();
+    pieces.fold(String::new(), |text, (at, piece)| {
+        text + ["", "<code>", "</code>"][if at == 0 { 0 } else { 2 - at % 2 }] + &plain(piece)
+    })
+}
+
+/// A part of a line of at most [`LONGEST`] characters around a place in it, or the start of a line without one.
+fn cut(text: &str, place: &Range<usize>) -> Range<usize> {
+    let longest = if place.is_empty() { LONGEST_AROUND } else { LONGEST };
+    if text.chars().nth(longest).is_none() {
+        return 0..text.len();
+    }
+    let before = if place.is_empty() { "" } else { text.get(..place.start).unwrap_or_default() };
+    let from = before.char_indices().rev().nth(longest / 2).map_or(0, |(at, _)| at);
+    let to = text[from..].char_indices().nth(longest).map_or(text.len(), |(at, _)| from + at);
+    from..to
+}
+
+/// A line with its number, and the part of it that is marked.
+fn row(lines: &LineIndex<'_>, number: usize, span: Span, out: &mut String) {
+    let (text, start) = (lines.line(number), lines.line_start(number));
+    let inside = |at: u32| {
+        let at = (at as usize).saturating_sub(start).min(text.len());
+        (0..=at).rfind(|at| text.is_char_boundary(*at)).unwrap_or(0)
+    };
+    let mut marked = inside(span.start)..inside(span.end);
+    // The brace that closes what was opened in the place belongs to it.
+    let opened = text[marked.clone()].matches('{').count().saturating_sub(text[marked.clone()].matches('}').count());
+    marked.end += text[marked.end..].bytes().take(opened).take_while(|byte| *byte == b'}').count();
+    let shown = cut(text, &marked);
+    let within = |at: usize| at.clamp(shown.start, shown.end);
+    let pieces =
+        [shown.start..within(marked.start), within(marked.start)..within(marked.end), within(marked.end)..shown.end];
+    let [before, place, behind] = pieces.map(|piece| plain(text.get(piece).unwrap_or_default()));
+    let place = if place.is_empty() { place } else { format!("<mark>{place}</mark>") };
+    let dots = [shown.start > 0, shown.end < text.len()].map(|is_cut| if is_cut { "…" } else { "" });
+    let _ = write!(
+        out,
+        "<span class=\"row\"><span class=\"number\" aria-hidden=\"true\">{number}</span><span class=\"source\">{}{before}{place}{behind}{}</span></span>",
+        dots[0], dots[1]
+    );
+}
+
+/// The lines around a place.
+fn excerpt(lines: &LineIndex<'_>, last: usize, span: Span) -> String {
+    let [from, to] = lines.line_columns(span);
+    let to = to.line.min(from.line + MOST_LINES);
+    let mut out = "<pre>".to_owned();
+    let is_blank = |number: &usize| lines.line(*number).trim().is_empty();
+    let before = (from.line.saturating_sub(AROUND).max(1)..from.line).skip_while(is_blank);
+    let behind = (to + 1..=(to + AROUND).min(last)).rev().skip_while(is_blank).collect::<Vec<_>>();
+    for number in before.chain(from.line..=to).chain(behind.into_iter().rev()) {
+        row(lines, number, span, &mut out);
+    }
+    out + "</pre>\n"
+}
+
+fn article(finding: &ChainFinding, id: &str, lines: &LineIndex<'_>, last: usize) -> String {
+    let is_wrong = matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics);
+    let (kind, colour) = if is_wrong { ("", "wrong") } else { (" class=\"other-list\"", "other") };
+    let [from, _] = lines.line_columns(finding.at);
+    let mut out = format!(
+        "<article id=\"{id}\"{kind} aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><span class=\"{colour}\">{}</span> \
+         <a href=\"#{id}\">line {}, column {}</a></h3>\n",
+        plain(&capitalised(finding.verdict.description())),
+        from.line,
+        from.column
+    );
+    out += &excerpt(lines, last, finding.at);
+    out += "<dl>\n";
+    let piece = |range: Range<usize>| plain(finding.chain.get(range).unwrap_or_default());
+    let marked = &finding.marked;
+    let place = match piece(marked.clone()) {
+        place if place.is_empty() => place,
+        place => format!("<mark>{place}</mark>"),
+    };
+    let chain = format!("{}{place}{}", piece(0..marked.start), piece(marked.end..finding.chain.len()));
+    let _ = writeln!(out, "<dt>Read as</dt><dd class=\"chain\">{chain}</dd>");
+    let mut fact = |label: &str, words: Option<String>| {
+        if let Some(words) = words {
+            let _ = writeln!(out, "<dt>{label}</dt><dd>{words}</dd>");
+        }
+    };
+    fact("Printed", Some(plain(&finding.printed)));
+    fact("Recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()).as_deref().map(plain));
+    fact("Hint", finding.hint.as_ref().map(|hint| with_code(&hint.words) + " would agree"));
+    fact("Set aside", finding.doubt.map(|doubt| plain(doubt.reason())));
+    fact("Why", finding.why.as_deref().map(with_code));
+    let listed = |words: String| (!words.is_empty()).then(|| plain(&words));
+    fact("Nearest reading", listed(finding.reading.join(", ")));
+    fact("With values from elsewhere", listed(finding.names.join(", ")));
+    out + "</dl>\n</article>\n"
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
+}
+
+/// The chains that were not checked, as a list.
+fn unchecked_list(chains: &[UncheckedChain], lines: &LineIndex<'_>) -> String {
+    if chains.is_empty() {
+        return String::new();
+    }
+    let item = |chain: &UncheckedChain| {
+        let [from, _] = lines.line_columns(chain.span);
+        let what = if chain.partly { "checked in part" } else { "not checked" };
+        format!(
+            "<li>Line {}, {what}, {}: <code>{}</code></li>\n",
+            from.line,
+            with_code(&chain.reason()),
+            plain(&chain.chain)
+        )
+    };
+    format!("<h3>Chains that were not checked</h3>\n<ul>\n{}</ul>\n", chains.iter().map(item).collect::<String>())
+}
+
+impl ReportWriter for HtmlWriter {
+    fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
+        let unchecked = checked.unchecked.as_deref().unwrap_or_default();
+        if checked.findings.is_empty() && unchecked.is_empty() {
+            return String::new();
+        }
+        let text = &checked.document.text;
+        let lines = LineIndex::new(text);
+        let last = lines.line_column(text.trim_end().len()).line;
+        let number = self.documents.len() + 1;
+        let articles = checked.findings.iter().enumerate();
+        let articles = articles.map(|(at, finding)| article(finding, &format!("f{number}-{}", at + 1), &lines, last));
+        let body = articles.collect::<String>() + &unchecked_list(unchecked, &lines);
+        let count = describe_count(checked.findings.len(), "finding");
+        self.documents.push(DocumentPart { name: plain(&escaped(&checked.document.name)), count, body });
+        String::new()
+    }
+
+    fn end(&mut self, sum: &RunTotals) -> String {
+        let found = findings_sentence(sum);
+        let colour = if found.is_some() { "wrong" } else { "right" };
+        let found = found.unwrap_or_else(|| "Nothing found.".to_owned());
+        let sentences: String =
+            summary_sentences(sum).iter().map(|said| format!("<li>{}</li>\n", with_code(said))).collect();
+        let mut page = format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Proofreading report: {found}</title>\n\
+             <style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>Proofreading report</h1>\n<p class=\"result {colour}\">{found}</p>\n\
+             </header>\n<main>\n<section aria-labelledby=\"summary\">\n<h2 id=\"summary\">What was checked</h2>\n<ul>\n{sentences}</ul>\n"
+        );
+        if self.documents.len() > 1 {
+            page += "<nav aria-label=\"Files\">\n<ol>\n";
+            for (at, part) in self.documents.iter().enumerate() {
+                let _ = writeln!(page, "<li><a href=\"#f{}\">{}</a>: {}</li>", at + 1, part.name, part.count);
+            }
+            page += "</ol>\n</nav>\n";
+        }
+        page += "</section>\n";
+        for (at, part) in std::mem::take(&mut self.documents).into_iter().enumerate() {
+            let id = at + 1;
+            let _ = write!(
+                page,
+                "<section aria-labelledby=\"f{id}\">\n<h2 id=\"f{id}\">{}</h2>\n{}</section>\n",
+                part.name, part.body
+            );
+        }
+        page + &format!(
+            "</main>\n<footer>Written by proofread {}.</footer>\n</body>\n</html>\n",
+            env!("CARGO_PKG_VERSION")
+        )
+    }
+}
