@@ -178,7 +178,7 @@ fn no_message_is_too_strange() {
     let mut dice = fastrand::Rng::with_seed(7);
     let mut trial = Trial::new();
     let mut answered = 0;
-    for turn in 0..20_000_u64 {
+    for turn in 0..4_000_u64 {
         if turn % 16 == 0 {
             trial.open(turn, "a", "β $2 + 2 = 5$\r\n𝟙 $\\tan 31.0^\\circ = 0.609$");
         }
@@ -208,6 +208,6 @@ fn no_message_is_too_strange() {
         answered += trial.session.take_outgoing().iter().filter(|of| of["result"].is_object()).count();
     }
     // Some of the texts were whole enough to be explained.
-    assert!(answered > 20, "{answered}");
+    assert!(answered > 4, "{answered}");
     assert_eq!(trial.session.ended(), None);
 }
