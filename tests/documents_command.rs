@@ -20,7 +20,7 @@ const PROGRAMS: [&str; 9] = ["bash", "cargo", "geneva", "git", "mdbook", "npm", 
 const ACCEPTS: &str = "INSTA_UPDATE=always cargo test --no-fail-fast";
 
 /// Commands that are tried nowhere, with the reason.
-const OTHERS: [(&str, &str); 16] = [
+const OTHERS: [(&str, &str); 19] = [
     ("cargo insta", "the name of a tool"),
     ("cargo insta review", "it asks questions"),
     ("cargo install --path crates/proofread", "it compiles a program that the tests have compiled"),
@@ -36,7 +36,10 @@ const OTHERS: [(&str, &str); 16] = [
     ("git status", "git's own"),
     ("mdbook serve book", "`mdbook build book`, which `.ci/run` runs, and it does not end"),
     ("mdbook test book --chapter NAME", "`mdbook test book`, which `.ci/run` runs, and NAME is the reader's"),
+    ("pip install .", "`.ci/run` builds and installs the same package without optimisation"),
+    ("proofread lsp", "an editor starts it and speaks to it, as the tests of the proofreader do"),
     ("pip install fonttools brotli", "only who changes the font needs them"),
+    ("proofread --staged", "what it finds depends on what is staged; the proofreader's own tests run it in a hook"),
 ];
 
 /// Commands that name a command of ours and leave the rest open, which is all that may be wrong with them.

@@ -295,14 +295,15 @@ fn options_change_the_result_and_it_can_be_copied() {
         "(async () => { let copied; Object.defineProperty(navigator, 'clipboard', { value: { writeText: async text => { copied = text } \
          } }); const set = async (name, value) => { const of = form.elements[name]; of.type === 'checkbox' ? of.checked = value : \
          of.value = value; of.dispatchEvent(new Event('change', { bubbles: true })); await settled(); return said()[0] }; \
-         await paste('v = 2.0\\n\\n3 v = 7.0\\n\\n2.0 m × 3.0 m = 6.0 m'); const all = [said()[0], await set('bindings', 'never'), await \
-         set('units', true)]; form.querySelector('[data-do=copy]').click(); const done = await until(() => form.querySelector('.done').textContent); \
+         await paste('v = 2.0\\n\\n3 v = 7.0\\n\\n2.0 m × 3.0 m = 6.0 m'); const all = [said()[0], await set('bindings', 'once'), await \
+         set('bindings', 'never'), await set('units', true)]; form.querySelector('[data-do=copy]').click(); const done = await until(() => form.querySelector('.done').textContent); \
          return [all, copied, done] })()",
     );
     let own = answer("bindings=never units=yes\nv = 2.0\n\n3 v = 7.0\n\n2.0 m × 3.0 m = 6.0 m");
     let own: Value = serde_json::from_str(&own).expect("JSON");
-    assert_eq!(shown[0][2], json!("1 finding: 1 on units alone."), "{shown}");
-    assert_eq!(shown[0][1], json!("Nothing found."), "{shown}");
+    assert_eq!([&shown[0][0], &shown[0][2]], [&json!("Nothing found."); 2], "{shown}");
+    assert_eq!(shown[0][1], json!("1 finding: 1 with values from elsewhere in the text."), "{shown}");
+    assert_eq!(shown[0][3], json!("1 finding: 1 on units alone."), "{shown}");
     assert_eq!([&shown[1], &shown[2]], [&own["text"], &json!("The result is in the clipboard.")], "{shown}");
 }
 

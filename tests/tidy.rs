@@ -3,6 +3,7 @@
 mod circles;
 mod engine;
 mod examples;
+mod folders;
 mod known;
 mod lengths;
 mod paths;

@@ -17,7 +17,7 @@ const KNOWN: &str = "tests/tidy/circles.txt";
 const MOST_KNOWN: usize = 3;
 
 /// What the files of a crate import from each other: the names, by the places of the two files in the list.
-type Imports = BTreeMap<(usize, usize), BTreeSet<String>>;
+pub(super) type Imports = BTreeMap<(usize, usize), BTreeSet<String>>;
 
 /// A path in code that leads somewhere in the crate.
 struct CratePath {
@@ -109,7 +109,7 @@ fn crate_paths(file: &Source, modules: &BTreeSet<&[String]>) -> Vec<CratePath> {
 }
 
 /// What the files of a crate import from each other.
-fn imports(files: &[&Source]) -> Imports {
+pub(super) fn imports(files: &[&Source]) -> Imports {
     let places: BTreeMap<&[String], usize> =
         files.iter().enumerate().map(|(place, file)| (file.module.as_slice(), place)).collect();
     let modules = places.keys().copied().filter(|module| !module.is_empty()).collect();

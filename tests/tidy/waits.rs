@@ -18,6 +18,14 @@ const WORDS: [&str; 10] = [
 /// Lines of tests that have such a word all the same: the file, a part of the line, and why.
 const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("crates/press/src/cache/tests.rs", "SystemTime::now() - 2 * LONG", "the age that a file pretends to have"),
+    (
+        "crates/proofread/tests/lsp.rs",
+        "const PATIENCE: Duration = Duration::from_secs(600)",
+        "patience for another process",
+    ),
+    ("crates/proofread/tests/lsp.rs", "recv_timeout(PATIENCE)", "the same patience"),
+    ("crates/proofread/src/cli/lsp/session/tests.rs", "start: Instant::now()", "where a made-up time begins"),
+    ("crates/proofread/src/cli/lsp/session/tests.rs", "Duration::from_millis(ms)", "the same made-up time"),
     ("tests/command_line.rs", "Instant::now() + Duration::from_secs(600)", "patience for another process"),
     ("tests/command_line.rs", "assert!(Instant::now() < end", "the same patience"),
     ("tests/command_line.rs", "sleep(Duration::from_millis(1))", "between two looks at what is awaited"),

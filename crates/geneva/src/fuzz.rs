@@ -77,6 +77,10 @@ fn line(dice: &mut Rng, root: &clap::Command) -> Vec<String> {
     let mut line = vec!["geneva".to_owned()];
     let mut command = root;
     while command.has_subcommands() {
+        // One that has a command of its own is mostly used without it.
+        if command.is_args_conflicts_with_subcommands_set() && dice.usize(..8) != 0 {
+            break;
+        }
         let all: Vec<_> =
             command.get_subcommands().filter(|of| !["book", "preprocess"].contains(&of.get_name())).collect();
         command = pick(dice, &all);

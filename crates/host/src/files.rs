@@ -7,7 +7,7 @@
 use crate::printable::{in_words, shown_path};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Opens a regular file to be read; `wanted` says in errors what to give instead.
 ///
@@ -26,6 +26,35 @@ pub fn open(path: &Path, wanted: &str) -> Result<File, String> {
         return Err(format!("{name} is a pipe or a device, not a regular file; give {wanted}"));
     }
     File::open(path).map_err(unreadable)
+}
+
+/// A path as the system names it (without links) as far as it leads to something, with the rest as it is written. The last
+/// name of a path that leads to no folder is kept, so that a link is itself and not what it leads to.
+///
+/// ```
+/// use geneva_host::files::whole_path;
+/// use std::path::Path;
+///
+/// let here = std::env::current_dir()?.canonicalize()?;
+/// assert_eq!(whole_path(Path::new("no-such-folder/../file.md")), here.join("file.md"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn whole_path(path: &Path) -> PathBuf {
+    if let Some(folder) = path.canonicalize().ok().filter(|real| real.is_dir()) {
+        return folder;
+    }
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let above = absolute.ancestors().skip(1);
+    let there = above.filter_map(|folder| Some((folder, folder.canonicalize().ok()?))).next();
+    let Some((folder, mut whole)) = there else { return absolute };
+    for part in absolute.strip_prefix(folder).unwrap_or(Path::new("")).components() {
+        match part {
+            Component::ParentDir => drop(whole.pop()),
+            Component::Normal(name) => whole.push(name),
+            _ => {}
+        }
+    }
+    whole
 }
 
 /// The bytes of a regular file, at most so many; `wanted` says in errors what to give instead.

@@ -58,6 +58,17 @@ pub struct Blob {
     pub id: String,
 }
 
+/// How the next commit differs from another one at a path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StagedChange {
+    /// The path below the top, in bytes as git keeps them.
+    pub path: PathBuf,
+    /// What is staged there; none if the file is gone, is no regular file any more, or is in a conflict.
+    pub staged: Option<Blob>,
+    /// What the other commit has there, or where the file was before it was moved; none if that is no regular file.
+    pub earlier: Option<Blob>,
+}
+
 impl Repository {
     /// The repository that a file or folder belongs to: the nearest folder above it, or itself, that has a `.git`.
     /// None if there is no such folder or the path leads nowhere.
@@ -185,6 +196,61 @@ impl Repository {
             (is_file && words.next()? == "0").then(|| (path_of(&name[1..]), Blob { id }))
         };
         Ok(listed.split(|byte| *byte == 0).filter_map(entry).collect())
+    }
+
+    /// The regular files whose staged content differs from that of a commit (its full name), or all staged files if there is none,
+    /// by their paths below the top; in a hook, those of the commit that is being made. A file that was moved is compared with
+    /// the one that it was. What is in a conflict has no staged content.
+    ///
+    /// # Errors
+    ///
+    /// git cannot be started or fails.
+    pub fn staged_changes(&self, commit: Option<&str>) -> Result<Vec<StagedChange>, String> {
+        let Some(commit) = commit else {
+            let files = self.staged_files()?.into_iter();
+            return Ok(files
+                .map(|(path, staged)| StagedChange { path, staged: Some(staged), earlier: None })
+                .collect());
+        };
+        let (commit, index) = (named(commit)?, self.index_of_hook());
+        let listed = |renames| {
+            let options = ["diff-index", "--cached", "--raw", "--no-abbrev", "--ignore-submodules=all", "-z", renames];
+            self.ask_with_index(index.as_deref(), options.into_iter().chain(["-l1000", commit]))
+        };
+        // To find what was moved, git reads contents, of which a repository may have only a part.
+        let listed = listed("--find-renames").or_else(|_| listed("--no-renames"))?;
+        let mut parts = listed.split(|byte| *byte == 0);
+        let mut changes = Vec::new();
+        while let Some(about) = parts.next().and_then(|about| about.strip_prefix(b":")) {
+            let words: Vec<&str> = std::str::from_utf8(about).unwrap_or_default().split(' ').collect();
+            let (&[before, after, earlier, staged, kind], Some(first)) = (words.as_slice(), parts.next()) else {
+                break;
+            };
+            let blob = |mode: &str, id: &str| mode.starts_with("100").then(|| Blob { id: id.to_owned() });
+            let (earlier, staged) = (blob(before, earlier), blob(after, staged));
+            let second = if kind.starts_with(['R', 'C']) { parts.next() } else { None };
+            if kind.starts_with('R') {
+                changes.push(StagedChange { path: path_of(first), staged: None, earlier: earlier.clone() });
+            }
+            let staged = staged.filter(|_| !kind.starts_with('U'));
+            if staged.is_some() || earlier.is_some() {
+                changes.push(StagedChange { path: path_of(second.unwrap_or(first)), staged, earlier });
+            }
+        }
+        Ok(changes)
+    }
+
+    /// The paths below the top that a merge has left in conflict, each once.
+    ///
+    /// # Errors
+    ///
+    /// git cannot be started or fails.
+    pub fn conflicts(&self) -> Result<Vec<PathBuf>, String> {
+        let listed = self.ask_with_index(self.index_of_hook().as_deref(), ["ls-files", "--unmerged", "-z"])?;
+        let name = |line: &[u8]| line.iter().position(|byte| *byte == b'\t').map(|tab| path_of(&line[tab + 1..]));
+        let mut paths: Vec<PathBuf> = listed.split(|byte| *byte == 0).filter_map(name).collect();
+        paths.dedup();
+        Ok(paths)
     }
 
     /// The bytes of a file as a commit has it, without any filter.

@@ -1,10 +1,10 @@
 //! What is found in a text, with its places as a page counts them.
 
 use crate::fact::Fact;
+use crate::json::{list, object, text};
 use crate::question::PageQuestion;
 use crate::words;
 use proofread::{ChainFinding, CheckOptions, LineIndex, ReportSection, TextFormat, proofread};
-use serde_json::json;
 use std::ops::Range;
 
 /// Findings that are shown at most.
@@ -90,25 +90,24 @@ impl PageAnswer {
     /// copied.
     pub fn to_json(&self) -> String {
         let finding = |shown: &ShownFinding| {
-            let fact = |fact: &Fact| json!({ "label": fact.label, "text": fact.text });
-            json!({
-                "list": shown.list,
-                "verdict": shown.verdict,
-                "line": shown.line,
-                "column": shown.column,
-                "from": shown.place.start,
-                "to": shown.place.end,
-                "chain": shown.chain,
-                "facts": shown.facts.iter().map(fact).collect::<Vec<_>>(),
-            })
+            let fact = |fact: &Fact| object([("label", text(fact.label)), ("text", text(&fact.text))]);
+            object([
+                ("list", text(shown.list)),
+                ("verdict", text(shown.verdict)),
+                ("line", shown.line.to_string()),
+                ("column", shown.column.to_string()),
+                ("from", shown.place.start.to_string()),
+                ("to", shown.place.end.to_string()),
+                ("chain", list(shown.chain.iter().map(|piece| text(piece)))),
+                ("facts", list(shown.facts.iter().map(fact))),
+            ])
         };
-        json!({
-            "format": self.format.name(),
-            "summary": self.summary,
-            "findings": self.findings.iter().map(finding).collect::<Vec<_>>(),
-            "text": self.to_text(),
-        })
-        .to_string()
+        object([
+            ("format", text(self.format.name())),
+            ("summary", list(self.summary.iter().map(|sentence| text(sentence)))),
+            ("findings", list(self.findings.iter().map(finding))),
+            ("text", text(&self.to_text())),
+        ])
     }
 
     /// The answer as plain text.

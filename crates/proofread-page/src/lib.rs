@@ -11,6 +11,7 @@ mod answer;
 #[path = "../../live/src/exports.rs"]
 mod exports;
 mod fact;
+mod json;
 mod question;
 mod words;
 
@@ -32,6 +33,6 @@ pub fn answer(question: &str) -> String {
     let answered = PageQuestion::parse(question).and_then(|question| PageAnswer::for_question(&question));
     match answered {
         Ok(answer) => answer.to_json(),
-        Err(message) => serde_json::json!({ "error": message }).to_string(),
+        Err(message) => json::object([("error", json::text(&message))]),
     }
 }

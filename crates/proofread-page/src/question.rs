@@ -28,11 +28,11 @@ pub struct NamePolicyChoice {
 }
 
 impl NamePolicyChoice {
-    /// Every choice, the usual one first.
+    /// Every choice, the one of a form that nobody has touched first: as in the command, none are used.
     pub const ALL: [Self; 3] = [
+        Self { word: "never", label: "never", name_policy: NamePolicy::Never },
         Self { word: "once", label: "in a short text, if a name has one value", name_policy: NamePolicy::Once },
         Self { word: "always", label: "everywhere, the latest value of a name", name_policy: NamePolicy::Always },
-        Self { word: "never", label: "never", name_policy: NamePolicy::Never },
     ];
 }
 
@@ -168,7 +168,7 @@ mod tests {
     fn what_is_not_known_is_named_with_what_is() {
         for (options, words) in [
             ("format=word", "format `word`: give one of markdown, latex, xml, html, notebook, plain, csv"),
-            ("bindings=<b>", "bindings `<b>`: give one of once, always, never"),
+            ("bindings=<b>", "bindings `<b>`: give one of never, once, always"),
             ("units", "units ``: give one of yes, no"),
             ("x\u{1b}=1", "option `x\\u{1b}`: give one of format, extension, bindings, units, doubts, hints"),
         ] {

@@ -13,10 +13,11 @@ use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 use crate::named_counts::NamedCounts;
+use crate::order::sort_by_place;
 use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
 use crate::tell::finding::ChainFinding;
 use crate::tell::hint::{self, HintSearch};
-use crate::tell::statistics_tally::StatisticsTally;
+use crate::tell::tally::CheckTally;
 #[cfg(feature = "cli")]
 use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::{Span, TokenKind, any, has_number};
@@ -65,75 +66,6 @@ impl Default for CheckOptions<'_> {
             hints: MOST_HINTS,
             hint_effort: hint::MOST_FOR_ALL,
             definitions: None,
-        }
-    }
-}
-
-/// How much of a document was checked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CheckTally {
-    /// Bytes of the document.
-    pub bytes: usize,
-    /// Formulas, and lines that may be one.
-    pub formulas: usize,
-    /// Formulas and lines that are not read to their end, since they are too long, nest too deeply, or have macros that never end.
-    pub unread: usize,
-    /// Chains of equal sides with a number in them.
-    pub chains: usize,
-    /// Chains with two sides that are numbers without letters: what arithmetic can check. Commands, environments and functions
-    /// count as numbers, whether the program knows them or not.
-    pub checkable: usize,
-    /// Chains of which at least one pair of sides was compared.
-    pub checked: usize,
-    /// Chains that were checked, but not all of their numbers.
-    pub partly: usize,
-    /// Pairs of neighbouring sides that were compared.
-    pub pairs: usize,
-    /// Pairs with each verdict, in the order of [`ChainVerdict::ALL`].
-    pub verdicts: [usize; 10],
-    /// Differences that are set aside as doubts, of those that are kept.
-    pub doubts: usize,
-    /// Statistics and totals that were compared with what they follow from.
-    pub statistics: StatisticsTally,
-}
-
-impl CheckTally {
-    /// Pairs with a verdict.
-    ///
-    /// ```
-    /// use proofread::{CheckOptions, ChainVerdict, TextFormat, proofread};
-    ///
-    /// let tally = proofread("$1 + 1 = 2$, $1/3 = 0.33$, $2/3 = 0.66$", TextFormat::Markdown, CheckOptions::default())?.tally;
-    /// assert_eq!(tally.pairs_with(ChainVerdict::Consistent), 2);
-    /// assert_eq!(tally.pairs_with(ChainVerdict::Truncated), 1);
-    /// # Ok::<(), proofread::UnreadableText>(())
-    /// ```
-    pub fn pairs_with(&self, verdict: ChainVerdict) -> usize {
-        self.verdicts[verdict as usize]
-    }
-
-    /// Adds the counts of another document.
-    ///
-    /// ```
-    /// use proofread::CheckTally;
-    ///
-    /// let mut sum = CheckTally { chains: 2, ..CheckTally::default() };
-    /// sum.add(&CheckTally { chains: 3, pairs: 4, ..CheckTally::default() });
-    /// assert_eq!((sum.chains, sum.pairs), (5, 4));
-    /// ```
-    pub fn add(&mut self, other: &Self) {
-        self.bytes += other.bytes;
-        self.formulas += other.formulas;
-        self.unread += other.unread;
-        self.chains += other.chains;
-        self.checkable += other.checkable;
-        self.checked += other.checked;
-        self.partly += other.partly;
-        self.pairs += other.pairs;
-        self.doubts += other.doubts;
-        self.statistics.add(&other.statistics);
-        for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
-            *mine += its;
         }
     }
 }
@@ -190,6 +122,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         results: EarlierResults::default(),
         factors: Factors::default(),
         budget: options.hint_effort,
+        is_plain_text: format == TextFormat::Plain,
         #[cfg(feature = "cli")]
         unchecked_before: None,
         #[cfg(feature = "cli")]
@@ -220,7 +153,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     if let Some(at) = in_lines {
         let findings = &mut check.report.findings;
         findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
-        findings.sort_by_key(|finding| finding.span);
+        sort_by_place(findings, |finding| finding.span);
     }
     #[cfg(feature = "cli")]
     if let Some(at) = check.unchecked_before {
@@ -282,6 +215,8 @@ struct DocumentCheck<'t> {
     factors: Factors,
     /// What the search for hints may still cost.
     budget: usize,
+    /// Whether the text is one of plain lines.
+    is_plain_text: bool,
     /// How many chains that were not checked are in the formulas, before those of running text.
     #[cfg(feature = "cli")]
     unchecked_before: Option<usize>,
@@ -427,6 +362,7 @@ impl DocumentCheck<'_> {
                 results: &self.results,
                 is_free: free,
                 ends_formula: ends,
+                is_plain_text: self.is_plain_text,
                 judgement,
             };
             pair.explain()

@@ -20,7 +20,7 @@ thread_local! {
 
 /// Counts steps.
 pub(crate) fn count_steps(steps: usize) {
-    STEPS.set(STEPS.get().saturating_add(steps as u64));
+    STEPS.with(|all| all.set(all.get().saturating_add(steps as u64)));
 }
 
 /// The steps of this thread so far.

@@ -10,6 +10,7 @@ mod evaluate;
 mod join;
 mod judge;
 mod named_counts;
+mod order;
 pub mod reader;
 #[cfg(feature = "statistics")]
 mod statistics;
@@ -17,7 +18,7 @@ mod tell;
 mod token;
 mod unit;
 
-pub use check::{CheckOptions, CheckReport, CheckTally, proofread};
+pub use check::{CheckOptions, CheckReport, proofread};
 pub use effort::CheckEffort;
 pub use evaluate::binding::NamePolicy;
 pub use judge::doubt::Doubt;
@@ -36,6 +37,7 @@ pub use tell::line_index::{LineColumn, LineIndex};
 pub use tell::sarif;
 pub use tell::statistics_tally::StatisticsTally;
 pub use tell::summary;
+pub use tell::tally::CheckTally;
 #[cfg(feature = "cli")]
 pub use tell::unchecked_chain::UncheckedChain;
 pub use token::Span;

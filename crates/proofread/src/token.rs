@@ -247,7 +247,7 @@ impl Token {
     /// what would be is unknown.
     pub fn new(kind: TokenKind, span: Span) -> Self {
         effort::count_steps(1);
-        let inner = kind.inner().into_iter().flatten().map(|token| token.nesting + 1);
+        let inner = kind.inner().flatten().map(|token| token.nesting + 1);
         match inner.max().unwrap_or(0) {
             nesting if nesting > DEEPEST => Self { kind: TokenKind::Unknown(TOO_DEEP.to_owned()), span, nesting: 0 },
             nesting => Self { kind, span, nesting },
@@ -286,7 +286,7 @@ impl Token {
     }
 
     /// The lists of tokens inside it.
-    pub fn inner(&self) -> Vec<&[Token]> {
+    pub fn inner(&self) -> impl Iterator<Item = &[Token]> {
         self.kind.inner()
     }
 
@@ -299,14 +299,16 @@ impl Token {
 
 impl TokenKind {
     /// The lists of tokens inside it.
-    fn inner(&self) -> Vec<&[Token]> {
-        match self {
-            Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => vec![a, b],
-            Self::Scripts(a, b, c) => vec![a, b, c],
-            Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => vec![a],
-            Self::Table(rows) | Self::Call(_, rows) => rows.iter().map(Vec::as_slice).collect(),
-            _ => Vec::new(),
-        }
+    fn inner(&self) -> impl Iterator<Item = &[Token]> {
+        let none: &[Token] = &[];
+        let (few, count, rows): ([&[Token]; 3], usize, &[Vec<Token>]) = match self {
+            Self::Fraction(a, b) | Self::Root(a, b) | Self::Limits(a, b) => ([a, b, none], 2, &[]),
+            Self::Scripts(a, b, c) => ([a, b, c], 3, &[]),
+            Self::Accent(a, _) | Self::Group(a) | Self::Power(a) => ([a, none, none], 1, &[]),
+            Self::Table(rows) | Self::Call(_, rows) => ([none; 3], 0, rows),
+            _ => ([none; 3], 0, &[]),
+        };
+        few.into_iter().take(count).chain(rows.iter().map(Vec::as_slice))
     }
 
     /// Whether it stands for something that was not read because it went beyond a bound.
@@ -352,7 +354,7 @@ pub(crate) fn any(tokens: &[Token], is: &dyn Fn(&TokenKind) -> bool) -> bool {
         effort::count_steps(1);
         is(&token.kind)
     };
-    tokens.iter().any(|token| looked_at(token) || token.inner().into_iter().any(|inner| any(inner, is)))
+    tokens.iter().any(|token| looked_at(token) || token.inner().any(|inner| any(inner, is)))
 }
 
 /// Whether a number is printed anywhere in the tokens.
@@ -368,7 +370,7 @@ pub(crate) fn collect_names(tokens: &[Token], out: &mut Vec<String>) {
         {
             out.push(name.clone());
         }
-        token.inner().into_iter().for_each(|inner| collect_names(inner, out));
+        token.inner().for_each(|inner| collect_names(inner, out));
     }
 }
 

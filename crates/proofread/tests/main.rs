@@ -1,6 +1,10 @@
 //! Does the proofreader find what is wrong, leave alone what is right, and read whatever it is given?
 
+#[cfg(feature = "cli")]
+mod action;
 mod adjoining;
+#[cfg(feature = "cli")]
+mod archives;
 mod chains;
 #[cfg(feature = "cli")]
 mod command;
@@ -17,16 +21,29 @@ mod hints;
 mod html;
 #[cfg(feature = "cli")]
 mod inclusions;
+#[cfg(feature = "cli")]
+mod integrations;
 mod judged;
+#[cfg(feature = "cli")]
+mod lsp;
 mod messages;
+#[cfg(feature = "cli")]
+mod neovim;
 mod notations;
+#[cfg(feature = "cli")]
+mod office;
 mod operations;
+mod page_lines;
 mod plain;
 mod readings;
 mod remarks;
 mod running;
 #[cfg(feature = "cli")]
+mod sarif;
+#[cfg(feature = "cli")]
 mod since;
+#[cfg(feature = "cli")]
+mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;
@@ -34,6 +51,8 @@ mod symbols;
 mod thresholds;
 #[cfg(feature = "statistics")]
 mod totals;
+#[cfg(feature = "cli")]
+mod typst;
 #[cfg(feature = "cli")]
 mod unchecked;
 mod units;

@@ -35,7 +35,9 @@ fn two_bare_numbers_are_far_apart_beyond_seven_tenths_of_the_larger_one() {
 
 #[test]
 fn a_number_of_two_digits_is_a_fragment_and_one_of_three_is_none() {
-    apart("$12 = 4 + 9$", "$123 = 4 + 9$", Doubt::Fragment);
+    apart("12 = 4 + 9", "123 = 4 + 9", Doubt::Fragment);
+    // A formula that is nothing else has no parts.
+    apart("$0 = 4 + 9$", "$12 = 4 + 9$", Doubt::Fragment);
     apart("$9.81(23) = 9.7$", "$9.81(234) = 9.7$", Doubt::Unknown);
     apart("$9.81(2) = 9.7$", "$9.8(2) = 9.7$", Doubt::Unknown);
 }
@@ -62,14 +64,17 @@ fn three_formulas_with_one_factor_are_a_habit_and_two_are_none() {
 #[test]
 fn steps_explain_a_quarter_of_what_they_leave_open() {
     judged(&[
-        (r"2.3 \cdot 3.1 = 7.062", "inconsistent"),
-        (r"2.3 \cdot 3.1 = 7.063", "rounded"),
-        (r"2.3 \cdot 3.1 = 7.197", "rounded"),
-        (r"2.3 \cdot 3.1 = 7.198", "inconsistent"),
-        ("153/211 = 0.72409", "inconsistent"),
-        ("153/211 = 0.72410", "rounded"),
-        ("153/211 = 0.72614", "rounded"),
-        ("153/211 = 0.72615", "inconsistent"),
+        (r"2.3 \cdot 3.1\,\text{m} = 7.062\,\text{m}", "inconsistent"),
+        // Bare numbers are given as they are.
+        (r"2.3 \cdot 3.1 = 7.063", "inconsistent"),
+        ("153/211 = 0.72614", "inconsistent"),
+        (r"2.3 \cdot 3.1\,\text{m} = 7.063\,\text{m}", "rounded"),
+        (r"2.3 \cdot 3.1\,\text{m} = 7.197\,\text{m}", "rounded"),
+        (r"2.3 \cdot 3.1\,\text{m} = 7.198\,\text{m}", "inconsistent"),
+        (r"153\,\text{m}/211 = 0.72409\,\text{m}", "inconsistent"),
+        (r"153\,\text{m}/211 = 0.72410\,\text{m}", "rounded"),
+        (r"153\,\text{m}/211 = 0.72614\,\text{m}", "rounded"),
+        (r"153\,\text{m}/211 = 0.72615\,\text{m}", "inconsistent"),
     ]);
 }
 
@@ -77,8 +82,8 @@ fn steps_explain_a_quarter_of_what_they_leave_open() {
 fn integers_that_were_rounded_to_tens_explain_less() {
     judged(&[
         ("150/210 = 0.7132", "inconsistent"),
-        ("150/210 = 0.7133", "rounded"),
-        ("150/210 = 0.7153", "rounded"),
+        (r"150\,\text{m}/210 = 0.7133\,\text{m}", "rounded"),
+        (r"150\,\text{m}/210 = 0.7153\,\text{m}", "rounded"),
         ("150/210 = 0.7154", "inconsistent"),
     ]);
 }

@@ -107,6 +107,8 @@ fn nothing_that_the_settings_of_a_repository_name_is_run() {
     let files = repository.files(&commit).unwrap();
     let [(name, blob)] = files.as_slice() else { panic!("{files:?}") };
     assert_eq!((name.as_path(), repository.content(blob).unwrap().as_slice()), (Path::new("a"), b"first".as_slice()));
+    assert_eq!(repository.staged_changes(Some(&commit)), Ok(Vec::new()));
+    assert_eq!(repository.conflicts(), Ok(Vec::new()));
     // What is missing is not fetched.
     let missing = super::Blob { id: "1".repeat(40) };
     assert!(repository.content(&missing).is_err());
@@ -170,6 +172,34 @@ fn names_in_any_bytes_are_kept() {
     assert_eq!(moved.top(), other.canonicalize().unwrap());
     assert!(moved.commit("HEAD").unwrap().is_some());
     fs::rename(&other, folder.path()).unwrap();
+}
+
+#[test]
+fn a_file_that_was_moved_is_compared_with_what_it_was() {
+    let Some(folder) = repository() else { return };
+    let long = "A line.\n".repeat(20);
+    fs::write(folder.path().join("b\tb"), &long).unwrap();
+    git(folder.path(), &["add", "."]);
+    git(folder.path(), &["commit", "-q", "-m", "Two files"]);
+    let repository = around(folder.path());
+    let commit = repository.commit("HEAD").unwrap().expect("a commit");
+    assert_eq!(repository.staged_changes(Some(&commit)), Ok(Vec::new()));
+    assert_eq!(repository.staged_changes(None).unwrap().len(), 2);
+    git(folder.path(), &["mv", "b\tb", "c"]);
+    fs::write(folder.path().join("c"), format!("{long}Another.\n")).unwrap();
+    git(folder.path(), &["add", "c"]);
+    git(folder.path(), &["rm", "-q", "a"]);
+    // What is only on the disk is not staged.
+    fs::write(folder.path().join("d"), "on the disk").unwrap();
+    let mut changes = repository.staged_changes(Some(&commit)).unwrap();
+    changes.sort_by(|one, other| one.path.cmp(&other.path));
+    let has = |change: &super::StagedChange| {
+        [&change.earlier, &change.staged].map(|blob| blob.as_ref().map(|blob| repository.content(blob).unwrap().len()))
+    };
+    let found: Vec<_> = changes.iter().map(|change| (change.path.to_str().unwrap(), has(change))).collect();
+    let (before, after) = (Some(long.len()), Some(long.len() + 9));
+    assert_eq!(found, [("a", [Some(5), None]), ("b\tb", [before, None]), ("c", [before, after])]);
+    assert!(repository.staged_changes(Some("HEAD")).is_err_and(|told| told.contains("no full name of an object")));
 }
 
 #[test]

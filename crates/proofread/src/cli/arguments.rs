@@ -3,7 +3,7 @@
 //! They are listed by hand: the macros of clap would take a quarter of the time in which the program is installed.
 
 use crate::evaluate::binding::NamePolicy;
-use crate::reader::TextFormat;
+use crate::reader::{ArchiveFormat, TextFormat};
 use clap::builder::PossibleValuesParser;
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
@@ -15,11 +15,13 @@ Examples:
   proofread notes.tex chapters/
   proofread --units --bindings=always homework.md
   proofread --since main .
+  proofread --staged
   proofread --accept accepted.jsonl book/src
   proofread --baseline accepted.jsonl book/src
   proofread --format sarif book/src > proofread.sarif
   proofread --format html book/src > proofread.html
   pdftotext -layout paper.pdf - | proofread --input plain -
+  proofread lsp
 
 Exit codes: 0 nothing was found, 1 something was, 2 bad usage or bad input.";
 
@@ -37,16 +39,37 @@ pub(crate) enum OutputFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
     One(TextFormat),
+    /// An archive with one text or several.
+    Archive(ArchiveFormat),
+    /// A document in Typst.
+    Typst,
     /// One JSON object per line, each with its own format.
     Lines,
 }
 
 impl Input {
-    /// The format of a file, or none for lines of JSON.
-    pub(crate) fn format(self) -> Option<TextFormat> {
-        match self {
-            Self::One(format) => Some(format),
-            Self::Lines => None,
+    /// The names of all, as they are given to `--input`.
+    fn names() -> impl Iterator<Item = &'static str> {
+        let texts = TextFormat::ALL.iter().map(|(name, _)| *name);
+        texts.chain(ArchiveFormat::ALL.iter().map(|(name, _)| *name)).chain([TYPST, LINES])
+    }
+
+    fn from_name(name: &str) -> Self {
+        let text = TextFormat::from_name(name).map(Self::One);
+        text.or_else(|| ArchiveFormat::from_name(name).map(Self::Archive)).unwrap_or(match name {
+            TYPST => Self::Typst,
+            _ => Self::Lines,
+        })
+    }
+
+    /// What files are written in whose names end so, without the dot.
+    pub(super) fn from_extension(extension: &str) -> Option<Self> {
+        match extension {
+            "jsonl" | "ndjson" => Some(Self::Lines),
+            "typ" => Some(Self::Typst),
+            _ => TextFormat::from_extension(extension)
+                .map(Self::One)
+                .or_else(|| ArchiveFormat::from_extension(extension).map(Self::Archive)),
         }
     }
 }
@@ -64,9 +87,27 @@ pub struct ProofreadArguments {
     pub(crate) agreeing: bool,
     pub(crate) statistics: bool,
     pub(crate) since: Option<String>,
+    pub(crate) staged: bool,
     pub(crate) baseline: Option<PathBuf>,
     pub(crate) accept: Option<PathBuf>,
+    /// Whether an editor is to be served instead.
+    pub(crate) lsp: bool,
 }
+
+/// The command for editors; a file of this name is `./lsp`.
+const LSP: &str = "lsp";
+
+/// What stands under the help of the command for editors.
+const LSP_OPTIONS: &str = "\
+Options of the editor, as initializationOptions or in workspace/didChangeConfiguration, alone or under `proofread`:
+  units       true or false   also list numbers that agree although their units do not
+  doubts      true or false   also list differences that are set aside
+  bindings    never, once or always
+  statistics  true or false
+
+A file that is named lsp is given as ./lsp.
+
+Exit codes: 0 the editor asked for the end, 1 it was gone before, 2 standard input is a terminal.";
 
 const WRITTEN: [(&str, OutputFormat); 5] = [
     ("text", OutputFormat::Text),
@@ -75,10 +116,12 @@ const WRITTEN: [(&str, OutputFormat); 5] = [
     ("sarif", OutputFormat::Sarif),
     ("html", OutputFormat::Html),
 ];
-const FOLLOWED: [(&str, NamePolicy); 3] =
+pub(super) const FOLLOWED: [(&str, NamePolicy); 3] =
     [("never", NamePolicy::Never), ("once", NamePolicy::Once), ("always", NamePolicy::Always)];
-const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
+pub(super) const COMPARED: [(&str, bool); 2] = [("never", false), ("always", true)];
 const LINES: &str = "jsonl";
+/// The name of Typst, for programs.
+pub(super) const TYPST: &str = "typst";
 
 fn value_names<T>(of: &[(&'static str, T)]) -> PossibleValuesParser {
     PossibleValuesParser::new(of.iter().map(|(name, _)| *name))
@@ -88,11 +131,21 @@ impl Args for ProofreadArguments {
     fn augment_args(command: Command) -> Command {
         let option = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
         let switch = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
-        let formats = TextFormat::ALL.iter().map(|(name, _)| *name).chain([LINES]);
+        let stdio = switch("stdio").help("As it is anyway; some editors say so");
+        let lsp = Command::new(LSP)
+            .about("Serve an editor, which shows findings while a text is written")
+            .after_help(LSP_OPTIONS)
+            .arg(stdio);
+        // Behind an option or a file, the name is that of a file.
+        let command = command
+            .subcommand(lsp)
+            .args_conflicts_with_subcommands(true)
+            .subcommand_negates_reqs(true)
+            .disable_help_subcommand(true);
         command.args([
             Arg::new("files")
                 .value_name("FILE")
-                .required(true)
+                .required_unless_present("staged")
                 .num_args(1..)
                 .value_parser(value_parser!(PathBuf))
                 .help(
@@ -100,7 +153,7 @@ impl Args for ProofreadArguments {
                      tells. A LaTeX file is read with the macros of the local files that it includes and of those that \
                      include it",
                 ),
-            option("input", "FORMAT").value_parser(PossibleValuesParser::new(formats)).help(
+            option("input", "FORMAT").value_parser(PossibleValuesParser::new(Input::names())).help(
                 "What all input is written in; jsonl is one object per line with `id`, `format` and `text` [default: told by \
                  the name of each file; markdown on standard input]",
             ),
@@ -136,6 +189,10 @@ impl Args for ProofreadArguments {
                 ),
             switch("agreeing").help("Also list pairs that agree, for programs; they count as nothing found"),
             option("since", "REV").help("Report only what has come in since this revision, with the help of git"),
+            switch("staged").help(
+                "Read files as they are staged in git, and report only what is new since HEAD, or since the revision of --since; \
+                 without files, all of the repository",
+            ),
             option("baseline", "FILE").value_parser(value_parser!(PathBuf)).help("Leave out the cases in this file"),
             option("accept", "FILE")
                 .value_parser(value_parser!(PathBuf))
@@ -153,7 +210,7 @@ impl FromArgMatches for ProofreadArguments {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let text = |name: &str| matches.get_one::<String>(name).map(String::as_str);
         let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
-        let input = text("input").map(|name| TextFormat::from_name(name).map_or(Input::Lines, Input::One));
+        let input = text("input").map(Input::from_name);
         Ok(Self {
             files: matches.get_many("files").into_iter().flatten().cloned().collect(),
             input,
@@ -165,8 +222,10 @@ impl FromArgMatches for ProofreadArguments {
             agreeing: matches.get_flag("agreeing"),
             statistics: choice(text("statistics"), &COMPARED).unwrap_or(true),
             since: text("since").map(str::to_owned),
+            staged: matches.get_flag("staged"),
             baseline: path("baseline"),
             accept: path("accept"),
+            lsp: matches.subcommand_matches(LSP).is_some(),
         })
     }
 

@@ -1,15 +1,19 @@
 //! The documents that were asked for: files, folders, standard input, and lines of JSON.
 
-use super::arguments::Input;
+use super::arguments::{Input, TYPST};
 use super::baseline::Baseline;
+use super::index::StagedFile;
 use super::nearest::missing;
-use crate::reader::{LONGEST, TextFormat, UnreadKind, UnreadParts};
+use crate::reader::{
+    ArchiveFormat, ArchivedText, LONGEST, MadePage, TextFormat, UnreadKind, UnreadParts, read_archive, read_typst,
+};
 use geneva_host::files;
 use geneva_host::printable::{escape_and_shorten, in_words, shown_path};
 use serde_json::Value;
 use std::fs;
-use std::io::{BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::io::{BufRead, BufReader, Cursor, Read};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 /// The name that stands for standard input.
 pub(crate) const STANDARD_INPUT: &str = "-";
@@ -19,29 +23,127 @@ const WANTED: &str = "a text file or a folder of them, or - for standard input";
 /// A text and its name.
 pub(crate) struct Document {
     pub name: String,
+    /// The text as its author sees it.
     pub text: String,
     pub format: TextFormat,
+    /// What the file is written in, by its name for programs.
+    pub written_in: &'static str,
+    /// The page that is proofread in place of the text, if the file is no text.
+    pub made: Option<MadePage>,
+    /// What of the file is not read, beside parts of the text.
+    pub not_read: UnreadParts,
     /// The file, if it is one.
     pub path: Option<PathBuf>,
     /// The argument that named the file, or the folder in which it was found.
     pub argument: Option<PathBuf>,
+    /// What is staged in its place, if that is what was read.
+    pub staged: Option<Arc<StagedFile>>,
+}
+
+impl Document {
+    fn of_text(name: String, text: String, format: TextFormat) -> Self {
+        let written_in = format.name();
+        Self {
+            name,
+            text,
+            format,
+            written_in,
+            made: None,
+            not_read: UnreadParts::default(),
+            path: None,
+            argument: None,
+            staged: None,
+        }
+    }
+
+    /// What the file is written in.
+    pub(super) fn input(&self) -> Input {
+        match ArchiveFormat::from_name(self.written_in) {
+            Some(format) => Input::Archive(format),
+            None if self.written_in == TYPST => Input::Typst,
+            None => Input::One(self.format),
+        }
+    }
+
+    /// What is proofread, and what it is written in.
+    pub(super) fn checked_text(&self) -> (&str, TextFormat) {
+        match &self.made {
+            Some(made) => (&made.page, TextFormat::Html),
+            None => (&self.text, self.format),
+        }
+    }
+
+    /// What a line of the text is called, if it isn't called by its number.
+    pub(super) fn label(&self, line: usize) -> Option<&str> {
+        self.made.as_ref()?.label(line)
+    }
+
+    /// Whether its lines are mark-up that no person reads.
+    pub(super) fn is_markup(&self) -> bool {
+        self.made.is_none() && matches!(self.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook)
+    }
+}
+
+/// The documents in a file with this name.
+pub(super) fn documents_in(name: &str, bytes: Vec<u8>, input: Input) -> Result<Vec<Document>, String> {
+    let of_text = |format, bytes| decode_text(bytes).map(|text| vec![Document::of_text(name.to_owned(), text, format)]);
+    match input {
+        Input::One(format) => of_text(format, bytes),
+        Input::Lines => of_text(TextFormat::Markdown, bytes),
+        Input::Typst => {
+            let text = decode_text(bytes)?;
+            let (made, not_read) = read_typst(&text);
+            let document = Document::of_text(name.to_owned(), text, TextFormat::Plain);
+            Ok(vec![Document { written_in: TYPST, made: Some(made), not_read, ..document }])
+        }
+        Input::Archive(format) => {
+            let texts = read_archive(&bytes, format)?.into_iter().map(|text| match text {
+                ArchivedText::Page { name: inner, page } => Document {
+                    written_in: format.name(),
+                    ..Document::of_text(format!("{name}/{inner}"), page, TextFormat::Html)
+                },
+                ArchivedText::Made(mut made, not_read) => {
+                    let text = std::mem::take(&mut made.text);
+                    Document {
+                        written_in: format.name(),
+                        made: Some(made),
+                        not_read,
+                        ..Document::of_text(name.to_owned(), text, TextFormat::Html)
+                    }
+                }
+            });
+            Ok(texts.collect())
+        }
+    }
 }
 
 /// Where documents come from.
 pub(crate) struct Source {
     path: Option<PathBuf>,
-    /// None for lines of JSON.
-    format: Option<TextFormat>,
+    format: Input,
     /// The folder that was asked for, if the file was found in one.
     folder: Option<PathBuf>,
+    /// What is staged in the place of the file, if that is to be read.
+    staged: Option<Arc<StagedFile>>,
 }
 
 impl Source {
+    /// A file that is read as it is staged, with the folder in which it was found.
+    pub(super) fn staged(
+        path: PathBuf,
+        input: Option<Input>,
+        folder: Option<PathBuf>,
+        staged: StagedFile,
+    ) -> Result<Self, String> {
+        let found = file(&path, input).ok_or_else(|| unknown_format(&path))?;
+        Ok(Self { folder, staged: Some(Arc::new(staged)), ..found })
+    }
+
     /// The file with the folder in which it was found, if other files may define something for it.
     pub(super) fn file_of_project(&self) -> Option<(&Path, Option<&Path>)> {
         let in_project = |path: &&Path| match self.format {
-            Some(TextFormat::Latex) => true,
-            Some(TextFormat::Xml) => is_xml(path),
+            Input::One(TextFormat::Latex) => true,
+            Input::One(TextFormat::Xml) => is_xml(path),
             _ => false,
         };
         let path = self.path.as_deref().filter(in_project)?;
@@ -61,8 +163,8 @@ const SKIPPED: [&str; 3] = ["target", "node_modules", "__pycache__"];
 const DEEPEST: usize = 64;
 
 /// Endings of files that hold texts or numbers in formats that are not read.
-const UNREAD: &str = " rst rest adoc asciidoc asc org typ rnw rtex rmarkdown snw lnw mdx lyx tm texi texinfo textile wiki mediawiki \
-    tei dita docx doc docm odt rtf pages pdf ps djvu epub pptx ppt odp xlsx xls xlsm ods csv tsv nb cdf mw wxm wxmx \
+const UNREAD: &str = " rst rest adoc asciidoc asc org rnw rtex rmarkdown snw lnw mdx lyx tm texi texinfo textile wiki mediawiki \
+    tei dita doc rtf pages pdf ps djvu pptx ppt odp xlsx xls xlsm ods csv tsv nb cdf mw wxm wxmx \
     lhs lagda markua typst mdoc ";
 
 /// The sources that the arguments name, folders in the order of their names, and how many files in them are not read.
@@ -74,8 +176,8 @@ pub(crate) fn sources(
     let mut out = Vec::new();
     for path in paths {
         if path.as_os_str() == STANDARD_INPUT {
-            let format = input.map_or(Some(TextFormat::Markdown), Input::format);
-            out.push(Ok(Source { path: None, format, folder: None }));
+            let format = input.unwrap_or(Input::One(TextFormat::Markdown));
+            out.push(Ok(Source { path: None, format, folder: None, staged: None }));
         } else if path.is_dir() {
             let before = out.len();
             folder(path, input, 0, &mut out, unread);
@@ -94,27 +196,51 @@ pub(crate) fn sources(
         } else if let Some(why) = missing(path, WANTED) {
             out.push(Err(why));
         } else {
-            out.push(
-                file(path, input)
-                    .ok_or_else(|| format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))),
-            );
+            out.push(file(path, input).ok_or_else(|| unknown_format(path)));
         }
     }
     Ok(out)
 }
 
 /// Endings of names that tell a format, for errors.
-const KNOWN: &str = "md, tex, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
+const KNOWN: &str = "md, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
+
+fn unknown_format(path: &Path) -> String {
+    format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))
+}
+
+fn is_hidden(name: &str) -> bool {
+    name.starts_with('.')
+}
+
+/// Whether a search of a folder comes to a file with this path below it.
+pub(super) fn is_searched(below: &Path) -> bool {
+    let names: Vec<String> = below.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    let folders = names.split_last().map_or(&[][..], |(_, folders)| folders);
+    folders.len() <= DEEPEST
+        && below.components().all(|part| matches!(part, Component::Normal(_)))
+        && !names.iter().any(|name| is_hidden(name))
+        && !folders.iter().any(|name| SKIPPED.contains(&name.as_str()))
+}
+
+/// Whether a file that is staged somewhere in a folder is read. Lines of JSON have no earlier revision, and tables are mostly data.
+pub(super) fn is_taken_from_folder(path: &Path) -> bool {
+    file(path, None).is_some_and(|found| found.format != Input::Lines && found.format != Input::One(TextFormat::Csv))
+}
+
+/// Counts a file in a folder whose format is not read.
+pub(super) fn count_unread(path: &Path, unread: &mut UnreadParts) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    let Some((_, ending)) = name.rsplit_once('.') else { return };
+    if UNREAD.split_whitespace().any(|known| known == ending) {
+        unread.count(UnreadKind::File, &format!(".{ending}"), 1);
+    }
+}
 
 fn file(path: &Path, input: Option<Input>) -> Option<Source> {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    let of_lines = matches!(extension, "jsonl" | "ndjson");
-    let format = match input {
-        Some(input) => input.format(),
-        None if of_lines => None,
-        None => Some(TextFormat::from_extension(extension)?),
-    };
-    Some(Source { path: Some(path.to_owned()), format, folder: None })
+    let format = input.or_else(|| Input::from_extension(extension))?;
+    Some(Source { path: Some(path.to_owned()), format, folder: None, staged: None })
 }
 
 fn folder(
@@ -136,7 +262,7 @@ fn folder(
     for entry in entries {
         let name = entry.file_name().to_string_lossy().into_owned();
         let Ok(kind) = entry.file_type() else { continue };
-        if name.starts_with('.') {
+        if is_hidden(&name) {
             continue;
         }
         if kind.is_dir() && depth < DEEPEST && !SKIPPED.contains(&name.as_str()) {
@@ -146,21 +272,31 @@ fn folder(
             unread.count(UnreadKind::Link, "", 1);
         } else if kind.is_file() {
             // Whatever the input is said to be, only files whose name tells a text are taken from a folder. Tables are mostly data.
-            let is_text = |found: &Source| found.format != Some(TextFormat::Csv);
+            let is_text =
+                |found: &Source| found.format != Input::One(TextFormat::Csv) && !name.starts_with(OPEN_IN_OFFICE);
             if let Some(found) = file(&entry.path(), None)
                 .filter(is_text)
-                .filter(|found| found.format.is_some() || !Baseline::is_in(&entry.path()))
+                .filter(|found| found.format != Input::Lines || !Baseline::is_in(&entry.path()))
             {
-                let format = input.map_or(found.format, Input::format);
+                // An archive is none of the other formats, whatever the others are said to be.
+                let given = input.filter(|_| !matches!(found.format, Input::Archive(_)));
+                let format = given.unwrap_or(found.format);
                 out.push(Ok(Source { format, ..found }));
-            } else if let Some((_, ending)) = name.rsplit_once('.') {
-                let ending = ending.to_ascii_lowercase();
-                if UNREAD.split_whitespace().any(|known| known == ending) {
-                    unread.count(UnreadKind::File, &format!(".{ending}"), 1);
-                }
+            } else {
+                count_unread(&entry.path(), unread);
             }
         }
     }
+}
+
+/// How the name of a file begins that Word puts beside one which is open in it.
+const OPEN_IN_OFFICE: &str = "~$";
+/// The content of a file, as it is staged if that is asked for.
+fn opened(path: &Path, staged: Option<&StagedFile>) -> Result<Box<dyn Read>, String> {
+    Ok(match staged {
+        Some(staged) => Box::new(Cursor::new(staged.content(&shown_path(path))?)),
+        None => Box::new(files::open(path, WANTED)?),
+    })
 }
 
 /// Hands over the documents of a source.
@@ -170,23 +306,35 @@ pub(crate) fn read_documents(
 ) -> Result<(), String> {
     let (stream, name): (Box<dyn Read>, String) = match &source.path {
         None => (Box::new(std::io::stdin()), "standard input".to_owned()),
-        Some(path) => match files::open(path, WANTED) {
-            Ok(file) => (Box::new(file), path.display().to_string()),
+        Some(path) => match opened(path, source.staged.as_deref()) {
+            Ok(stream) => (stream, path.display().to_string()),
             Err(why) => return take(Err(why)),
         },
     };
     let is_stream = source.path.is_none();
-    let Some(format) = source.format else {
+    if source.format == Input::Lines {
         return lines(&name, is_stream, BufReader::new(stream), take);
-    };
+    }
     let bytes = files::read_stream(stream, &escape_and_shorten(&name), LONGEST as u64);
-    let text = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
+    let found = bytes.and_then(|bytes| match bytes.is_empty() && is_stream {
         // Whatever was to write a text into it has failed, or was never started.
         true => Err(EMPTY.to_owned()),
-        false => decode_text(bytes).map_err(|why| format!("{}: {why}", escape_and_shorten(&name))),
+        false => {
+            documents_in(&name, bytes, source.format).map_err(|why| format!("{}: {why}", escape_and_shorten(&name)))
+        }
     });
     let argument = source.folder.clone().or_else(|| source.path.clone());
-    take(text.map(|text| Document { name, text, format, path: source.path.clone(), argument }))
+    match found {
+        Err(why) => take(Err(why)),
+        Ok(found) => found.into_iter().try_for_each(|document| {
+            take(Ok(Document {
+                path: source.path.clone(),
+                argument: argument.clone(),
+                staged: source.staged.clone(),
+                ..document
+            }))
+        }),
+    }
 }
 
 /// What is told if nothing at all comes from standard input.
@@ -252,5 +400,5 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
         }
         _ => return Err("`format` must be a string".to_owned()),
     };
-    Ok(Document { name, text, format, path: None, argument: None })
+    Ok(Document::of_text(name, text, format))
 }

@@ -1,7 +1,7 @@
 //! Findings for programs: JSON, and lines of JSON.
 
+use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
-use crate::check::CheckTally;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
@@ -9,6 +9,7 @@ use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::tell::finding::ChainFinding;
 use crate::tell::line_index::{LineColumn, LineIndex};
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use crate::token::Span;
 use serde_json::{Map, Value, json};
@@ -25,8 +26,8 @@ fn span(span: Span, lines: &LineIndex<'_>) -> Value {
     json!({ "start": place(start), "end": place(end), "bytes": [span.start, span.end] })
 }
 
-fn finding(finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
-    json!({
+fn finding(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -> Value {
+    let mut out = json!({
         "list": finding.section.name(),
         "verdict": finding.verdict.name(),
         "message": finding.verdict.description(),
@@ -45,7 +46,16 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
         "names": finding.names,
         "at": span(finding.at, lines),
         "chain_at": span(finding.span, lines),
-    })
+    });
+    add_place(&mut out, finding.at, lines, document);
+    out
+}
+
+/// Adds what a place is called, where it isn't called by the number of its line.
+fn add_place(out: &mut Value, span: Span, lines: &LineIndex<'_>, document: &Document) {
+    if let Some(label) = document.label(lines.line_columns(span)[0].line) {
+        out["place"] = label.into();
+    }
 }
 
 fn tally(tally: &CheckTally) -> Value {
@@ -78,31 +88,33 @@ fn counts<K: Copy + Ord>(of: &NamedCounts<K>, name_of: fn(K) -> &'static str) ->
     of.iter().map(|(kind, name, count)| json!({ "kind": name_of(kind), "name": name, "count": count })).collect()
 }
 
-fn unchecked(chain: &UncheckedChain, lines: &LineIndex<'_>) -> Value {
-    json!({
+fn unchecked(chain: &UncheckedChain, lines: &LineIndex<'_>, document: &Document) -> Value {
+    let mut out = json!({
         "kind": chain.kind.name(),
         "name": chain.name,
         "reason": chain.reason(),
         "chain": chain.chain,
         "partly": chain.partly,
         "chain_at": span(chain.span, lines),
-    })
+    });
+    add_place(&mut out, chain.span, lines, document);
+    out
 }
 
 fn document(checked: &CheckedDocument<'_>) -> Value {
     let has_places = !checked.findings.is_empty() || checked.unchecked.as_ref().is_some_and(|of| !of.is_empty());
     let lines = LineIndex::new(if has_places { &checked.document.text } else { "" });
-    let findings: Vec<Value> = checked.findings.iter().map(|of| finding(of, &lines)).collect();
+    let findings: Vec<Value> = checked.findings.iter().map(|of| finding(of, &lines, checked.document)).collect();
     let mut out = json!({
         "id": checked.document.name,
-        "format": checked.document.format.name(),
+        "format": checked.document.written_in,
         "tally": tally(&checked.tally),
         "not_checked": counts(&checked.not_checked, UncheckedKind::name),
         "not_read": counts(&checked.not_read, UnreadKind::name),
         "findings": findings,
     });
     if let Some(chains) = &checked.unchecked {
-        out["unchecked"] = chains.iter().map(|chain| unchecked(chain, &lines)).collect();
+        out["unchecked"] = chains.iter().map(|chain| unchecked(chain, &lines, checked.document)).collect();
     }
     out
 }

@@ -4,24 +4,29 @@ mod arguments;
 mod baseline;
 mod documents;
 mod html;
+mod index;
 mod json;
+mod lsp;
 mod nearest;
 mod output;
 mod project;
 mod sarif;
 mod since;
+mod staged;
 mod text;
+mod tree;
 
 pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
-use crate::check::{CheckOptions, CheckReport, CheckTally, proofread};
+use crate::check::{CheckOptions, CheckReport, proofread};
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadParts};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
+use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
 use baseline::Baseline;
@@ -31,7 +36,9 @@ use geneva_host::printable::shown_path;
 use output::RunStatus;
 use project::Project;
 use since::{EarlierText, Since};
+use staged::Staging;
 use std::path::Path;
+use tree::FileTree;
 
 /// What a document gave, ready to be written.
 struct CheckedDocument<'d> {
@@ -75,7 +82,11 @@ struct CheckedDocument<'d> {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn run(arguments: &ProofreadArguments, streams: &mut dyn CommandStreams) -> u8 {
-    let outcome = CommandRun::new(arguments, streams).and_then(|run| run.run_all());
+    let outcome = if arguments.lsp {
+        lsp::serve().map(|well| if well { RunStatus::Clean } else { RunStatus::Found })
+    } else {
+        CommandRun::new(arguments, streams).and_then(|run| run.run_all())
+    };
     match outcome {
         Ok(outcome) => outcome.code(),
         Err(message) => {
@@ -166,9 +177,16 @@ impl<'a> CommandRun<'a> {
 
     fn run_all(mut self) -> Result<RunStatus, String> {
         let arguments = self.arguments;
-        let since = arguments.since.as_deref().map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+        let revision = arguments.since.as_deref();
         let accepting = arguments.accept.is_some();
-        let sources = documents::sources(&arguments.files, arguments.input, &mut self.not_read)?;
+        let (since, sources) = if arguments.staged {
+            let staging = Staging::new(revision, &arguments.files)?;
+            self.project = Project::new(FileTree::Staged(staging.files()));
+            (None, staging.sources(arguments.input, &mut self.not_read))
+        } else {
+            let since = revision.map(|revision| Since::new(revision, &arguments.files)).transpose()?;
+            (since, documents::sources(&arguments.files, arguments.input, &mut self.not_read)?)
+        };
         for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
@@ -232,25 +250,28 @@ impl<'a> CommandRun<'a> {
 
     /// Proofreads a document and writes what it gave.
     fn proofread_document(&mut self, document: &Document, since: Option<&Since>) -> Result<(), String> {
-        let before = match since.map(|since| since.earlier_text(document)).transpose()? {
+        let before = match &document.staged {
+            Some(staged) => Some(EarlierText::of_staged(staged, document)?),
+            None => since.map(|since| since.earlier_text(document)).transpose()?,
+        };
+        let before = match before {
             Some(EarlierText::Same) => return Ok(()),
-            Some(EarlierText::Other(text)) => Some(text),
-            Some(EarlierText::Missing) | None => None,
+            Some(EarlierText::Other(texts)) => texts,
+            Some(EarlierText::Missing) | None => Vec::new(),
         };
         let definitions =
             document.path.as_deref().filter(|_| matches!(document.format, TextFormat::Latex | TextFormat::Xml));
         let definitions = definitions.and_then(|path| self.project.definitions(path));
-        let report = self
-            .report(document, &document.text, definitions.as_deref())
+        let mut report = self
+            .report(document, document.path.is_none(), definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
-        let mut findings = report.findings;
-        if let Some(before) = before {
-            let before = self
-                .report(document, &before, definitions.as_deref())
-                .map(|report| report.findings)
-                .unwrap_or_default();
-            since::remove_known(&mut findings, &before);
-        }
+        let mut findings = std::mem::take(&mut report.findings);
+        let before: Vec<Vec<ChainFinding>> = before
+            .iter()
+            .filter_map(|before| self.report(before, false, definitions.as_deref()).ok())
+            .map(|report| report.findings)
+            .collect();
+        since::remove_known(&mut findings, &before);
         if self.arguments.accept.is_some() {
             findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
         } else {
@@ -258,6 +279,7 @@ impl<'a> CommandRun<'a> {
         }
         self.sum.add(&report.tally);
         self.not_checked.add(&report.not_checked);
+        report.not_read.add(&document.not_read);
         self.not_read.add(&report.not_read);
         self.documents += 1;
         for finding in &findings {
@@ -277,16 +299,16 @@ impl<'a> CommandRun<'a> {
     fn report(
         &mut self,
         document: &Document,
-        text: &str,
+        is_line: bool,
         definitions: Option<&Definitions>,
     ) -> Result<CheckReport, String> {
         let ProofreadArguments { name_policy, agreeing, unchecked, .. } = *self.arguments;
         let mut options = CheckOptions { name_policy, agreeing, unchecked, definitions, ..CheckOptions::default() };
-        let is_line = document.path.is_none();
+        let (text, format) = document.checked_text();
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
         }
-        let mut report = proofread(text, document.format, options).map_err(|why| why.to_string())?;
+        let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
         }
@@ -296,8 +318,13 @@ impl<'a> CommandRun<'a> {
             report.unchecked.sort_by_key(|chain| chain.span);
         }
         if self.arguments.statistics {
-            let statistics = find_statistics(text, document.format).map_err(|why| why.to_string())?;
+            let statistics = find_statistics(text, format).map_err(|why| why.to_string())?;
             statistics.add_to(&mut report);
+        }
+        if let Some(made) = &document.made {
+            report.tally.bytes = document.text.len();
+            report.findings.iter_mut().for_each(|of| of.map_spans(&|span| made.span_in_text(span)));
+            report.unchecked.iter_mut().for_each(|of| of.span = made.span_in_text(of.span));
         }
         report.findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,

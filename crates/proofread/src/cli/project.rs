@@ -3,11 +3,13 @@
 //! Definitions are all that is taken from them. Each file is read once, however many documents include it.
 
 use super::documents::{decode_text, is_xml};
+use super::tree::FileTree;
 use crate::reader::{Definitions, macros_text};
-use geneva_host::files;
+use geneva_host::files::whole_path;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 
 /// Longest file that is searched for definitions, in bytes.
 const LONGEST: u64 = 8 << 20;
@@ -31,7 +33,7 @@ const KNOWN: [&str; 9] =
     ["siunitx", "physics", "units", "nicefrac", "amsmath", "mathtools", "gensymb", "cancel", "mhchem"];
 
 /// Another file that a file names.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 struct Inclusion {
     /// The path as it is written, with an extension if it is a package or a class.
     name: String,
@@ -40,7 +42,7 @@ struct Inclusion {
 }
 
 /// What a file says.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 struct Contents {
     preamble: Definitions,
     body: Definitions,
@@ -54,10 +56,24 @@ struct Contents {
 /// A file that is read before the document begins, or in it.
 type InclusionRoot = (PathBuf, bool);
 
+/// When a file was changed last, and its bytes.
+type FileState = (SystemTime, u64);
+
+/// A file that was read.
+struct ReadFile {
+    contents: Option<Arc<Contents>>,
+    /// As the file was before it was read; none for a text that an editor has open, and where the system does not tell.
+    state: Option<FileState>,
+}
+
 /// The files that were read, and which of them belong together.
 #[derive(Default)]
 pub(crate) struct Project {
-    files: HashMap<PathBuf, Option<Arc<Contents>>>,
+    /// Where the files are.
+    tree: FileTree,
+    files: HashMap<PathBuf, ReadFile>,
+    /// Texts that an editor has open: they count before the files on disk.
+    open: HashMap<PathBuf, Arc<str>>,
     /// Where the files of a document may be.
     tops: HashMap<PathBuf, PathBuf>,
     /// The documents that include a file.
@@ -101,10 +117,39 @@ impl Gathered {
 }
 
 impl Project {
+    /// A project whose files are there.
+    pub(super) fn new(tree: FileTree) -> Self {
+        Self { tree, ..Self::default() }
+    }
+
+    /// Begins anew with the texts that an editor has open, by their real paths, and keeps what was read of files and texts that
+    /// have not changed since. The answer is whether the definitions or inclusions of an open text have changed.
+    pub(super) fn renew(&mut self, open: HashMap<PathBuf, Arc<str>>) -> bool {
+        let before = std::mem::take(self);
+        let (mut files, mut edited) = (HashMap::new(), Vec::new());
+        for (file, read) in before.files {
+            let is_same = match (before.open.get(&file), open.get(&file)) {
+                (Some(old), Some(new)) => Arc::ptr_eq(old, new),
+                (None, None) => read.state.is_some_and(|state| file_state(&file) == Some(state)),
+                _ => {
+                    edited.push((file, read.contents));
+                    continue;
+                }
+            };
+            if is_same {
+                files.insert(file, read);
+            } else if open.contains_key(&file) {
+                edited.push((file, read.contents));
+            }
+        }
+        *self = Self { tree: before.tree, files, open, ..Self::default() };
+        edited.into_iter().fold(false, |changed, (file, contents)| (self.read(&file) != contents) || changed)
+    }
+
     /// Adds a file that is proofread, with the folder in which it was found.
     pub(super) fn add(&mut self, file: &Path, folder: Option<&Path>) {
-        let Ok(file) = file.canonicalize() else { return };
-        let folder = folder.and_then(|folder| folder.canonicalize().ok());
+        let Some(file) = self.tree.file(file) else { return };
+        let folder = folder.map(whole_path);
         let top = top(&file, folder.as_deref());
         self.tops.insert(file.clone(), top.clone());
         self.main(&file, &top);
@@ -114,10 +159,9 @@ impl Project {
             if !self.searched.insert((place.clone(), is_xml(&file))) {
                 continue;
             }
-            let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
             let is_alike = |of: &PathBuf| if is_xml(&file) { is_xml(of) } else { has_extension(of, "tex") };
-            let named = entries.map(|of| of.path()).filter(is_alike);
-            let real = named.filter_map(|of| of.canonicalize().ok()).filter(|of| of.starts_with(&top));
+            let named = self.tree.entries(&place).into_iter().filter(is_alike);
+            let real = named.filter_map(|of| self.tree.file(&of)).filter(|of| of.starts_with(&top));
             let files: BTreeSet<PathBuf> = real.collect();
             files.iter().take(MOST_ABOVE).for_each(|file| self.main(file, &top));
         }
@@ -125,10 +169,10 @@ impl Project {
 
     /// What other files define for a file.
     pub(super) fn definitions(&mut self, file: &Path) -> Option<Arc<Definitions>> {
-        let file = file.canonicalize().ok()?;
+        let file = self.tree.file(file)?;
         let top = self.tops.get(&file)?.clone();
         let contents = self.read(&file)?;
-        let said = contents.main.as_deref().and_then(|main| find(main, [file.parent(), None], &top));
+        let said = contents.main.as_deref().and_then(|main| self.tree.find(main, [file.parent(), None], &top));
         let said = said.filter(|main| *main != file);
         let mains = self.mains.get(&file).into_iter().flatten().filter(|main| **main != file).take(MOST_MAINS).cloned();
         let folder = file.parent();
@@ -140,7 +184,7 @@ impl Project {
         // A document that includes the file includes its files, too.
         if roots.is_empty() || !included {
             let own = contents.inclusions.iter();
-            roots.extend(own.filter_map(|of| Some((find(&of.name, [folder, None], &top)?, of.early))));
+            roots.extend(own.filter_map(|of| Some((self.tree.find(&of.name, [folder, None], &top)?, of.early))));
         }
         if roots.is_empty() {
             return None;
@@ -206,7 +250,7 @@ impl Project {
             for of in contents.inclusions.iter().filter(|of| of.early == is_early) {
                 // LaTeX looks beside the main document; some packages look beside the file, as XML does.
                 let beside = if is_xml(file) { [file.parent(), None] } else { [main, file.parent()] };
-                if let Some(other) = find(&of.name, beside, top) {
+                if let Some(other) = self.tree.find(&of.name, beside, top) {
                     self.visit(&other, (main, top), early && is_early, depth - 1, out, take);
                 }
             }
@@ -217,14 +261,24 @@ impl Project {
     /// The contents of a file, which is read once.
     fn read(&mut self, file: &Path) -> Option<Arc<Contents>> {
         if let Some(known) = self.files.get(file) {
-            return known.clone();
+            return known.contents.clone();
         }
-        let text = files::read(file, LONGEST, "a LaTeX file").and_then(decode_text);
         let read = if is_xml(file) { contents_of_xml } else { contents };
-        let contents = text.ok().map(|text| Arc::new(read(&text)));
-        self.files.insert(file.to_owned(), contents.clone());
+        let (contents, state) = if let Some(text) = self.open.get(file) {
+            (Some(Arc::new(read(text))), None)
+        } else {
+            let state = file_state(file);
+            let text = self.tree.read(file, LONGEST, "a LaTeX file").and_then(decode_text);
+            (text.ok().map(|text| Arc::new(read(&text))), state)
+        };
+        self.files.insert(file.to_owned(), ReadFile { contents: contents.clone(), state });
         contents
     }
+}
+
+fn file_state(file: &Path) -> Option<FileState> {
+    let of = std::fs::metadata(file).ok()?;
+    Some((of.modified().ok()?, of.len()))
 }
 
 fn has_extension(file: &Path, extension: &str) -> bool {
@@ -245,18 +299,19 @@ fn top(file: &Path, folder: Option<&Path>) -> PathBuf {
     repository.or(without).unwrap_or(file).to_owned()
 }
 
-/// The file of a name in the first of some folders that has it.
-fn find(name: &str, folders: [Option<&Path>; 2], top: &Path) -> Option<PathBuf> {
-    let written = Path::new(name);
-    if name.is_empty() || written.is_absolute() {
-        return None;
+impl FileTree {
+    /// The file of a name in the first of some folders that has it.
+    fn find(&self, name: &str, folders: [Option<&Path>; 2], top: &Path) -> Option<PathBuf> {
+        let written = Path::new(name);
+        if name.is_empty() || written.is_absolute() {
+            return None;
+        }
+        let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| has_extension(written, extension))
+            || is_xml(written);
+        let name = if whole { name.to_owned() } else { format!("{name}.tex") };
+        let mut files = folders.iter().flatten().map(|folder| folder.join(&name));
+        files.find_map(|file| self.file(&file)).filter(|file| file.starts_with(top))
     }
-    let whole = ["tex", "ltx", "latex", "sty", "cls"].iter().any(|extension| has_extension(written, extension))
-        || is_xml(written);
-    let name = if whole { name.to_owned() } else { format!("{name}.tex") };
-    let files = folders.iter().flatten().map(|folder| folder.join(&name));
-    let found = files.filter(|file| file.is_file()).find_map(|file| file.canonicalize().ok());
-    found.filter(|file| file.starts_with(top))
 }
 
 /// What a part of a book in PreTeXt says about itself and other files.

@@ -6,9 +6,11 @@ use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
 use crate::judge::verdict::ChainVerdict;
 use crate::tell::finding::ChainFinding;
+use crate::tell::hint::Hint;
 use crate::tell::line_index::LineIndex;
-use crate::tell::sarif::{encoded, file_uri, location, log};
+use crate::tell::sarif::{encoded, file_uri, help_uri, location, log, region};
 use serde_json::{Value, json};
+use std::collections::HashMap;
 
 #[derive(Default)]
 pub(crate) struct SarifWriter {
@@ -31,48 +33,137 @@ fn capitalised(text: &str) -> String {
     letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
-fn result(uri: &str, finding: &ChainFinding, lines: &LineIndex<'_>) -> Value {
+/// How much a finding weighs in a review.
+fn level(finding: &ChainFinding) -> &'static str {
+    match (finding.section, finding.verdict) {
+        // Nothing is wrong there.
+        (ReportSection::Agreeing, _) => "none",
+        (ReportSection::Doubts | ReportSection::Units, _) => "note",
+        (ReportSection::Bindings, _) | (ReportSection::Numbers, ChainVerdict::LastDigit | ChainVerdict::Truncated) => {
+            "warning"
+        }
+        (ReportSection::Numbers | ReportSection::Statistics, _) => "error",
+    }
+}
+
+/// The edit that a hint offers, if it is known to the character.
+fn fix(uri: &str, hint: &Hint, text: &str, lines: &LineIndex<'_>) -> Option<Value> {
+    let offered = hint.replacement(text)?;
+    let [start, end] = lines.line_columns(hint.at);
+    Some(json!({
+        "description": { "text": format!("Write {}.", hint.words) },
+        "artifactChanges": [{
+            "artifactLocation": { "uri": uri },
+            "replacements": [{ "deletedRegion": region(start, end), "insertedContent": { "text": offered } }],
+        }],
+    }))
+}
+
+/// A finding; `occurrence` counts those of its document with this fingerprint, from 1.
+fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Document, lines: &LineIndex<'_>) -> Value {
     let [start, end] = lines.line_columns(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
     message += &format!(" {}.", capitalised(&finding.values_in_words()));
     if let Some(hint) = &finding.hint {
         message += &format!(" {} would agree.", hint.words);
     }
-    json!({
+    if let Some(doubt) = finding.doubt {
+        message += &format!(" Set aside: {}.", doubt.reason());
+    }
+    let mut place = location(uri, start, end);
+    if let Some(label) = document.label(start.line) {
+        place["logicalLocations"] = json!([{ "name": label }]);
+        message = format!("In {label}: {message}");
+    }
+    let level = level(finding);
+    let mut out = json!({
         "ruleId": finding.verdict.name(),
-        "level": match finding.section {
-            ReportSection::Numbers | ReportSection::Statistics => "error",
-            ReportSection::Doubts => "note",
-            ReportSection::Units | ReportSection::Bindings | ReportSection::Agreeing => "warning",
-        },
+        "kind": if level == "none" { "pass" } else { "fail" },
+        "level": level,
         "message": { "text": message },
-        "locations": [location(uri, start, end)],
-        "partialFingerprints": { "chain/v1": fingerprint(finding) },
+        "locations": [place],
+        "partialFingerprints": { "chain/v1": format!("{}: {occurrence}", fingerprint(finding)) },
         "properties": { "printed": finding.printed, "recomputed": finding.recomputed, "factor": finding.factor },
-    })
+    });
+    if let Some(fix) =
+        finding.hint.as_ref().filter(|_| document.made.is_none()).and_then(|hint| fix(uri, hint, &document.text, lines))
+    {
+        out["fixes"] = json!([fix]);
+    }
+    out
+}
+
+/// What a reader of a review is told about a verdict.
+fn help(verdict: ChainVerdict) -> &'static str {
+    match verdict {
+        ChainVerdict::Consistent => "The printed digits of one side give the other one to its printed digits.",
+        ChainVerdict::Rounded => {
+            "The sides agree if the steps between them were rounded, so there is nothing to correct."
+        }
+        ChainVerdict::Truncated => {
+            "The result has the right digits, but was cut off where it should have been rounded. Most authors do so on purpose."
+        }
+        ChainVerdict::Approximate => "The sides are near each other, and the text says no more than that.",
+        ChainVerdict::Doubtful => "The sides agree only if integers were rounded to tens.",
+        ChainVerdict::Units => {
+            "The numbers agree, but the units do not have the same dimension, or differ by a factor. Check which unit is missing or \
+             is one too many."
+        }
+        ChainVerdict::LastDigit => {
+            "The last printed digit differs by one from what the printed digits give. Check the rounding, or whether more digits went \
+             in than are printed."
+        }
+        ChainVerdict::Inconsistent => {
+            "The two sides differ under every plausible reading. One of the printed numbers is a misprint, or a step was computed \
+             wrongly."
+        }
+        ChainVerdict::Dimensions => {
+            "Neither the numbers nor the dimensions of the two sides agree. A factor with a unit is probably missing."
+        }
+        ChainVerdict::CannotEvaluate => {
+            "A side has a letter without a value, or something that the program does not know."
+        }
+    }
+}
+
+/// What every rule adds to its help.
+const ACCEPTING: &str = "A finding that is right as it is can be accepted: `proofread --accept FILE` writes it down, and \
+    `--baseline FILE` leaves it out.";
+
+fn rule(verdict: ChainVerdict) -> Value {
+    let (name, meaning) = (verdict.name(), verdict.description());
+    let mut out = json!({
+        "id": name,
+        "shortDescription": { "text": meaning },
+        "fullDescription": { "text": help(verdict) },
+        "help": {
+            "text": format!("{} {}", help(verdict), ACCEPTING.replace('`', "")),
+            "markdown": format!("**{name}**: {meaning}.\n\n{}\n\n{ACCEPTING}", help(verdict)),
+        },
+    });
+    if let Some(address) = help_uri() {
+        out["helpUri"] = address.into();
+    }
+    out
 }
 
 impl ReportWriter for SarifWriter {
     fn document(&mut self, checked: &CheckedDocument<'_>) -> String {
-        let lines = LineIndex::new(&checked.document.text);
+        let text = &checked.document.text;
+        let lines = LineIndex::new(text);
         let uri = if checked.findings.is_empty() { String::new() } else { uri(checked.document) };
-        let results = checked.findings.iter().map(|finding| result(&uri, finding, &lines));
+        let mut occurrences: HashMap<String, usize> = HashMap::new();
+        let results = checked.findings.iter().map(|finding| {
+            let occurrence = occurrences.entry(fingerprint(finding)).or_default();
+            *occurrence += 1;
+            result(&uri, finding, *occurrence, checked.document, &lines)
+        });
         self.results.extend(results);
         String::new()
     }
 
     fn end(&mut self, _sum: &RunTotals) -> String {
-        let found = [
-            ChainVerdict::Truncated,
-            ChainVerdict::Units,
-            ChainVerdict::LastDigit,
-            ChainVerdict::Inconsistent,
-            ChainVerdict::Dimensions,
-        ];
-        let rules: Vec<Value> = found
-            .iter()
-            .map(|verdict| json!({ "id": verdict.name(), "shortDescription": { "text": verdict.description() } }))
-            .collect();
+        let rules = ChainVerdict::ALL.map(rule);
         log("proofread", &rules, std::mem::take(&mut self.results))
     }
 }

@@ -3,9 +3,8 @@
 use super::output::{TextLayout, bold_style, printable};
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
-use crate::reader::TextFormat;
 use crate::tell::finding::ChainFinding;
-use crate::tell::line_index::LineIndex;
+use crate::tell::line_index::{LineColumn, LineIndex};
 use crate::tell::summary::{self, describe_count};
 use crate::tell::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
@@ -96,9 +95,18 @@ fn unchecked_text(
     let what = if chain.partly { "checked in part" } else { "not checked" };
     let name = escaped(&checked.document.name);
     let head = format!("{what}: {bold}{}{bold:#}\n", printable(&chain.reason()));
-    let place = format!(" {blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column);
+    let place = place(checked, from);
+    let place = format!(" {blue}-->{blue:#} {name}{place}\n");
     let lead = format!("  {blue}={blue:#} ");
     layout.folded(&head) + &layout.folded(&place) + &layout.wrapped(&lead, &printable(&chain.chain)) + "\n"
+}
+
+/// A place behind the name of its document: its line and column, or what the line is called.
+fn place(checked: &CheckedDocument<'_>, from: LineColumn) -> String {
+    match checked.document.label(from.line) {
+        Some(label) => format!(", {label}"),
+        None => format!(":{}:{}", from.line, from.column),
+    }
 }
 
 fn finding_text(
@@ -117,14 +125,20 @@ fn finding_text(
     .bold();
     let [from, _] = lines.line_columns(finding.at);
     let name = escaped(&checked.document.name);
-    let gutter = " ".repeat(from.line.to_string().len());
+    // The lines of a text that was made out of another format have no numbers that a person could look up.
+    let number = match checked.document.label(from.line) {
+        Some(_) => String::new(),
+        None => from.line.to_string(),
+    };
+    let gutter = " ".repeat(number.len().max(1));
     let mut text =
         format!("{colour}{}{colour:#}{bold}: {}{bold:#}\n", finding.verdict.name(), finding.verdict.description());
-    text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}:{}:{}\n", from.line, from.column));
+    let place = place(checked, from);
+    text += &layout.folded(&format!("{gutter}{blue}-->{blue:#} {name}{place}\n"));
     // Beside the number of the line, and with a sign at either end that says that the line goes on.
     let width = layout.width().saturating_sub(gutter.len() + 5).max(LEAST_SHOWN);
     let said = printable(&finding.values_in_words());
-    let is_markup = matches!(checked.document.format, TextFormat::Xml | TextFormat::Html | TextFormat::Notebook);
+    let is_markup = checked.document.is_markup();
     let start = lines.line_start(from.line);
     let in_line = finding.at.start as usize - start..finding.at.end as usize - start;
     let shown = if is_markup {
@@ -138,7 +152,7 @@ fn finding_text(
     let (before, marked) = (up_to(before), up_to(before + marked) - up_to(before));
     let line = first_columns(&line, width + 2);
     let (before, marked) = (before.min(width), marked.min((width + 2).saturating_sub(before)));
-    let number = if is_markup { gutter.clone() } else { from.line.to_string() };
+    let number = if is_markup || number.is_empty() { gutter.clone() } else { number };
     text += &format!("{blue}{gutter} |{blue:#}\n{blue}{number} |{blue:#} {}\n", printable(line));
     let marks = "^".repeat(marked.max(1));
     let under = |indent: usize| format!("{blue}{gutter} |{blue:#} {}", " ".repeat(indent));
@@ -161,23 +175,32 @@ fn finding_text(
     if !is_markup {
         note("read as", &finding.chain);
     }
-    if let Some(doubt) = finding.doubt {
-        note("set aside", doubt.reason());
-    }
-    if let Some(why) = &finding.why {
-        note("why", why);
-    }
-    if let Some(hint) = &finding.hint {
-        note("hint", &format!("{} would agree", hint.words));
-    }
-    if !finding.reading.is_empty() {
-        note("nearest reading", &finding.reading.join(", "));
-    }
-    if !finding.names.is_empty() {
-        note("with values from elsewhere", &finding.names.join(", "));
+    for (what, words) in notes(finding) {
+        note(what, &words);
     }
     text.push('\n');
     text
+}
+
+/// What else is to be said of a finding, each with the words before it.
+pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
+    let mut notes = Vec::new();
+    if let Some(doubt) = finding.doubt {
+        notes.push(("set aside", doubt.reason().to_owned()));
+    }
+    if let Some(why) = &finding.why {
+        notes.push(("why", why.clone()));
+    }
+    if let Some(hint) = &finding.hint {
+        notes.push(("hint", format!("{} would agree", hint.words)));
+    }
+    if !finding.reading.is_empty() {
+        notes.push(("nearest reading", finding.reading.join(", ")));
+    }
+    if !finding.names.is_empty() {
+        notes.push(("with values from elsewhere", finding.names.join(", ")));
+    }
+    notes
 }
 
 /// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long

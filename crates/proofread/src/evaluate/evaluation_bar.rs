@@ -2,6 +2,7 @@
 
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
+use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, collect_names, trim_space};
 
 impl Evaluator<'_> {
@@ -34,8 +35,7 @@ impl Evaluator<'_> {
         }
         let mut names = Vec::new();
         collect_names(of, &mut names);
-        names.sort();
-        names.dedup();
+        sort_few_without_repeats(&mut names);
         let [name] = names.as_slice() else {
             return Err(Obstacle::Unclear("a bar behind an expression in several variables"));
         };

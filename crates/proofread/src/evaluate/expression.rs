@@ -425,8 +425,14 @@ impl<'b> Evaluator<'b> {
                 value = self.raise(&value, exponent)?;
             } else if token.is_sign('!') {
                 cursor.at += 1;
-                if cursor.current().is_some_and(|next| next.is_sign('!')) {
-                    return Err(Obstacle::Unclear("a double factorial"));
+                match cursor.current() {
+                    Some(next) if next.is_sign('!') => return Err(Obstacle::Unclear("a double factorial")),
+                    Some(Token { kind: TokenKind::Power(of), .. })
+                        if of.first().is_some_and(|open| open.is_sign('(')) =>
+                    {
+                        return Err(Obstacle::Unclear("a factorial of several steps"));
+                    }
+                    _ => {}
                 }
                 value = value.factorial()?;
             } else {

@@ -27,7 +27,19 @@ impl Evaluator<'_> {
                 power = Some(exponent);
             }
         }
+        // arctan2(y, x)
+        let two = |at: usize| cursor.tokens.get(at).and_then(Token::number) == Some("2");
+        if function == MathFunction::Arctan
+            && two(cursor.at)
+            && cursor.tokens.get(cursor.at + 1).is_some_and(|next| next.is_sign('('))
+        {
+            return Err(Obstacle::Unclear("a function of two numbers"));
+        }
+        let from = cursor.at;
         let argument = self.argument(function, cursor)?;
+        // An angle with π in it is never in degrees.
+        let is_pi = |kind: &TokenKind| matches!(kind, TokenKind::Name(name) if name == "π");
+        let has_pi = cursor.tokens.get(from..cursor.at).is_some_and(|tokens| any(tokens, &is_pi));
         if !argument.dimension.is_none() {
             return Err(Obstacle::Unclear("a function of a quantity with a unit"));
         }
@@ -41,7 +53,7 @@ impl Evaluator<'_> {
                 | MathFunction::Sec
                 | MathFunction::Csc
         );
-        if trigonometric && argument.angle.is_none() {
+        if trigonometric && argument.angle.is_none() && !has_pi {
             self.noticed.insert(ReadingChoices::DEGREES);
             if self.is_chosen(ReadingChoices::DEGREES) {
                 x = x.scaled(PI / 180.0);

@@ -15,10 +15,12 @@ impl Numeral {
     pub(crate) fn rounds_to(&self, other: &Self) -> bool {
         let decimals = |of: &Self| of.digits.split_once('.').map_or(0, |(_, behind)| behind.len());
         let fewer = decimals(other);
+        if decimals(self) <= fewer || self.power != other.power {
+            return false;
+        }
         let half = 0.5 * power_of_ten(-(fewer as f64));
-        let apart = |(one, two): (f64, f64)| (one - two).abs() <= half * 1.000_001;
-        let both = self.digits.parse().ok().zip(other.digits.parse().ok());
-        decimals(self) > fewer && self.power == other.power && both.is_some_and(apart)
+        let both: Option<(f64, f64)> = self.digits.parse().ok().zip(other.digits.parse().ok());
+        both.is_some_and(|(one, two)| (one - two).abs() <= half * 1.000_001)
     }
 }
 
@@ -44,16 +46,33 @@ pub(crate) fn numeral_at(tokens: &[Token], at: usize) -> Option<(Numeral, usize)
 
 /// The tokens with other digits for some of their numbers; none if nothing changes.
 pub(crate) fn with_digits(side: &[Token], digits: &dyn Fn(&Numeral) -> Option<String>) -> Option<Vec<Token>> {
+    // Most sides have none to replace, and need no copy.
+    if !has_digits(side, digits) {
+        return None;
+    }
     let mut out = side.to_vec();
     replace_digits(&mut out, digits).then_some(out)
+}
+
+/// The number at a place that digits may be put in for.
+fn replaceable_at(tokens: &[Token], at: usize) -> Option<Numeral> {
+    let is_ten = matches!(tokens.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
+        && tokens[at].number() == Some("10");
+    if is_ten { None } else { numeral_at(tokens, at).map(|(number, _)| number) }
+}
+
+fn has_digits(tokens: &[Token], digits: &dyn Fn(&Numeral) -> Option<String>) -> bool {
+    (0..tokens.len()).any(|at| {
+        let is_power = matches!(tokens[at].kind, TokenKind::Power(_));
+        replaceable_at(tokens, at).is_some_and(|number| digits(&number).is_some())
+            || (!is_power && tokens[at].inner().any(|inner| has_digits(inner, digits)))
+    })
 }
 
 fn replace_digits(tokens: &mut [Token], digits: &dyn Fn(&Numeral) -> Option<String>) -> bool {
     let mut any = false;
     for at in 0..tokens.len() {
-        let is_ten = matches!(tokens.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
-            && tokens[at].number() == Some("10");
-        if !is_ten && let Some(other) = numeral_at(tokens, at).and_then(|(number, _)| digits(&number)) {
+        if let Some(other) = replaceable_at(tokens, at).and_then(|number| digits(&number)) {
             tokens[at].kind = TokenKind::Number(other);
             any = true;
         }

@@ -224,13 +224,13 @@ impl Evaluator<'_> {
         Ok(computed(value, base.operations + count.operations))
     }
 
-    /// Both ends of what is around a value: 5 ± 2 from 3 to 7.
+    /// Both ends of what is around a value: 5 ± 2 from 3 to 7, and 5 ∓ 2 the other way round.
     pub(crate) fn spread(&mut self, middle: &SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let obstacle = Obstacle::Unclear("an uncertainty");
         let plus = cursor.peek().is_some_and(|token| token.is_sign('±'));
         cursor.at += 1;
         let by = self.product(cursor)?;
-        let ends = cursor.peek().is_none() && plus;
+        let ends = cursor.peek().is_none();
         // Percentages and units that stand behind both are not told from others, and uncertainties don't add.
         let bare = !middle.has_unit && !by.has_unit && middle.angle.is_none() && by.angle.is_none();
         if !ends || !bare || middle.is_tuple || by.is_tuple || self.spreads {
@@ -239,7 +239,7 @@ impl Evaluator<'_> {
         self.spreads = true;
         let low = middle.sum(&by.clone().negate(), false)?;
         let high = middle.sum(&by, false)?;
-        let spread = SideValue::from_components(&[low, high])?;
+        let spread = SideValue::from_components(&if plus { [low, high] } else { [high, low] })?;
         Ok(SideValue { literal: Literal::No, ..spread })
     }
 

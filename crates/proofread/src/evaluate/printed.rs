@@ -1,5 +1,7 @@
 //! Printed digits, and the interval that they leave open.
 
+use std::borrow::Cow;
+
 /// How much a printed number leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
@@ -30,7 +32,7 @@ impl PrintedNumber {
     /// Reads digits with at most one point and commas between thousands.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let (text, goes_on) = text.strip_suffix('…').map_or((text, false), |text| (text, true));
-        let plain: String = text.chars().filter(|c| *c != ',').collect();
+        let plain = if text.contains(',') { Cow::Owned(text.replace(',', "")) } else { Cow::Borrowed(text) };
         let allowed = |c: char| c.is_ascii_digit() || c == '.';
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
             return None;
@@ -78,10 +80,22 @@ impl PrintedNumber {
     }
 }
 
+/// The powers of ten that are exact.
+const POWERS_OF_TEN: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
 /// Ten to a power, the same on every machine.
 pub(crate) fn power_of_ten(exponent: f64) -> f64 {
     if exponent.fract() == 0.0 && exponent.abs() <= 400.0 {
-        return format!("1e{exponent:.0}").parse().unwrap_or(f64::INFINITY);
+        let exponent = exponent as i32;
+        // Up to here the powers themselves are exact, and so the quotient is the nearest number to the power below one.
+        return match POWERS_OF_TEN.get(exponent.unsigned_abs() as usize) {
+            Some(power) if exponent >= 0 => *power,
+            Some(power) => 1.0 / power,
+            None => format!("1e{exponent}").parse().unwrap_or(f64::INFINITY),
+        };
     }
     libm::pow(10.0, exponent)
 }
@@ -89,6 +103,14 @@ pub(crate) fn power_of_ten(exponent: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_power_of_ten_is_the_nearest_number_to_it() {
+        for exponent in -330..=310 {
+            let nearest: f64 = format!("1e{exponent}").parse().expect("a number");
+            assert_eq!(power_of_ten(f64::from(exponent)), nearest, "{exponent}");
+        }
+    }
 
     #[test]
     fn the_last_place_says_how_much_is_open() {

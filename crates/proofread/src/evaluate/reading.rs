@@ -1,5 +1,7 @@
 //! Readings: the ways in which the same characters may be meant.
 
+use crate::order::sort_by_place;
+
 /// A set of choices. Without any, a formula is read in the commonest way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct ReadingChoices(u32);
@@ -85,7 +87,7 @@ impl ReadingChoices {
             }
             subset = (subset - 1) & self.0;
         }
-        out.sort_by_key(|of| (of.0.count_ones(), of.0));
+        sort_by_place(&mut out, |of| (of.0.count_ones() as usize, of.0 as usize));
         out
     }
 

@@ -3,7 +3,7 @@
 
 use crate::evaluate::interval::Interval;
 use crate::evaluate::printed::power_of_ten;
-use crate::evaluate::value::SideValue;
+use crate::evaluate::value::{Literal, SideValue};
 
 /// The rounding on the way to a result.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,6 +12,8 @@ pub(crate) struct StepRounding {
     pub digits: Option<i32>,
     /// Whether a difference lost most of the digits of its terms.
     pub cancels: bool,
+    /// Whether one of these terms is more than a printed integer, which has no other digits.
+    pub cancels_decimals: bool,
     /// The last value that was rounded, without its rounding and with it.
     last: Option<[Interval; 2]>,
 }
@@ -53,7 +55,10 @@ impl StepRounding {
         let [Ok(one), Ok(other), Ok(sum)] = [terms[0], terms[1], sum].map(SideValue::number) else { return };
         let open = one.half_width() > 0.0 || other.half_width() > 0.0;
         let size = one.point.abs().max(other.point.abs());
-        self.cancels |= open && sum.point.abs() < SMALL * size;
+        let cancels = open && sum.point.abs() < SMALL * size;
+        let is_integer = |term: &SideValue, of: Interval| term.literal == Literal::Number && of.point.fract() == 0.0;
+        self.cancels |= cancels;
+        self.cancels_decimals |= cancels && !(is_integer(terms[0], one) && is_integer(terms[1], other));
     }
 }
 

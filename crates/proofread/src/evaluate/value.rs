@@ -38,6 +38,9 @@ impl std::fmt::Display for Obstacle {
 /// Why a quotient has no value.
 pub(crate) const DIVIDES_BY_ZERO: &str = "it divides by zero";
 
+/// Why a root has no value among the real numbers.
+pub(crate) const NEGATIVE_ROOT: &str = "it takes a root of a negative number";
+
 /// A value, or why there is none.
 pub(crate) type Evaluated<T> = Result<T, Obstacle>;
 
@@ -201,6 +204,11 @@ impl SideValue {
         if both && sign.is_none() {
             return Err(Obstacle::Unclear("a product of vectors without a sign"));
         }
+        // It may be one of complex numbers, of sets or of whatever the text defines.
+        let is_pair = |of: &Self| of.is_tuple && of.parts.0[1..].iter().flatten().count() == 2;
+        if sign == Some('×') && is_pair(self) && is_pair(other) {
+            return Err(Obstacle::Unclear("a product of pairs"));
+        }
         for (a, mine) in self.parts.0.iter().enumerate() {
             for (b, its) in other.parts.0.iter().enumerate() {
                 let (Some(mine), Some(its)) = (*mine, *its) else { continue };
@@ -244,7 +252,7 @@ impl SideValue {
         let raised = match odd_root {
             Some(numerator) => (-base).power(exponent).map(|root| if numerator % 2 == 0 { root } else { -root }),
             None if is_exact && base.point < 0.0 && exponent.point.fract().abs() > 1e-3 => {
-                return Err(Obstacle::NoValue("it takes a root of a negative number"));
+                return Err(Obstacle::NoValue(NEGATIVE_ROOT));
             }
             None => base.power(exponent),
         };

@@ -54,6 +54,9 @@ pub(crate) struct Chain {
 /// The width of the space that stands for the end of a row within a side.
 pub(crate) const ROW_END: u8 = 8;
 
+/// The width of the space that parts two equations, wider than that of `\quad`.
+pub(crate) const EQUATION_END: u8 = 11;
+
 fn relation(token: &Token) -> Option<Relation> {
     match token.kind {
         TokenKind::Operator('=') => Some(Relation::Equal),
@@ -69,13 +72,17 @@ fn ends_row(token: &Token) -> bool {
     matches!(token.kind, TokenKind::Line | TokenKind::Space(9..))
 }
 
+fn ends_equation(token: &Token) -> bool {
+    matches!(token.kind, TokenKind::Line | TokenKind::Space(EQUATION_END))
+}
+
 fn separates(token: &Token) -> bool {
     const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
         below above From For Given Noting Since are not ";
     match &token.kind {
         TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
-        TokenKind::Word(word) => word.len() > 1 && WORDS.split_whitespace().any(|known| known == word),
+        TokenKind::Word(word) => word.len() > 1 && WORDS.split_ascii_whitespace().any(|known| known == word),
         _ => false,
     }
 }
@@ -170,8 +177,8 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         let goes_on = || rest.clone().find(|token| !token.is_space()).is_some_and(|next| next.is_sign('='));
         in_remark =
             (in_remark || (!in_row && token.is_sign('∵') && goes_on()) || (in_row && (token.is_sign('∵') || for_all)))
-                && token.kind != TokenKind::Line;
-        in_row = (in_row || !token.is_space()) && token.kind != TokenKind::Line;
+                && !ends_equation(token);
+        in_row = (in_row || !token.is_space()) && !ends_equation(token);
         if in_remark {
             continue;
         }
@@ -208,10 +215,15 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
             let weak = line && !splitter.sides.is_empty();
             depth = 0;
             splitter.end_chain(false, true);
-            let may_continue = next.is_some_and(|next| {
-                next.is_sign('(')
-                    || matches!(next.kind, TokenKind::Function(_) | TokenKind::Fraction(..) | TokenKind::Number(_))
-            });
+            let row = tokens[at + 1..].iter().skip_while(|token| ends_row(token)).take_while(|token| !ends_row(token));
+            // Behind a whole equation, a number begins another one.
+            let begins =
+                next.is_some_and(|next| next.number().is_some()) && row.clone().any(|token| token.is_sign('='));
+            let may_continue = !begins
+                && next.is_some_and(|next| {
+                    next.is_sign('(')
+                        || matches!(next.kind, TokenKind::Function(_) | TokenKind::Fraction(..) | TokenKind::Number(_))
+                });
             if weak && may_continue {
                 splitter.side.push(Token::new(TokenKind::Unknown("the rest of the row before".to_owned()), token.span));
             }

@@ -1,5 +1,6 @@
 //! Aligned equations side by side that go on in the rows below: each column of equations is read down.
 
+use crate::join::chain::EQUATION_END;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::unit;
 
@@ -56,6 +57,51 @@ fn goes_on(row: &[&[Token]]) -> bool {
 /// Whether a row has its relations where aligned equations have them, in every second cell.
 fn is_aligned(row: &[&[Token]]) -> bool {
     row.iter().skip(1).step_by(2).all(|cell| trim_space(cell).is_empty() || begins_with_relation(cell))
+}
+
+/// Whether two cells are an equation of their own: something stands before the relation and behind it.
+fn is_equation(cells: &[&[Token]]) -> bool {
+    match cells {
+        [left, right] => !trim_space(left).is_empty() && begins_with_relation(right) && trim_space(right).len() > 1,
+        _ => false,
+    }
+}
+
+/// The tokens with a wide space before each aligned equation that begins behind a whole one: in the same row, where all rows have whole
+/// equations side by side, or in a row of its own. None if there is no such equation.
+pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
+    if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
+        return None;
+    }
+    let rows = cells(tokens);
+    let is_empty = |cells: &[&[Token]]| cells.iter().all(|cell| trim_space(cell).is_empty());
+    let side_by_side = rows.iter().all(|row| row.chunks(2).all(|of| is_empty(of) || is_equation(of)));
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len() + rows.len());
+    let (mut found, mut is_whole) = (false, false);
+    for (which, row) in rows.iter().enumerate() {
+        let parts: Vec<&[&[Token]]> = if side_by_side { row.chunks(2).collect() } else { vec![row.as_slice()] };
+        for (place, part) in parts.into_iter().enumerate() {
+            let begins = part.get(..2).is_some_and(is_equation);
+            let parted = is_whole && begins;
+            found |= parted;
+            match (parted, place) {
+                // Not the sign of a row, behind which a side may go on.
+                (true, _) => out.push(Token::new(TokenKind::Space(EQUATION_END), at)),
+                (false, 0) if which > 0 => out.push(Token::new(TokenKind::Line, at)),
+                (false, 0) => {}
+                (false, _) => out.push(Token::new(TokenKind::Cell, at)),
+            }
+            for (which, cell) in part.iter().enumerate() {
+                if which > 0 {
+                    out.push(Token::new(TokenKind::Cell, at));
+                }
+                out.extend_from_slice(cell);
+            }
+            is_whole = begins || (is_whole && is_empty(part));
+        }
+    }
+    found.then_some(out)
 }
 
 /// The tokens with one column of equations behind the other, or none if there are no such columns.

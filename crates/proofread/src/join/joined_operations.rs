@@ -106,19 +106,20 @@ fn typed_choices(rest: &[Token], before: &[Token]) -> Option<(TokenKind, usize)>
     (ends && starts && ordered).then(|| (TokenKind::Call(operation, vec![vec![n.clone()], vec![k.clone()]]), 3))
 }
 
-/// The binomial coefficient as a function of two integers: C(7, 4).
+/// The numbers of choices as functions of two integers: C(7, 4), and P(9, 2) where it is a whole number.
 fn called_choices(rest: &[Token]) -> Option<(TokenKind, usize)> {
     let letter = rest.first()?;
-    if !matches!(&letter.kind, TokenKind::Name(name) | TokenKind::Word(name) if name == "C") {
-        return None;
-    }
+    let operation = choices_of(letter)?;
     let end = rest.iter().take(12).position(|token| token.is_sign(')'))?;
     let solid: Vec<&Token> = rest[1..=end].iter().filter(|token| !token.is_space()).collect();
     let [open, n, comma, k, _] = solid.as_slice() else { return None };
     let digits = |token: &Token| token.number().and_then(|digits| digits.parse::<u32>().ok());
     let ordered = digits(n).zip(digits(k)).is_some_and(|(n, k)| n >= k);
-    (open.is_sign('(') && comma.is_sign(',') && ordered)
-        .then(|| (TokenKind::Call(NamedOperation::Binomial, vec![vec![(*n).clone()], vec![(*k).clone()]]), end + 1))
+    let mut behind =
+        rest[end + 1..].iter().filter(|token| !matches!(token.kind, TokenKind::Space(_) | TokenKind::Cell));
+    let is_whole = behind.next().is_some_and(|next| next.is_sign('=')) && behind.next().is_some_and(is_integer);
+    (open.is_sign('(') && comma.is_sign(',') && ordered && (operation == NamedOperation::Binomial || is_whole))
+        .then(|| (TokenKind::Call(operation, vec![vec![(*n).clone()], vec![(*k).clone()]]), end + 1))
 }
 
 /// A repeating decimal whose period has a line above it.

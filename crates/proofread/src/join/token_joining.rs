@@ -13,7 +13,7 @@ use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
 pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
     let rows = equation_columns::without_row_remarks(&rows).unwrap_or(rows);
-    let rows = equation_columns::read_down(&rows).unwrap_or(rows);
+    let rows = equation_columns::read_down(&rows).or_else(|| equation_columns::part_equations(&rows)).unwrap_or(rows);
     merged(flatten(&rows))
 }
 
@@ -132,6 +132,14 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                 let held = if is_part(tokens) { held_together } else { without_comma };
                 out.extend(flatten(inner).into_iter().map(held));
             }
+            // A value with its sign that is put in behind another sign: 2 + {-3}.
+            TokenKind::Group(inner)
+                if ungrouped(inner).first().is_some_and(|first| first.is_one_of("-+")) && ends_with_sign(&out) =>
+            {
+                out.push(Token::new(TokenKind::Operator('('), span));
+                out.extend(flatten(inner));
+                out.push(Token::new(TokenKind::Operator(')'), span));
+            }
             TokenKind::Group(inner) => out.extend(flatten(inner)),
             TokenKind::Scripts(base, sub, sup) => join_scripts([base, sub, sup], span, &mut out),
             TokenKind::Accent(base, sign) => {
@@ -176,6 +184,11 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
         }
     }
     out
+}
+
+/// Whether a sign of a sum or a product is the last token that is no space.
+fn ends_with_sign(tokens: &[Token]) -> bool {
+    tokens.iter().rev().find(|token| !token.is_space()).is_some_and(|last| last.is_one_of("+-·×/"))
 }
 
 /// An argument of an operation, whose cells stay apart.

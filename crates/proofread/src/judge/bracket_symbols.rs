@@ -11,34 +11,55 @@ fn is_integer(token: &Token) -> bool {
     token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))
 }
 
-/// Whether π stands before one integer in brackets, as the name of a function does: π(3), but not π(3)².
+/// Whether π stands before one number in brackets, as the name of a function does: π(3) and π(10²³), but not π(3)².
 fn names_pi(side: &[Token]) -> bool {
     let solid = without_space(side);
-    let is_call = |at: usize| match solid.get(at..at + 4) {
-        Some([name, open, number, close]) => {
-            let raised = solid.get(at + 4).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
-            name.kind == TokenKind::Name("π".to_owned())
+    let is_power = |token: &&&Token| matches!(token.kind, TokenKind::Power(_));
+    let is_call = |at: usize| match solid.get(at..) {
+        Some([name, open, number, rest @ ..]) => {
+            let rest = &rest[usize::from(rest.first().as_ref().is_some_and(is_power))..];
+            let is_closed = rest.first().is_some_and(|close| close.is_sign(')'));
+            name.kind == pi()
                 && open.is_sign('(')
-                && is_integer(number)
-                && close.is_sign(')')
-                && !raised
+                && number.number().is_some()
+                && is_closed
+                && !rest.get(1).as_ref().is_some_and(is_power)
         }
         _ => false,
     };
     (0..solid.len()).any(is_call)
 }
 
+fn pi() -> TokenKind {
+    TokenKind::Name("π".to_owned())
+}
+
+/// Whether π is a share or a permutation in a side: taken from one, as in 1 − π, or the exponent of −1.
+fn shares_pi(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let from_one = |of: &[&Token]| of[0].number() == Some("1") && of[1].is_sign('-') && of[2].kind == pi();
+    let is_sign = |of: &[&Token]| {
+        let raised = |token: &Token| matches!(&token.kind, TokenKind::Power(power) if power.iter().any(|token| token.kind == pi()));
+        of[0].number() == Some("1") && of[1].is_sign(')') && raised(of[2])
+    };
+    solid.windows(3).any(|of| from_one(of) || is_sign(of))
+        || side.iter().any(|token| token.inner().into_iter().any(shares_pi))
+}
+
 /// Whether π may be the name of a function or of a distribution: both sides call it, or it is called alone and what it gives is an
 /// integer or far from the product.
 pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(SideValue, SideValue)>) -> bool {
     let called = [names_pi(left), names_pi(right)];
-    let bare = |side: &[Token]| without_space(side).len() == 4;
+    let bare = |side: &[Token]| (4..=5).contains(&without_space(side).len());
     let decimal = |side: &[Token]| any(side, &|kind| matches!(kind, TokenKind::Number(of) if of.contains('.')));
     let far =
         values.and_then(|(left, right)| left.number().ok().zip(right.number().ok())).is_some_and(|(one, other)| {
             let factor = (one.point / other.point).abs();
             !(1.0 / FAR..FAR).contains(&factor)
         });
+    if shares_pi(left) || shares_pi(right) {
+        return true;
+    }
     match called {
         [true, true] => true,
         [true, false] => bare(left) && (far || !decimal(right)),

@@ -14,6 +14,7 @@ use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::verdict::{ChainVerdict, PairJudgement};
+use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{Span, Token, TokenKind, any};
 use crate::unit::unit;
@@ -194,6 +195,12 @@ impl PlacedPair<'_> {
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
             || (judgement.verdict == ChainVerdict::Dimensions
                 && [left, right].into_iter().any(notation::has_two_meanings))
+            || notation::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
+            || judgement
+                .values
+                .as_ref()
+                .and_then(|(left, _)| left.number().ok())
+                .is_some_and(|of| notation::is_size(of.point, right))
             || self.is_one_of_two()
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
@@ -279,7 +286,30 @@ impl PlacedPair<'_> {
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
             && right.is_literal()
             && left.clone().negate().meets(right, ROUGH);
-        lacks_unit || opposite || costs || deviates || sets || (bare(left) && (is_small || (bare(right) && apart)))
+        // In mathematics a whole formula begins with a result: 8 = 2³.
+        let is_zero = digits == Some("0");
+        let is_small =
+            is_small && self.begins_chain() && (is_zero || bare(right) || !is_integer(right) || !self.is_whole());
+        let pair =
+            both && bare(left) && bare(right) && self.begins_chain() && [left, right].into_iter().all(is_integer);
+        lacks_unit
+            || opposite
+            || costs
+            || deviates
+            || sets
+            || pair
+            || (bare(left) && (is_small || (bare(right) && apart)))
+    }
+
+    /// Whether the two sides are all of a formula whose marks show where it begins and ends.
+    fn is_whole(&self) -> bool {
+        let marks = |text: &str| text.trim_matches(['$', ' ', '\\', '(', ')', '[', ']', '.', ',', '\n']).is_empty();
+        let (start, end) = (self.left.span.start as usize, self.right.span.end as usize);
+        let formula = self.formula.span.range();
+        self.formula.style == FormulaStyle::Formula
+            && self.chain.sides.len() == 2
+            && self.text.get(formula.start..start).is_some_and(marks)
+            && self.text.get(end..formula.end).is_some_and(marks)
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.
@@ -325,6 +355,11 @@ impl PlacedPair<'_> {
     }
 }
 
+/// Whether a value is a whole number.
+fn is_integer(value: &SideValue) -> bool {
+    value.number().is_ok_and(|of| of.point.fract() == 0.0)
+}
+
 /// Whether a place is inside a number of a side.
 fn has_number_at(side: &ChainSide, place: Span) -> bool {
     let covers = |token: &Token| token.span.start <= place.start && place.end <= token.span.end;
@@ -358,7 +393,7 @@ fn has_uncertainty(side: &ChainSide) -> bool {
 /// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
 fn has_signed_bracket(tokens: &[Token]) -> bool {
     without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
-        || tokens.iter().any(|token| token.inner().into_iter().any(has_signed_bracket))
+        || tokens.iter().any(|token| token.inner().any(has_signed_bracket))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.
@@ -409,7 +444,7 @@ impl Factors {
     /// The findings whose factor at least [`HABIT`] different formulas share.
     pub(crate) fn habits(&self) -> Vec<usize> {
         let mut sorted: Vec<&Factor> = self.0.iter().collect();
-        sorted.sort_by(|one, other| one.factor.total_cmp(&other.factor));
+        sort_by_place(&mut sorted, |of| NumberKey(of.factor));
         let mut out = Vec::new();
         let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
         for group in sorted.chunk_by(|one, other| same(one, other)) {

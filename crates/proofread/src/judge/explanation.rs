@@ -1,9 +1,10 @@
 //! What may explain that two sides differ, although nothing is wrong: each explanation has a name, and they are tried in order.
 
 use crate::evaluate::expression::NameValues;
-use crate::evaluate::value::{DIVIDES_BY_ZERO, Obstacle};
+use crate::evaluate::value::{DIVIDES_BY_ZERO, NEGATIVE_ROOT, Obstacle};
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::equals_conventions;
+use crate::judge::flattened;
 use crate::judge::notation;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
@@ -69,6 +70,8 @@ pub(crate) struct DifferingPair<'t> {
     pub is_free: bool,
     /// Whether the right side ends the formula.
     pub ends_formula: bool,
+    /// Whether the text has nothing but plain lines, so that it may come out of a page.
+    pub is_plain_text: bool,
     /// How the sides compare, as far as the explanations have been tried.
     pub judgement: PairJudgement,
 }
@@ -112,12 +115,13 @@ fn doubtful_if_agreeing(judgement: PairJudgement) -> Option<PairJudgement> {
     agrees(&judgement).then_some(PairJudgement { verdict: ChainVerdict::Doubtful, ..judgement })
 }
 
-/// That a side has no value is what the text shows: both sides divide by zero, the right one does, or it is called undefined.
+/// That a side has no value is what the text shows: both sides divide by zero or take a root of a negative number, or it is called
+/// undefined.
 fn try_undefined(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let Some(Obstacle::NoValue(why)) = &pair.judgement.obstacle else { return None };
     let of_right = evaluate_freely(&pair.right.tokens, pair.bindings).err();
-    let shown =
-        matches!(of_right, Some(Obstacle::NoValue(of_right)) if of_right == DIVIDES_BY_ZERO && *why == DIVIDES_BY_ZERO);
+    let alike = [DIVIDES_BY_ZERO, NEGATIVE_ROOT].contains(why);
+    let shown = matches!(of_right, Some(Obstacle::NoValue(of_right)) if alike && of_right == *why);
     (shown || surroundings::calls_undefined(pair.text, pair.left.span.join(pair.right.span)))
         .then(|| pair.with_verdict(ChainVerdict::Doubtful))
         .flatten()
@@ -241,7 +245,7 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
         return None;
     }
     // A factorial whose sign stands behind the formula.
-    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.formula.span) {
+    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.right.span, pair.formula.span) {
         let sign = Token::new(TokenKind::Operator('!'), pair.right.span);
         let other = pair.judge(&pair.left.tokens, &[pair.right.tokens.as_slice(), &[sign]].concat());
         if other.verdict < ChainVerdict::Doubtful {
@@ -256,6 +260,15 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
         }
         if other.verdict == ChainVerdict::Units {
             in_numbers = Some(other);
+        }
+    }
+    if pair.is_plain_text {
+        let before = pair.text.get(..pair.left.span.start as usize).unwrap_or_default();
+        for [left, right] in flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens) {
+            let other = pair.judge(&left, &right);
+            if other.verdict == ChainVerdict::Consistent {
+                return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
+            }
         }
     }
     in_numbers
@@ -317,6 +330,7 @@ mod tests {
                         results: &results,
                         is_free: true,
                         ends_formula: which + 1 == chains.len() && at + 1 == chain.sides.len(),
+                        is_plain_text: false,
                         judgement,
                     };
                     let judgement = judge(&left.tokens, &right.tokens, relation, None);

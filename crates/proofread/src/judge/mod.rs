@@ -4,6 +4,7 @@ mod bracket_symbols;
 pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
+mod flattened;
 mod notation;
 mod other_arithmetic;
 pub(crate) mod section;

@@ -6,7 +6,7 @@ use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::{ChainVerdict, judge};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any, show};
 use crate::unit::unit;
 use std::f64::consts::PI;
 
@@ -46,6 +46,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
+    each(&other_way_round);
     each(&as_columns);
     each(&under_function);
     each(&from_left_to_right);
@@ -246,6 +247,37 @@ fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
     Some(out)
 }
 
+/// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of
+/// what is true: 1 + 1 = 0, 1 + 1 = 1, 2 + 2 = 5.
+pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: impl FnOnce() -> bool) -> bool {
+    let digits = |side: &[Token]| show(side).replace(' ', "");
+    match (&*digits(left), &*digits(right)) {
+        ("1+1", "0") => true,
+        ("1+1", "1" | "3") | ("2+2", "5") | ("5", "2+2") => speaks_of_truth(),
+        _ => false,
+    }
+}
+
+/// Whether the right side is the size of a square, such as 5 × 5, and not a product.
+pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
+    match without_space(right).as_slice() {
+        [one, times, other] => {
+            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
+            times.is_sign('×') && one.number() == other.number() && number == Some(left)
+        }
+        _ => false,
+    }
+}
+
+/// A side whose two values behind ± are given in the other order, as they are after a division by a negative number.
+fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
+    let is_sign = |token: &Token| token.is_sign('±');
+    let at = side.iter().position(is_sign)?;
+    let mut out = side.to_vec();
+    out[at] = Token::new(TokenKind::Operator('∓'), side[at].span);
+    Some(out)
+}
+
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
 fn under_function(side: &[Token]) -> Option<Vec<Token>> {
     let at = side.iter().position(|token| matches!(token.kind, TokenKind::Function(_)))?;
@@ -317,8 +349,7 @@ fn with_raised_points(text: &str, side: &[Token]) -> Option<Vec<Token>> {
             (at, found) = (at + 3, true);
             continue;
         }
-        let inner: Vec<Option<Vec<Token>>> =
-            token.inner().into_iter().map(|inner| with_raised_points(text, inner)).collect();
+        let inner: Vec<Option<Vec<Token>>> = token.inner().map(|inner| with_raised_points(text, inner)).collect();
         let mut copy = token.clone();
         for (list, changed) in copy.kind.lists().into_iter().zip(inner) {
             if let Some(changed) = changed {
@@ -370,7 +401,7 @@ pub(crate) fn has_phasor(side: &[Token]) -> bool {
     };
     let plain = without_space(side);
     let here = (0..plain.len()).any(|at| is_phasor(&plain[at..]));
-    here || side.iter().any(|token| token.inner().into_iter().any(has_phasor))
+    here || side.iter().any(|token| token.inner().any(has_phasor))
 }
 
 /// Whether a side is one number in brackets, which may mean something else than the number: [4,6] = 12, {3.7} = 0.7.

@@ -1,9 +1,11 @@
 //! Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 
-use crate::judge::surroundings::text_around;
+use crate::judge::surroundings::{self, text_around};
 use crate::token::Span;
 
-const WORDS: [&str; 13] = [
+const WORDS: [&str; 15] = [
+    "significand",
+    "guard bit",
     "overflow",
     "overflows",
     "saturation",
@@ -32,7 +34,7 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let source = text.get(span.range()).unwrap_or_default();
-    let near = format!("{sentence} {source} {rest}").to_lowercase();
+    let near = format!("{sentence} {source} {rest}").to_ascii_lowercase();
     let places = |word: &'static str| {
         let letter = |c: char| c.is_ascii_alphabetic();
         let near = &near;
@@ -49,6 +51,21 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
         (Some(modulus), Some(difference)) if modulus > 0.0 && difference.fract() == 0.0 => difference % modulus == 0.0,
         _ => true,
     };
+    // A ring may be named some sentences before, with its modulus or as its group of units.
+    let far = surroundings::text_before(text, span);
+    let far =
+        if ["mathbb", "GF(", "U("].iter().any(|sign| far.contains(sign)) { far.to_lowercase() } else { String::new() };
+    let named = |difference: f64| {
+        let signs = { RINGS }.into_iter().chain(["u("]).flat_map(|sign| far.match_indices(sign));
+        let moduli = signs.filter_map(|(at, sign)| {
+            let behind = far[at + sign.len()..].trim_start_matches('}');
+            number_at(behind.strip_prefix(['_', '/']).unwrap_or(behind).trim_start_matches(r"n\mathbb z"))
+        });
+        { moduli }.any(|modulus| modulus > 1.0 && difference != 0.0 && difference % modulus == 0.0)
+    };
+    if difference.is_some_and(named) {
+        return true;
+    }
     // The hours of a clock.
     (places("clock").next().is_some() && difference.is_some_and(|by| by % 12.0 == 0.0))
         || { BEFORE_MODULUS }.iter().flat_map(|word| places(word)).any(|(_, end)| fits(number_at(&near[end..])))

@@ -25,6 +25,22 @@ pub(crate) fn text_around(text: &str, span: Span) -> (String, String) {
     (without_tags(before), without_tags(after))
 }
 
+/// Most bytes in which a text names what a whole example is about.
+const EXAMPLE: usize = 1500;
+
+/// The text of the example so far, up to a place, with its marks.
+pub(crate) fn text_before(text: &str, span: Span) -> &str {
+    let end = (span.start as usize).min(text.len());
+    let mut start = end.saturating_sub(EXAMPLE);
+    while !text.is_char_boundary(start) {
+        start += 1;
+    }
+    let before = text.get(start..end).unwrap_or_default();
+    // A search takes less than reading.
+    effort::count_steps(before.len() / 32);
+    before
+}
+
 fn without_tags(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
@@ -49,16 +65,24 @@ fn without_tags(text: &str) -> String {
 /// Whether the text asks if the formula holds, or says that it does not.
 pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
-    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
-    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_ascii_lowercase();
+    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_ascii_lowercase();
     let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
+    // Asked at once: 1 + 5 = 2? – but not behind a word.
+    if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
+        return true;
+    }
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
     if asked && question {
         return true;
     }
     // One of the answers to choose from.
-    if before.trim_end().ends_with("\\choice") || before.to_lowercase().contains("true or false") {
+    if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
+        return true;
+    }
+    let behind = after.split("\n\n").next().unwrap_or_default();
+    if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
         return true;
     }
     const REPORTS: [&str; 11] = [
@@ -87,7 +111,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "wrong on purpose",
         "find the error",
     ];
-    let before = before.to_lowercase();
+    let before = before.to_ascii_lowercase();
     let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
     if let Some(at) = headed
         && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
@@ -96,18 +120,39 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const DENIALS: [&str; 9] = [
+    const DENIALS: [&str; 11] = [
+        "would be false",
+        "would be wrong",
         "is false",
         "not true",
         "a false statement",
         "contradiction",
         "incorrect",
         "is wrong",
-        "not equal",
+        "are not equal",
         "is not a solution",
         "is inconsistent",
     ];
     DENIALS.iter().any(|denial| rest.contains(denial))
+}
+
+/// Whether a formula stands behind a capital letter in brackets, with the letter before or after it behind another one: `(B)` near
+/// `(A)` or `(C)`.
+fn is_answer_to_choose(before: &str, after: &str) -> bool {
+    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
+    let Some(label) = before.trim_end_matches(marks).strip_suffix(')') else { return false };
+    let Some(letter) = label.chars().next_back().filter(|c| ('A'..='F').contains(c)) else { return false };
+    let Some(rest) = label.strip_suffix(letter).and_then(|rest| rest.strip_suffix('(')) else { return false };
+    let near = |by: i8| char::from((letter as u8).wrapping_add_signed(by));
+    rest.contains(&format!("({})", near(-1))) || after.contains(&format!("({})", near(1)))
+}
+
+/// Whether the text near a formula speaks of what is true or false.
+pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    let near = format!("{before} {after}").to_lowercase();
+    near.split(|c: char| !c.is_alphabetic())
+        .any(|word| ["true", "false", "lie", "truth", "believe", "believes", "believed"].contains(&word))
 }
 
 /// Whether the text near a formula says that something has no value.
@@ -130,12 +175,17 @@ pub(crate) fn calls_undefined(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
-    let near = format!("{sentence} {rest}").to_lowercase();
+    let near = format!("{sentence} {rest}").to_ascii_lowercase();
     WORDS.iter().any(|word| near.contains(word))
 }
 
-/// Whether the text behind a formula begins with the sign of a factorial, behind which the sentence goes on.
-pub(crate) fn begins_with_factorial(text: &str, span: Span) -> bool {
+/// Whether the sign of a factorial ends a formula behind its last side, or stands behind the formula and the sentence goes on.
+pub(crate) fn begins_with_factorial(text: &str, side: Span, formula: Span) -> bool {
+    let inside = text.get(side.end as usize..formula.end as usize).unwrap_or_default();
+    inside.trim_start().starts_with('!') || goes_on_behind_factorial(text, formula)
+}
+
+fn goes_on_behind_factorial(text: &str, span: Span) -> bool {
     let rest = text_behind(text, span).strip_prefix('!');
     rest.is_some_and(|rest| {
         let next = rest.trim_start_matches([' ', '~', '\n']);
@@ -168,7 +218,7 @@ pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
 /// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.
 pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
-    let words = format!("{before} {after}").to_lowercase();
+    let words = format!("{before} {after}").to_ascii_lowercase();
     let mut words = words.split(|c: char| !c.is_alphabetic());
     words.any(|word| {
         ["scale", "scaled", "map", "represents", "represent", "drawing", "drawn", "corresponds"].contains(&word)
@@ -182,14 +232,14 @@ pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
         return false;
     }
     let plain = without_tags(between);
-    if plain.contains(['.', ';', ':']) || plain.matches('\n').count() > 2 {
+    if plain.contains(['.', ';', ':']) || plain.contains("\\item") || plain.matches('\n').count() > 2 {
         return false;
     }
     // What the second formula begins with, its name and its equals sign, is between, too.
     let words: Vec<String> = plain
         .split(|c: char| !c.is_alphanumeric() && c != '\\')
         .filter(|word| word.len() > 1 && !word.starts_with('\\'))
-        .map(str::to_lowercase)
+        .map(str::to_ascii_lowercase)
         .collect();
     // Two values of a name in a list or a sentence, as in *r = ⅙ for a die and r = ½ for a coin*, are two values.
     let has_arrow = ["→", "⇒", "⟹", "Rightarrow", "implies", "\\to"].iter().any(|arrow| plain.contains(arrow));
@@ -293,7 +343,7 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
         before = before[..open].trim_end_matches(marks);
     }
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    PREPOSITIONS.contains(&word.to_lowercase().as_str())
+    PREPOSITIONS.contains(&word.to_ascii_lowercase().as_str())
 }
 
 /// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
@@ -431,7 +481,7 @@ pub(crate) fn follows_name(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let before = before.trim_end_matches([' ', '.']);
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    word.chars().count() > 1 && !LINKS.split_whitespace().any(|link| link.eq_ignore_ascii_case(word))
+    word.chars().count() > 1 && !LINKS.split_ascii_whitespace().any(|link| link.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word that is numbered stands just before a number: line 12.
@@ -442,7 +492,7 @@ pub(crate) fn follows_label(text: &str, span: Span) -> bool {
     let before = text.get(..start).unwrap_or_default();
     let Some(before) = before.strip_suffix([' ', '\u{a0}', '~']) else { return false };
     let word = before.trim_end_matches(['.', ' ']).rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    !word.is_empty() && LABELS.split_whitespace().any(|label| label.eq_ignore_ascii_case(word))
+    !word.is_empty() && LABELS.split_ascii_whitespace().any(|label| label.eq_ignore_ascii_case(word))
 }
 
 /// The base of the number at the end of a formula, if the words just behind it name one.
@@ -452,7 +502,7 @@ pub(crate) fn named_base(text: &str, span: Span) -> Option<u32> {
     let near = without_tags(&near);
     let near = near.split(['.', ';', '=', '?', '!']).next().unwrap_or_default();
     let mut words = near.split(|c: char| !c.is_alphabetic());
-    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_lowercase()).map(|(_, base)| *base))
+    words.find_map(|word| BASES.iter().find(|(name, _)| *name == word.to_ascii_lowercase()).map(|(_, base)| *base))
 }
 
 /// Words that say which way a quantity points, so that its sign may be left out.

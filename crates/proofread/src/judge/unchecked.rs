@@ -73,7 +73,7 @@ fn first_letter(tokens: &[Token]) -> Option<&str> {
         TokenKind::Name(name) if matches!(name.as_str(), "π" | "e" | "c") => None,
         TokenKind::Name(name) if is_called(name, tokens, at) => None,
         TokenKind::Name(name) => Some(name.as_str()),
-        _ => token.inner().into_iter().find_map(first_letter),
+        _ => token.inner().find_map(first_letter),
     })
 }
 
@@ -111,7 +111,7 @@ fn first_unknown(tokens: &[Token], text: &str) -> Option<(UncheckedKind, String)
         TokenKind::Name(name) | TokenKind::Word(name) if is_called(name, tokens, at) => {
             Some((UncheckedKind::Function, name.clone()))
         }
-        _ => token.inner().into_iter().find_map(|inner| first_unknown(inner, text)),
+        _ => token.inner().find_map(|inner| first_unknown(inner, text)),
     })
 }
 

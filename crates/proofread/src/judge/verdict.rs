@@ -10,6 +10,7 @@ use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::join::chain::Relation;
 use crate::join::token_joining::has_letters;
 use crate::judge::equals_conventions;
+use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
 use std::f64::consts::PI;
 
@@ -143,6 +144,7 @@ pub(crate) fn judge(
         noticed: ReadingChoices::USUAL,
         inverse: false,
         cancels: false,
+        cancels_decimals: false,
         alike: None,
     };
     let mut best: Option<PairJudgement> = None;
@@ -240,6 +242,8 @@ struct ComparedSides<'t> {
     inverse: bool,
     /// Whether a difference of open numbers lost most of their digits.
     cancels: bool,
+    /// Whether their terms are more than printed integers.
+    cancels_decimals: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
 }
@@ -262,6 +266,7 @@ impl ComparedSides<'_> {
         self.noticed.insert(evaluator.noticed);
         self.inverse |= evaluator.inverse;
         self.cancels |= mode == Mode::Strict && evaluator.steps.cancels;
+        self.cancels_decimals |= mode == Mode::Strict && evaluator.steps.cancels_decimals;
         used.append(&mut evaluator.used);
         value
     }
@@ -288,8 +293,7 @@ impl ComparedSides<'_> {
         if points[0].is_tuple != points[1].is_tuple {
             return Err(Obstacle::Unclear("a list beside a number"));
         }
-        used.sort();
-        used.dedup();
+        sort_few_without_repeats(&mut used);
         let literal = [points[0].is_literal(), points[1].is_literal()];
         let numbers = reading.contains(ReadingChoices::NUMBERS);
         let printed = points.clone();
@@ -310,7 +314,13 @@ impl ComparedSides<'_> {
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
-            let agree = left.meets(&right, 0.0)
+            let computed = self.sides[usize::from(literal[0])];
+            let agree = match literal {
+                [false, true] if is_plain_sum(computed) => points[0].meets(&right, 0.0),
+                [true, false] if is_plain_sum(computed) => left.meets(&points[1], 0.0),
+                _ => left.meets(&right, 0.0),
+            };
+            let agree = agree
                 || equals_conventions::agree_with_omitted_unit(self.sides, &left, &right)
                 || equals_conventions::agree_as_weight(&left, &right);
             return Ok(agree.then(|| judgement(ChainVerdict::Units)).flatten());
@@ -341,9 +351,22 @@ impl ComparedSides<'_> {
         }
         let by_numbers = numbers && both_units;
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
+        let exact = self.is_exact(&points, literal);
+        if exact && self.relation == Relation::Equal {
+            let verdict = match points[0].difference(&points[1]) < crate::evaluate::interval::SLACK {
+                true => ChainVerdict::Consistent,
+                false if is_near(&points[0], &strict[1]) && has_three_digits(&strict[1]) => ChainVerdict::LastDigit,
+                false => ChainVerdict::Inconsistent,
+            };
+            return Ok(judgement(verdict));
+        }
         let [left, right] = &strict;
         let agrees = match literal {
-            [true, true] => points[0].meets(right, 0.0) || left.meets(&points[1], 0.0),
+            [true, true] => {
+                // What is converted has no more digits than it had before.
+                let is_finer = both_units && relative_width(right) < FEWER_DIGITS * relative_width(left);
+                points[0].meets(right, 0.0) || (!is_finer && left.meets(&points[1], 0.0))
+            }
             [false, true] => points[0].meets(right, 0.0),
             [true, false] => left.meets(&points[1], 0.0),
             [false, false] => points[0].difference(&points[1]) < crate::evaluate::interval::SLACK,
@@ -390,7 +413,8 @@ impl ComparedSides<'_> {
         let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
         // A small difference of open numbers explains anything: the source's own digits decide.
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
-        let explained = meets && is_likely(&strict, &points, literal, true);
+        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none());
+        let explained = meets && is_likely(&strict, &points, literal, !bare || literal[0] == literal[1]);
         let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
         let ill = explained && self.cancels && literal[0] != literal[1] && !close;
         if explained && !ill {
@@ -443,7 +467,24 @@ impl ComparedSides<'_> {
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
         let near = near && has_three_digits(&strict[usize::from(literal[1])]);
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
-        Ok(found.map(|found| PairJudgement { is_ill_conditioned: ill, ..found }))
+        let is_ill_conditioned = ill && self.cancels_decimals;
+        Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
+    }
+
+    /// Whether whole numbers are reckoned with and give one that is small enough to be printed in full, in mathematics and not as a
+    /// measurement: then the printed one must be it, with all its zeros.
+    fn is_exact(&self, points: &[SideValue; 2], literal: [bool; 2]) -> bool {
+        let [Ok(computed), Ok(printed)] = [&points[0], &points[1]].map(SideValue::number) else { return false };
+        let whole = |of: f64| (of - libm::round(of)).abs() < 1e-9 && of.abs() < FULL;
+        let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        literal == [false, true]
+            && points.iter().all(|point| !point.has_unit && point.angle.is_none())
+            && whole(computed.point)
+            && whole(printed.point)
+            && !self
+                .sides
+                .iter()
+                .any(|side| any(side, &decimal) || any(side, &|kind| matches!(kind, TokenKind::Function(_))))
     }
 
     /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
@@ -515,6 +556,17 @@ fn is_as_coarse([left, right]: &[SideValue; 2], literal: [bool; 2]) -> bool {
     halves.into_iter().all(|(steps, digits)| digits == 0.0 || steps <= FINEST * digits)
 }
 
+/// How much of a value its digits leave open.
+fn relative_width(value: &SideValue) -> f64 {
+    value.number().map_or(0.0, |of| of.half_width() / of.point.abs())
+}
+
+/// How much less a conversion may leave open than the quantity that is converted.
+const FEWER_DIGITS: f64 = 0.1;
+
+/// Whole numbers below this are printed in full where they are reckoned with.
+const FULL: f64 = 1e4;
+
 /// How many times finer than its rounded integers a result may be printed.
 const FINEST: f64 = 10.0;
 
@@ -563,10 +615,20 @@ fn is_continued(left: &SideValue, right: &SideValue) -> bool {
 
 /// Whether cutting `computed` off gives the printed digits.
 fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
+    let is_bare = !printed.has_unit;
     computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
         let (size, open) = (printed.point.abs(), 2.0 * printed.half_width());
         let beyond = computed.point.abs() - size;
-        open > 0.0 && computed.point * printed.point >= 0.0 && beyond >= -1e-9 * size && beyond < open
+        // What the printed digits hold exactly has nothing to cut off.
+        let units = computed.point / open;
+        let is_held = is_bare && (units - libm::round(units)).abs() < 1e-9 && computed.half_width() == 0.0;
+        let is_whole = is_bare && computed.half_width() == 0.0 && computed.point.fract() == 0.0;
+        open > 0.0
+            && !is_held
+            && !(is_whole && printed.point.fract() == 0.0)
+            && computed.point * printed.point >= 0.0
+            && beyond >= -1e-9 * size
+            && beyond < open
     })
 }
 

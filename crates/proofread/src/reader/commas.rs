@@ -83,7 +83,8 @@ fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
     let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is_sign(','));
     let number = |at: usize| {
         let signed = tokens.get(at).is_some_and(|token| token.is_sign('-'));
-        tokens.get(at + usize::from(signed)).is_some_and(|token| digits(token).is_some())
+        let dots = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "…");
+        tokens.get(at + usize::from(signed)).is_some_and(|token| digits(token).is_some() || dots(token))
     };
     // A list, unless the next comma is followed by space.
     let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
@@ -159,7 +160,7 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
             TokenKind::Scripts(base, _, power) => {
                 [base, power].into_iter().for_each(|part| count_separators(part, text, seen))
             }
-            _ => token.inner().into_iter().for_each(|inner| count_separators(inner, text, seen)),
+            _ => token.inner().for_each(|inner| count_separators(inner, text, seen)),
         }
     }
 }

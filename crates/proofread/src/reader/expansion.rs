@@ -25,6 +25,11 @@ impl Tex<'_> {
                 && let Some(which) = letters.clone().next().and_then(|c| c.to_digit(10))
             {
                 letters.next();
+                // An argument ends the name of a command before it.
+                let name = body.iter().rev().take_while(|sign: &&SourceChar| sign.c.is_ascii_alphabetic()).count();
+                if name > 0 && body.len() > name && body[body.len() - name - 1].c == '\\' {
+                    body.push(SourceChar { c: ' ', span });
+                }
                 body.extend(arguments.get((which as usize).wrapping_sub(1)).into_iter().flatten());
                 continue;
             }

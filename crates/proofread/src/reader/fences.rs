@@ -10,6 +10,10 @@ const CODE: &str = " code code-block code-cell sourcecode literalinclude include
     coffee comment gawk lein mysql psql rscript sed targets verbatim yaml json toml html xml latex tex eqn powershell csharp \
     fsharp java kotlin swift typescript ts webr pyodide pyodide-python webr-r glue jupyter-execute thebe-button marimo ";
 
+/// Chunks of R Markdown and bookdown whose content is text.
+const TEXT: &str = "asis block block2 theorem lemma corollary proposition conjecture definition example exercise hypothesis remark \
+    solution proof ";
+
 /// How a fence is to be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FenceKind {
@@ -90,11 +94,11 @@ fn directive(info: &str) -> Option<bool> {
     let (inside, _) = info.strip_prefix('{')?.split_once('}')?;
     let name = inside.trim();
     // Chunks of R Markdown whose content is text, whatever their options are.
-    if ["asis", "block", "block2"].contains(&name.split([',', ' ']).next().unwrap_or_default()) {
+    if TEXT.split_whitespace().any(|known| known == name.split([',', ' ']).next().unwrap_or_default()) {
         return Some(true);
     }
     let plain = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "-_:.+".contains(c));
-    let is_code = CODE.split_whitespace().any(|known| known == name);
+    let is_code = CODE.split_ascii_whitespace().any(|known| known == name);
     // A formula is read as one.
     Some(plain && !is_code && !name.starts_with('.') && name != "math")
 }
@@ -107,7 +111,15 @@ pub(super) fn name_of_fence(info: &str) -> &str {
 /// The text with other signs, as many as there are bytes, for what would keep other programs from reading it: the marks of
 /// directives, and options with backticks; and where the marks are. None if there are no fences.
 pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>)> {
-    if !text.contains("```") && !text.contains("~~~") {
+    if ![
+        "```", "~~~", "
+!!! ", "
+??? ", "
+???+",
+    ]
+    .iter()
+    .any(|mark| text.contains(mark))
+    {
         return None;
     }
     let (mut out, mut marks) = (String::with_capacity(text.len()), Vec::new());
@@ -124,6 +136,12 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
                 (0, if content[close..].trim().is_empty() { ' ' } else { '.' })
             }
             FenceLine::QuotedOptions => (mark + content[mark..].bytes().take_while(|c| *c == b'`').count(), ' '),
+            FenceLine::No if is_admonition(content) => {
+                // The text of an admonition is indented as that of an item in a list.
+                out.push_str("*   ");
+                out.push_str(&line[4..]);
+                continue;
+            }
             FenceLine::No | FenceLine::Code => (content.len(), ' '),
         };
         let behind = if hidden == '.' { content.find('}').map_or(kept, |close| close + 1) } else { content.len() };
@@ -133,6 +151,11 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
         out.push_str(&line[content.len()..]);
     }
     Some((out, marks))
+}
+
+/// Whether a line begins an admonition of Python-Markdown: `!!! note`, `??? example`, `???+ tip`.
+fn is_admonition(line: &str) -> bool {
+    ["!!! ", "??? ", "???+"].iter().any(|mark| line.starts_with(mark)) && line.len() > 4
 }
 
 #[cfg(test)]

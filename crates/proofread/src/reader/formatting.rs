@@ -1,6 +1,7 @@
 //! Commands of TeX that change how their arguments look, or stand for something that is not part of the formula.
 
 use crate::token::{NamedOperation, Token, TokenKind, span_of};
+use std::sync::LazyLock;
 
 /// What a command does with what stands behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,9 +51,22 @@ const KNOWN: [(&str, FormattingCommand); 10] = [
     ),
 ];
 
+/// Each command of the list by its name, in the order of the alphabet: every command of every formula is looked up.
+static BY_NAME: LazyLock<Vec<(&str, FormattingCommand)>> = LazyLock::new(|| {
+    let mut out: Vec<(&str, FormattingCommand)> = Vec::new();
+    for (names, command) in KNOWN {
+        for name in names.split_ascii_whitespace() {
+            let at = out.partition_point(|(before, _)| *before < name);
+            out.insert(at, (name, command));
+        }
+    }
+    out
+});
+
 /// What a command does that is no part of the formula itself, if it is known.
 pub(crate) fn formatting_command(name: &str) -> Option<FormattingCommand> {
-    KNOWN.iter().find(|(names, _)| names.split_whitespace().any(|known| known == name)).map(|(_, command)| *command)
+    let at = BY_NAME.binary_search_by(|(known, _)| (*known).cmp(name)).ok()?;
+    Some(BY_NAME[at].1)
 }
 
 /// The width of `\hspace{2cm}` in tenths of an em, as far as it matters: whether it parts what stands on its sides.

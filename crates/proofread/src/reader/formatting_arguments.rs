@@ -23,8 +23,8 @@ impl Tex<'_> {
         }
         if command.kept {
             let inner = self.argument(depth);
-            // Whether both sides are equal is asked, or demanded.
-            let asked = matches!(said.trim(), "?" | "!");
+            // Whether both sides are equal is asked, demanded or denied.
+            let asked = ASKING.contains(&without_dress(&said));
             match inner.as_slice() {
                 [Token { kind: TokenKind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
                     let sign = if asked && *c == '=' { '≡' } else { *c };
@@ -77,4 +77,21 @@ impl Tex<'_> {
             self.optional();
         }
     }
+}
+
+/// What stands above or below an equals sign where it is not said that both sides are equal.
+const ASKING: [&str; 11] = ["?", "??", "!", "no", "false", "not", "X", "✗", "✘", "\\times", "\\xmark"];
+
+/// What is left of an argument without the commands for its font and the braces around it: `?` of `\text{?}`.
+fn without_dress(said: &str) -> &str {
+    let mut rest = said.trim().trim_matches('$');
+    while let Some(inner) = rest.strip_suffix('}') {
+        let inner = inner.strip_prefix('{').or_else(|| {
+            let (name, inner) = inner.strip_prefix('\\')?.split_once('{')?;
+            (name.starts_with("text") || name.starts_with("math") || name == "mbox").then_some(inner)
+        });
+        let Some(inner) = inner else { break };
+        rest = inner.trim().trim_matches('$');
+    }
+    rest
 }

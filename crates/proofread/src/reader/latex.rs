@@ -213,10 +213,13 @@ impl Ends {
     fn nearest(&mut self, text: &str, from: usize, end: &str, macros: &Macros<'_>) -> Option<(usize, usize)> {
         let known = self.0.iter().position(|(of, ..)| of == end).unwrap_or_else(|| {
             let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
-            let mut ends: Vec<String> = ends.collect();
-            ends.sort();
-            ends.truncate(MOST_ENDS);
-            self.0.push((end.to_owned(), ends, 0));
+            let mut first: Vec<String> = Vec::new();
+            for end in ends {
+                let at = first.partition_point(|before| *before < end);
+                first.insert(at, end);
+                first.truncate(MOST_ENDS);
+            }
+            self.0.push((end.to_owned(), first, 0));
             self.0.len() - 1
         });
         let (_, names, none_until) = &mut self.0[known];

@@ -109,7 +109,7 @@ impl LatexText<'_> {
         let rest = &self.text[at + 1..];
         let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
         let name = &rest[..length];
-        let is_one_of = |of: &str| of.split_whitespace().any(|known| known == name);
+        let is_one_of = |of: &str| of.split_ascii_whitespace().any(|known| known == name);
         if length == 0 {
             let c = rest.chars().next().unwrap_or(' ');
             let end = at + 1 + rest.chars().next().map_or(0, char::len_utf8);
@@ -124,7 +124,7 @@ impl LatexText<'_> {
         }
         if name == "begin"
             && let Some(environment) = group_text(self.text, at + 1 + length)
-            && NO_TEXT.split_whitespace().any(|known| known == environment.trim_end_matches('*'))
+            && NO_TEXT.split_ascii_whitespace().any(|known| known == environment.trim_end_matches('*'))
         {
             let close = format!("\\end{{{environment}}}");
             let end = rest.find(&close).map_or(self.text.len(), |found| at + 1 + found + close.len());

@@ -5,6 +5,7 @@ use super::delimited::{self, Dollars};
 use super::fences::{Fences, name_of_fence, with_plain_fences};
 use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, markup, plain, tex};
+use crate::order::sort_by_place;
 use crate::token::{Span, signs};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
@@ -19,7 +20,7 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) -> 
     for piece in pieces(text) {
         let mut found: Vec<Formula> = Vec::new();
         piece_of(&text[piece.clone()], dollars, &mut unread, &mut |formula| found.push(formula));
-        found.sort_by_key(|formula| formula.span);
+        sort_by_place(&mut found, |formula| formula.span);
         for mut formula in found {
             let by = piece.start as u32;
             if by > 0 {
@@ -75,7 +76,7 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
         each(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
         taken.push(of.whole);
     }
-    taken.sort_by_key(|range| range.start);
+    sort_by_place(&mut taken, |range| range.start);
     for range in mathml(text, &taken) {
         markup::read(&text[range.clone()], None, &mut |mut formula| {
             let by = range.start as u32;
@@ -84,7 +85,7 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
         });
         taken.push(range);
     }
-    taken.sort_by_key(|range| range.start);
+    sort_by_place(&mut taken, |range| range.start);
     plain::read(text, &taken, each);
 }
 
@@ -151,7 +152,7 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
     }
     skip.append(&mut withdrawn);
     skip.extend(marks.into_iter().flatten());
-    skip.sort_by_key(|range| range.start);
+    sort_by_place(&mut skip, |range| range.start);
     (skip, fences)
 }
 

@@ -2,7 +2,7 @@
 
 use super::tags::Element;
 use super::words::{number, number_length, plain_chars, span_of_chars, tokenise_words};
-use crate::token::{MathFunction, SourceChar, Token, TokenKind, trim_space};
+use crate::token::{MathFunction, NamedOperation, SourceChar, Token, TokenKind, trim_space};
 
 /// The tokens of an element.
 pub(crate) fn tokens(of: &Element) -> Vec<Token> {
@@ -13,10 +13,55 @@ pub(crate) fn tokens(of: &Element) -> Vec<Token> {
 
 fn row_tokens(of: &Element) -> Vec<Token> {
     let mut out = Vec::new();
-    for child in &of.children {
-        push_tokens(child, &mut out);
+    let mut rest = of.children.as_slice();
+    while let [child, behind @ ..] = rest {
+        rest = match rest {
+            [open, table, close, behind @ ..] if push_matrix([open, table, close], &mut out) => behind,
+            _ => {
+                push_tokens(child, &mut out);
+                behind
+            }
+        };
     }
     out
+}
+
+/// Adds a matrix or a determinant, if a table in brackets is one; whether it is. In a column by itself may be a binomial
+/// coefficient, unless its maker says otherwise.
+fn push_matrix([open, table, close]: [&Element; 3], out: &mut Vec<Token>) -> bool {
+    let sign = |of: &Element| if of.name == "mo" { of.text.iter().map(|sign| sign.c).collect() } else { String::new() };
+    let is_bar = match (sign(open).trim(), sign(close).trim()) {
+        ("(", ")") | ("[", "]") => false,
+        ("|", "|") => true,
+        _ => return false,
+    };
+    let mut table = table;
+    while let ("mrow" | "mstyle", [inner]) = (table.name.as_str(), table.children.as_slice()) {
+        table = inner;
+    }
+    let is_row = |row: &Element| matches!(row.name.as_str(), "mtr" | "mlabeledtr");
+    let columns = table.children.iter().map(|row| row.children.len()).max().unwrap_or(0);
+    let is_column = columns < 2 && table.attribute("notation") != Some("matrix");
+    if table.name != "mtable" || is_column || !table.children.iter().all(is_row) {
+        return false;
+    }
+    let cells = |row: &Element| {
+        let cell = |cell: &Element| trim_space(&tokens(cell)).to_vec();
+        let between = [Token::new(TokenKind::Cell, row.span)];
+        row.children.iter().map(cell).collect::<Vec<_>>().join(between.as_slice())
+    };
+    let rows: Vec<Vec<Token>> = table.children.iter().map(cells).collect();
+    // Equations in brackets are rows of their own.
+    if rows.iter().flatten().any(|token| token.is_one_of("=≈")) {
+        return false;
+    }
+    let last = out.iter().rposition(|token| !token.is_space());
+    let det =
+        last.filter(|at| matches!(&out[*at].kind, TokenKind::Word(name) | TokenKind::Unknown(name) if name == "det"));
+    out.truncate(det.unwrap_or(out.len()));
+    let operation = if is_bar || det.is_some() { NamedOperation::Determinant } else { NamedOperation::Matrix };
+    out.push(Token::new(TokenKind::Call(operation, rows), open.span.join(close.span)));
+    true
 }
 
 fn trim_chars(signs: &[SourceChar]) -> &[SourceChar] {
@@ -78,12 +123,20 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
         ("mfrac", 2) if begins_with(&child(0), "+") && !begins_with(&child(1), "+-") => {
             push(TokenKind::Unknown("a sum in a column".to_owned()));
         }
+        // Without a stroke: a binomial coefficient, as `{7 \choose 4}`.
+        ("mfrac", 2) if of.attribute("linethickness").is_some_and(|width| width.starts_with('0')) => {
+            push(TokenKind::Call(NamedOperation::Binomial, vec![child(0), child(1)]));
+        }
         ("mfrac", 2) => push(TokenKind::Fraction(child(0), child(1))),
         ("msqrt", _) => push(TokenKind::Root(row_tokens(of), Vec::new())),
         ("mroot", 2) => push(TokenKind::Root(child(0), child(1))),
         ("msup", 2) => push(TokenKind::Scripts(child(0), Vec::new(), child(1))),
         ("msub", 2) => push(TokenKind::Scripts(child(0), child(1), Vec::new())),
         ("msubsup", 3) => push(TokenKind::Scripts(child(0), child(1), child(2))),
+        // The limits of a sum or a product stand below and above it.
+        ("munderover", 3) if matches!(trim_space(&child(0)), [one] if one.is_one_of("∑∏")) => {
+            push(TokenKind::Scripts(child(0), child(1), child(2)))
+        }
         ("mover", 2) => {
             let sign = crate::token::show(&child(1));
             push(TokenKind::Accent(child(0), sign));
@@ -105,7 +158,8 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
             }
             out.push(Token::new(TokenKind::Operator(bracket("close", ')')), of.span));
         }
-        (name, _) => push(TokenKind::Unknown(name.to_owned())),
+        // What has another name in the notation out of which the formula was made.
+        (name, _) => push(TokenKind::Unknown(name.strip_prefix("unknown-").unwrap_or(name).to_owned())),
     }
     // A leaf that was not closed has taken what follows it.
     if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {

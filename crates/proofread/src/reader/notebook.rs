@@ -1,12 +1,9 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
 use super::delimited::Dollars;
+use super::json::{self, NoJson};
 use super::{FormulaSink, UnreadKind, UnreadParts, UnreadableText, markdown};
 use crate::token::Span;
-use serde_json::value::RawValue;
-use std::collections::HashMap;
-
-type Object<'t> = HashMap<String, &'t RawValue>;
 
 /// Finds the formulas in the Markdown cells; what is not read.
 ///
@@ -42,43 +39,71 @@ pub(super) fn in_notebook(places: &[u32], span: Span) -> Span {
 /// If the text is no notebook.
 pub(super) fn markdown_cells(text: &str, each: &mut dyn FnMut(&str, &[u32])) -> Result<usize, UnreadableText> {
     let mut others = 0;
-    let wrong = |error: serde_json::Error| UnreadableText::Notebook(error.to_string());
-    let notebook: Object<'_> = serde_json::from_str(text).map_err(wrong)?;
-    for cell in cells(&notebook)? {
-        let cell: Object<'_> = serde_json::from_str(cell.get()).map_err(wrong)?;
-        let is_markdown = cell.get("cell_type").is_some_and(|kind| kind.get() == "\"markdown\"");
-        let Some(source) = cell.get("source").filter(|_| is_markdown) else {
+    let notebook = NotebookText(text);
+    for cell in notebook.cells()? {
+        let cell = notebook.members(cell)?;
+        let is_markdown = member(&cell, "cell_type") == Some("\"markdown\"");
+        let Some(source) = member(&cell, "source").filter(|_| is_markdown) else {
             others += 1;
             continue;
         };
-        let lines: Vec<&RawValue> = match serde_json::from_str(source.get()) {
-            Ok(lines) => lines,
-            Err(_) => vec![source],
-        };
+        let lines = json::items(source).unwrap_or_else(|_| vec![source]);
         let (mut decoded, mut places) = (String::new(), Vec::new());
         for line in lines {
-            let start = line.get().as_ptr().addr().wrapping_sub(text.as_ptr().addr());
-            decode(line.get(), start, &mut decoded, &mut places);
+            decode(line, notebook.place(line), &mut decoded, &mut places);
         }
         each(&decoded, &places);
     }
     Ok(others)
 }
 
-/// The cells; those of format 3 lie in worksheets.
-fn cells<'t>(notebook: &Object<'t>) -> Result<Vec<&'t RawValue>, UnreadableText> {
-    let wrong = |error: serde_json::Error| UnreadableText::Notebook(error.to_string());
-    if let Some(cells) = notebook.get("cells") {
-        return serde_json::from_str(cells.get()).map_err(wrong);
+/// The value of a name; of several, the last one counts.
+fn member<'t>(object: &[(&str, &'t str)], name: &str) -> Option<&'t str> {
+    object.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value)
+}
+
+/// The text of a notebook, of which all else is a part.
+struct NotebookText<'t>(&'t str);
+
+impl<'t> NotebookText<'t> {
+    /// Where a part of the text begins.
+    fn place(&self, part: &str) -> usize {
+        part.as_ptr().addr().wrapping_sub(self.0.as_ptr().addr())
     }
-    let missing = UnreadableText::Notebook("it has neither `cells` nor `worksheets`".to_owned());
-    let worksheets = notebook.get("worksheets").ok_or(missing)?;
-    let worksheets: Vec<Object<'t>> = serde_json::from_str(worksheets.get()).map_err(wrong)?;
-    let mut out = Vec::new();
-    for cells in worksheets.iter().filter_map(|worksheet| worksheet.get("cells")) {
-        out.extend(serde_json::from_str::<Vec<&'t RawValue>>(cells.get()).map_err(wrong)?);
+
+    /// What a part was read as, or where it could not be read.
+    fn read<T>(&self, part: &str, found: Result<T, NoJson>) -> Result<T, UnreadableText> {
+        found.map_err(|NoJson { expected, at }| {
+            let before = self.0.get(..self.place(part) + at).unwrap_or(self.0);
+            let (line, column) =
+                (before.matches('\n').count() + 1, before.rsplit('\n').next().map_or(0, |of| of.chars().count()) + 1);
+            UnreadableText::Notebook(format!("{expected} is expected at line {line}, column {column}"))
+        })
     }
-    Ok(out)
+
+    fn members(&self, object: &'t str) -> Result<Vec<(&'t str, &'t str)>, UnreadableText> {
+        self.read(object, json::members(object))
+    }
+
+    fn items(&self, list: &'t str) -> Result<Vec<&'t str>, UnreadableText> {
+        self.read(list, json::items(list))
+    }
+
+    /// The cells; those of format 3 lie in worksheets.
+    fn cells(&self) -> Result<Vec<&'t str>, UnreadableText> {
+        let whole = self.members(self.0)?;
+        if let Some(cells) = member(&whole, "cells") {
+            return self.items(cells);
+        }
+        let missing = UnreadableText::Notebook("it has neither `cells` nor `worksheets`".to_owned());
+        let mut out = Vec::new();
+        for worksheet in self.items(member(&whole, "worksheets").ok_or(missing)?)? {
+            if let Some(cells) = member(&self.members(worksheet)?, "cells") {
+                out.extend(self.items(cells)?);
+            }
+        }
+        Ok(out)
+    }
 }
 
 /// The text of a JSON string that starts `base` bytes into the document, and the place of each of its bytes there.

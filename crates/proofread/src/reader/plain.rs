@@ -115,7 +115,7 @@ const BEHIND: &str = " a after also an and are as at because before but by can d
 
 /// Whether a word may be what is counted, and not one of those that go on with a sentence.
 pub(crate) fn is_noun(word: &str) -> bool {
-    word.len() > 2 && !BEHIND.split_whitespace().any(|known| known.eq_ignore_ascii_case(word))
+    word.len() > 2 && !BEHIND.split_ascii_whitespace().any(|known| known.eq_ignore_ascii_case(word))
 }
 
 /// Whether what stands last takes an exponent: a ten, or a unit behind a number or another unit.

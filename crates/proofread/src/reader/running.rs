@@ -3,6 +3,7 @@
 use super::markup::INLINE;
 use super::tags::{Tag, decode_entities, end_of_element, next_tag};
 use super::{FormulaSink, delimited, plain};
+use crate::order::sort_by_place;
 use crate::token::{SourceChar, Span};
 use std::ops::Range;
 
@@ -70,7 +71,7 @@ impl RunningText {
         out.block(Span::new(page.len(), page.len()));
         let marked = delimited::formulas(&out.text, &[], delimited::Dollars::Single);
         out.cut.extend(marked.into_iter().map(|of| of.whole));
-        out.cut.sort_by_key(|range| range.start);
+        sort_by_place(&mut out.cut, |range| range.start);
         out
     }
 

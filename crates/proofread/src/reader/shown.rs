@@ -10,6 +10,7 @@ use super::notebook;
 use super::running::RunningText;
 use super::tags::{Tag, decode_entities, end_of_element, next_tag};
 use super::{LONGEST, TextFormat, UnreadableText, withdrawn_ranges};
+use crate::order::sort_by_place;
 use crate::token::Span;
 use pulldown_cmark::{Event, Options, Parser, Tag as MarkdownTag, TagEnd};
 use std::ops::Range;
@@ -81,7 +82,7 @@ impl ShownText {
 
     /// Adds part of the text but for what is to be left out, whose ranges are in the part and may overlap.
     fn add_without(&mut self, part: &str, base: usize, mut without: Vec<(Range<usize>, LeftOut)>) {
-        without.sort_by_key(|(range, _)| (range.start, std::cmp::Reverse(range.end)));
+        sort_by_place(&mut without, |(range, _)| (range.start, usize::MAX - range.end));
         let mut at = 0;
         for (range, kind) in without {
             if range.start < at {

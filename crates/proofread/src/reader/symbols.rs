@@ -29,7 +29,7 @@ pub(crate) fn symbol(name: &str) -> TokenKind {
     const GREEK: &str = "alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta θ iota ι kappa κ \
         lambda λ nu ν xi ξ pi π rho ρ varrho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ \
         Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ uppi π uplambda λ uprho ρ upalpha α upbeta β upgamma γ hbar ℏ ell ℓ infty ∞";
-    let mut greek = GREEK.split_whitespace();
+    let mut greek = GREEK.split_ascii_whitespace();
     while let (Some(known), Some(letter)) = (greek.next(), greek.next()) {
         if known == name {
             return TokenKind::Name(letter.to_owned());

@@ -21,9 +21,9 @@ pub(crate) struct Tag<'t> {
     pub end: usize,
 }
 
-impl Tag<'_> {
+impl<'t> Tag<'t> {
     /// The value of an attribute.
-    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<&'t str> {
         let mut rest = self.attributes;
         while let Some(at) = rest.find(name) {
             let starts = rest[..at].chars().next_back().is_none_or(|c| c.is_whitespace() || c == ':');
@@ -45,7 +45,7 @@ impl Tag<'_> {
 #[derive(Debug)]
 pub(crate) struct Element {
     pub name: String,
-    /// `mathvariant`, `open`, `close`, `width` and `linebreak`, where given.
+    /// `mathvariant`, `open`, `close`, `width`, `linebreak`, `notation` and `linethickness`, where given.
     pub attributes: Vec<(&'static str, String)>,
     pub children: Vec<Self>,
     pub text: Vec<SourceChar>,
@@ -248,7 +248,7 @@ pub(crate) fn parse_element(text: &str, open: &Tag<'_>) -> (Element, usize) {
 }
 
 fn new_element(tag: &Tag<'_>) -> Element {
-    let known = ["mathvariant", "open", "close", "width", "linebreak", "notation"];
+    let known = ["mathvariant", "open", "close", "width", "linebreak", "notation", "linethickness"];
     let attributes = known.into_iter().filter_map(|name| Some((name, tag.attribute(name)?.to_owned()))).collect();
     let span = Span::new(tag.start, tag.end);
     Element { name: tag.name.clone(), attributes, children: Vec::new(), text: Vec::new(), span }

@@ -421,6 +421,10 @@ impl Tex<'_> {
             }
             "num" | "SI" | "qty" | "si" | "unit" | "SIrange" | "qtyrange" | "numrange" | "numlist" => {
                 let options = self.optional().unwrap_or_default();
+                // A power of another base than ten.
+                if options.iter().map(|sign| sign.c).collect::<String>().contains("-base") {
+                    push(out, TokenKind::Unknown("a base that is set by an option".to_owned()));
+                }
                 // The number of the package units.
                 if name == "unit"
                     && options.first().is_some_and(|sign| sign.c.is_ascii_digit() || "-.$".contains(sign.c))
@@ -501,7 +505,12 @@ impl Tex<'_> {
             // Space for a dollar sign ends the name of a command before it.
             let spaced = |sign: &SourceChar| if sign.c == '$' { SourceChar { c: ' ', ..*sign } } else { *sign };
             let inner = self.read_inside(raw.iter().rev().map(spaced).collect(), depth);
+            // An equation in a text in a formula is one of its own.
+            let parted = text.contains('$') && text.contains('=');
+            let part = parted.then(|| token(TokenKind::Operator(';'), span_of_chars(&raw)));
+            out.extend(part.clone());
             merge_letters(inner, out);
+            out.extend(part);
             return;
         }
         let raw: Vec<SourceChar> =

@@ -23,12 +23,14 @@ pub enum UnreadKind {
     File,
     /// A symbolic link in a folder.
     Link,
+    /// An object of another program in a document, such as a formula of Equation Editor, with the name of the program.
+    Object,
 }
 
 impl UnreadKind {
     /// Whether all such parts are counted, whatever is in them.
     pub(crate) fn is_whole(self) -> bool {
-        matches!(self, Self::Cell | Self::File | Self::Link)
+        matches!(self, Self::Cell | Self::File | Self::Link | Self::Object)
     }
 
     /// A name for programs.
@@ -47,6 +49,7 @@ impl UnreadKind {
             Self::Comment => "comment",
             Self::File => "file",
             Self::Link => "link",
+            Self::Object => "object",
         }
     }
 }

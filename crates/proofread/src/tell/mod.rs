@@ -10,5 +10,6 @@ mod recomputed;
 pub mod sarif;
 pub(crate) mod statistics_tally;
 pub mod summary;
+pub(crate) mod tally;
 #[cfg(feature = "cli")]
 pub(crate) mod unchecked_chain;

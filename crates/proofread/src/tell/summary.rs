@@ -1,12 +1,12 @@
 //! What is said at the end of a report, for every program that shows one.
 
-use crate::check::CheckTally;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::{UnreadKind, UnreadParts};
 use crate::tell::number_form::part_thousands;
+use crate::tell::tally::CheckTally;
 
 /// "1 chain", "2 chains", "12,345 chains".
 ///
@@ -185,6 +185,7 @@ pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
             UnreadKind::Comment => ("comment", "comments"),
             UnreadKind::File => ("file of", "files of"),
             UnreadKind::Link => ("symbolic link", "symbolic links"),
+            UnreadKind::Object => ("object of", "objects of"),
         };
         let mut words = (if times == 1 { one } else { many }).to_owned();
         if !name.is_empty() {

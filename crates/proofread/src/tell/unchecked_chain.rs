@@ -103,6 +103,6 @@ fn source(chain: &Chain, text: &str) -> Option<String> {
 
 /// The stretch that tokens and those inside them cover.
 fn deep_span(tokens: &[Token]) -> Span {
-    let inner = |token: &Token| token.inner().into_iter().fold(token.span, |span, inner| span.join(deep_span(inner)));
+    let inner = |token: &Token| token.inner().fold(token.span, |span, inner| span.join(deep_span(inner)));
     tokens.iter().fold(Span::default(), |span, token| span.join(inner(token)))
 }

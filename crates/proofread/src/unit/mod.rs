@@ -264,13 +264,13 @@ const AMBIGUOUS: &str =
     " kT fL fC mg mV fA mL mA mC nl pV nT fT dN mH mT mK mN nA nV pT pA nC pC kA kV mF fF hc dL ML MV GM MR ";
 
 fn is_listed(list: &str, word: &str) -> bool {
-    list.split_whitespace().any(|of| of == word)
+    list.split_ascii_whitespace().any(|of| of == word)
 }
 
 static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
     let mut table = HashMap::new();
     for (names, factor, exponents) in PREFIXED {
-        for name in names.split_whitespace() {
+        for name in names.split_ascii_whitespace() {
             let dimension = UnitDimension::from_exponents(*exponents);
             table.insert(name.to_owned(), MeasurementUnit { factor: *factor, dimension });
             if name.starts_with("ohm") {
@@ -286,7 +286,7 @@ static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
     }
     // What stands here by itself wins over a prefix: `min` is no milli-inch, `ft` no femtotonne.
     for (names, factor, exponents) in WHOLE {
-        for name in names.split_whitespace() {
+        for name in names.split_ascii_whitespace() {
             table.insert(
                 name.to_owned(),
                 MeasurementUnit { factor: *factor, dimension: UnitDimension::from_exponents(*exponents) },
@@ -332,7 +332,7 @@ pub(crate) fn without_prefix(word: &str) -> Option<&str> {
 
 /// Whether a sign takes a prefix that stands apart from it.
 pub(crate) fn takes_prefix(word: &str) -> bool {
-    PREFIXED.iter().any(|(names, ..)| names.split_whitespace().any(|name| name == word))
+    PREFIXED.iter().any(|(names, ..)| names.split_ascii_whitespace().any(|name| name == word))
 }
 
 /// The two units of a word that runs them together.

@@ -1,0 +1,70 @@
+//! Sides whose exponents and root signs were lost when a page was turned into plain lines: 2.5² as 2.52, √2.0 as 2.0 with the sign in
+//! a line above.
+
+use crate::judge::notation::Sides;
+use crate::token::{Token, TokenKind, span_of};
+
+/// Most ways in which the numbers of two sides are read.
+const MOST: usize = 16;
+/// How far before a formula its root sign may stand, in bytes.
+const FARTHEST_ROOT: usize = 60;
+
+/// What two sides in plain lines would be with exponents that are printed as last digits, and with the left side under a root whose
+/// sign stands before them in the text.
+pub(super) fn with_lost_marks(before: &str, left: &[Token], right: &[Token]) -> Vec<Sides> {
+    let raised = with_exponents(left, right);
+    let roots: Vec<Sides> = match has_root(before) {
+        true => raised.iter().flat_map(|sides| [None, Some("3")].map(|degree| under_root(sides, degree))).collect(),
+        false => Vec::new(),
+    };
+    // What is as it is printed has been judged before.
+    raised.into_iter().skip(1).chain(roots).collect()
+}
+
+/// Whether a root sign stands near the end of a text; of a large one, a `p` in a line of its own is left.
+fn has_root(before: &str) -> bool {
+    let from = before.len().saturating_sub(FARTHEST_ROOT);
+    let near = (from..before.len()).find_map(|at| before.get(at..)).unwrap_or_default();
+    near.contains('√') || near.lines().any(|line| line.trim() == "p")
+}
+
+/// The sides as they are printed, and with each choice of numbers whose last digits are exponents.
+fn with_exponents(left: &[Token], right: &[Token]) -> Vec<Sides> {
+    let mut out = vec![[Vec::new(), Vec::new()]];
+    for (side, tokens) in [left, right].into_iter().enumerate() {
+        for token in tokens {
+            let parts = token.number().and_then(base_and_exponent);
+            let count = out.len();
+            if let Some((base, exponent)) = parts.filter(|_| 2 * count <= MOST) {
+                let number = |digits: &str| Token::new(TokenKind::Number(digits.to_owned()), token.span);
+                let raised = [number(base), Token::new(TokenKind::Power(vec![number(exponent)]), token.span)];
+                out.extend_from_within(..);
+                out[count..].iter_mut().for_each(|sides| sides[side].extend_from_slice(&raised));
+            }
+            out[..count].iter_mut().for_each(|sides| sides[side].push(token.clone()));
+        }
+    }
+    out
+}
+
+/// A number whose last digit may be an exponent, or all digits behind a ten.
+fn base_and_exponent(digits: &str) -> Option<(&str, &str)> {
+    let at = match digits.strip_prefix("10") {
+        Some(power) if matches!(power.len(), 1 | 2) => 2,
+        _ => digits.len().checked_sub(1)?,
+    };
+    let (base, exponent) = digits.split_at_checked(at)?;
+    let is_whole = !digits.contains(',') && exponent.bytes().all(|byte| byte.is_ascii_digit());
+    // Higher powers are rare but for those of ten, and too many numbers would fit by chance.
+    let is_exponent = if base == "10" { !exponent.starts_with('0') } else { matches!(exponent, "2" | "3" | "4") };
+    let is_base = base.bytes().next_back().is_some_and(|byte| byte.is_ascii_digit());
+    (is_whole && is_exponent && is_base).then_some((base, exponent))
+}
+
+/// The sides with all of the left one under a root of this degree, which is two if none is given.
+fn under_root([left, right]: &Sides, degree: Option<&str>) -> Sides {
+    let span = span_of(left);
+    let degree = degree.map(|degree| Token::new(TokenKind::Number(degree.to_owned()), span));
+    let root = Token::new(TokenKind::Root(left.clone(), degree.into_iter().collect()), span);
+    [vec![root], right.clone()]
+}
