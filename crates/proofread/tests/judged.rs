@@ -103,6 +103,21 @@ fn right_hints_for_misprints_stay() {
 }
 
 #[test]
+fn what_is_computed_is_never_shown_as_what_is_printed() {
+    let squeezed = |text: &str| text.replace(' ', "");
+    let mut told = 0;
+    for chain in all() {
+        for of in findings(&chain, 0).iter().filter(|of| of.section != ReportSection::Agreeing) {
+            told += 1;
+            assert!(of.recomputed.is_some() || of.difference.is_some(), "{}: nothing is told", chain.chain);
+            let alike = of.recomputed.as_deref().is_some_and(|text| squeezed(text) == squeezed(&of.printed));
+            assert!(!alike, "{}: {}", chain.chain, of.values_in_words());
+        }
+    }
+    assert!(told > 400, "{told}");
+}
+
+#[test]
 fn each_judgement_has_a_reason_and_one_of_four_names() {
     for chain in all() {
         assert!(["", "real", "rounding", "convention", "ours"].contains(&chain.judgement.as_str()), "{}", chain.chain);

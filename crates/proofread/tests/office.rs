@@ -90,7 +90,9 @@ fn right_and_wrong(right: &str, wrong: &str, said: &str) {
     let (findings, all) = found("right.docx", &docx(right));
     assert!(findings.is_empty() && all.contains("Checked 1 chain of 1 chain"), "{right}\n{all}");
     let (findings, all) = found("wrong.docx", &docx(wrong));
-    assert_eq!(findings, [said], "{wrong}\n{all}");
+    // Behind the values stands in which way they differ.
+    let values: Vec<&str> = findings.iter().filter_map(|found| found.split(" (a factor").next()).collect();
+    assert_eq!(values, [said], "{wrong}\n{all}");
 }
 
 /// Right and wrong bodies that differ in the last number of one formula.
@@ -328,10 +330,9 @@ fn a_finding_tells_the_paragraph_and_its_words() {
     let (code, out, _) = run(&[&path]);
     assert_eq!(code, 1);
     let place = format!(
-        "inconsistent: the two sides differ\n --> {path}, paragraph 2\n  |\n  | We see 3√2744=24, as <expected>.\n  |               ^^ printed 24, recomputed 14\n"
+        "inconsistent: the two sides differ\n --> {path}, paragraph 2\n  |\n  | We see 3√2744=24, as <expected>.\n  |               ^^ printed 24, recomputed 14 (a factor of 1.71)\n"
     );
     assert!(out.contains(&place), "{out}");
-    assert!(out.contains("  = hint: `14` for `24` would agree"), "{out}");
     let (_, out, _) = run(&["--format", "json", "--unchecked", "--agreeing", &path]);
     let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     crate::command::fits_schema(&whole);
@@ -387,5 +388,5 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
         let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
-    assert!(out.contains("8 findings: 7 on a number, 1 on a statistic or a total.\n"), "{out}");
+    assert!(out.contains("9 findings: 8 on a number, 1 on a statistic or a total.\n"), "{out}");
 }

@@ -36,7 +36,7 @@ fn each_notation_of_a_formula_is_read_right_and_wrong() {
         ("$sum_(k=1)^4 k^2 = RESULT$", "30", "31", "printed 31, recomputed 30"),
         ("$max(2, 5) + 1 = RESULT$", "6", "8", "printed 8, recomputed 6"),
         ("$2 pi approx RESULT$", "6.283", "6.823", "printed 6.823, recomputed 6.283"),
-        ("$12\\,500 + 500 = RESULT$", "13\\,000", "14\\,000", "printed 14,000, recomputed 13000"),
+        ("$12\\,500 + 500 = RESULT$", "13\\,000", "14\\,000", "printed 14,000, recomputed 13,000"),
         ("$48 upright(\"m\") / (4.0 \"s\") = RESULT \"m\"/\"s\"$", "12", "14", "printed 14 m/s, recomputed 12 m/s"),
         (
             "$2.0 thin upright(\"kg\") dot 3.0 thin \"m/s\"^2 = RESULT \"N\"$",
@@ -44,10 +44,10 @@ fn each_notation_of_a_formula_is_read_right_and_wrong() {
             "8.0",
             "printed 8.0 N, recomputed 6.0 N",
         ),
-        ("$0.25 = RESULT percent$", "25", "35", "printed 35 %, recomputed 25%"),
+        ("$0.25 = RESULT percent$", "25", "35", "printed 35 %, recomputed 25 %"),
         ("$mat(delim: \"|\", 12, 7; 5, 4) = RESULT$", "13", "23", "printed 23, recomputed 13"),
         ("$mat(1, 2; 3, 4) + mat(1, 1; 1, 1) = mat(2, 3; 4, RESULT)$", "5", "6", "printed 6, recomputed 5"),
-        ("$vec(1, 2) + vec(3, 4) = vec(4, RESULT)$", "6", "7", "printed (4; 7)"),
+        ("$vec(1, 2) + vec(3, 4) = vec(4, RESULT)$", "6", "7", "printed (4; 7), recomputed (4, 6)"),
         ("$5 plus.minus 2 = (3, RESULT)$", "7", "8", ""),
         ("$12 + 13 /* so */ = RESULT // yes\n$", "25", "26", "printed 26, recomputed 25"),
         ("The sum 12 + 13 = RESULT is *here*.", "25", "26", "printed 26, recomputed 25"),
@@ -61,7 +61,9 @@ fn each_notation_of_a_formula_is_read_right_and_wrong() {
         let (findings, all) = found(&text.replace("RESULT", right));
         assert!(findings.is_empty() && all.contains("Checked 1 chain of 1 chain"), "{text}\n{all}");
         let (findings, all) = found(&text.replace("RESULT", wrong));
-        assert!(findings.len() == 1 && (said.is_empty() || findings == [said]), "{text}: {said}\n{all}");
+        // Behind the values stands in which way they differ.
+        let values: Vec<&str> = findings.iter().filter_map(|found| found.split(" (a factor").next()).collect();
+        assert!(values.len() == 1 && (said.is_empty() || values == [said]), "{text}: {said}\n{all}");
     }
 }
 

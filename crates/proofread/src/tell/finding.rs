@@ -52,7 +52,7 @@ pub struct ChainFinding {
     /// is a printed result, what both sides give, as *7 against 8*; if the units differ, in units of its own. None if a side
     /// has no value.
     pub recomputed: Option<String>,
-    /// The printed value over the computed one, to six digits; none if they have no common unit, or one of them is zero.
+    /// The printed value over the computed one, dimensionless, to six digits; none if they have no common unit, or one of them is zero.
     pub factor: Option<f64>,
     /// In which way the values differ, in words, where that says more than their digits: *a factor of 1,000*.
     pub difference: Option<String>,

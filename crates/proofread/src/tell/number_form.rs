@@ -19,6 +19,19 @@ pub(crate) fn significant(size: f64, digits: usize, trims: bool) -> String {
     }
 }
 
+/// Digits, and perhaps decimals behind them, with commas between thousands.
+pub(crate) fn part_thousands(digits: &str) -> String {
+    let (whole, decimals) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
+    let mut text = String::new();
+    for (at, digit) in whole.char_indices() {
+        if at > 0 && (whole.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text + decimals
+}
+
 /// A number with a minus sign, if it is negative.
 pub(crate) fn signed(size: String, is_negative: bool) -> String {
     if is_negative { format!("−{size}") } else { size }

@@ -8,8 +8,7 @@ use crate::evaluate::value::{AngleUnit, Obstacle, SideValue};
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::section::ReportSection;
 use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
-use crate::summary::part_thousands;
-use crate::tell::number_form::{power_form, rational, signed, significant, sized};
+use crate::tell::number_form::{part_thousands, power_form, rational, signed, significant, sized};
 use crate::token::{Span, Token, TokenKind, show, span_of};
 
 /// What is told of the values of two sides.
@@ -17,7 +16,7 @@ use crate::token::{Span, Token, TokenKind, show, span_of};
 pub(crate) struct RecomputedValue {
     /// The computed value in the form of the printed one, or what both sides give if none is printed.
     pub shown: Option<String>,
-    /// The printed value over the computed one.
+    /// The printed value over the computed one, dimensionless.
     pub factor: Option<f64>,
     /// In which way they differ, in words, where that helps.
     pub difference: Option<String>,
@@ -423,7 +422,7 @@ impl<'t> PrintedNumeral<'t> {
 }
 
 fn is_money(token: &Token) -> bool {
-    token.is_one_of("$€£") || token.word().is_some_and(|word| matches!(word, "$" | "€" | "£" | "USD" | "EUR"))
+    token.is_one_of("$€£") || token.word().is_some_and(|word| matches!(word, "$" | "€" | "£"))
 }
 
 /// A printed fraction of two integers, or a mixed number.

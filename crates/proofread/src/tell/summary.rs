@@ -5,6 +5,7 @@ use crate::judge::unchecked::UncheckedKind;
 use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::{UnreadKind, UnreadParts};
+use crate::tell::number_form::part_thousands;
 use crate::tell::tally::CheckTally;
 
 /// "1 chain", "2 chains", "12,345 chains".
@@ -21,19 +22,6 @@ pub fn describe_count(number: usize, thing: &str) -> String {
 /// A number with its thousands parted.
 fn digits(number: usize) -> String {
     part_thousands(&number.to_string())
-}
-
-/// Digits, and perhaps decimals behind them, with commas between thousands.
-pub(crate) fn part_thousands(digits: &str) -> String {
-    let (whole, decimals) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
-    let mut text = String::new();
-    for (at, digit) in whole.char_indices() {
-        if at > 0 && (whole.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text + decimals
 }
 
 /// How many findings there are and on which lists, such as `2 findings: 1 on a number, 1 on units alone`; `number_on` tells how
