@@ -258,3 +258,25 @@ fn a_wrong_digit_is_listed_however_the_chain_is_written() {
     }
     assert!(100 * listed > 75 * all, "only {listed} of {all} are listed");
 }
+
+#[test]
+fn upright_letters_of_mathml_are_a_unit_and_a_sign_is_no_letter() {
+    let speed = |last: &str| {
+        format!(
+            "<math><mn>36</mn><mspace width=\"0.167em\"/><mstyle mathvariant=\"normal\"><mi>k</mi><mi>m</mi><mi>/</mi><mi>h</mi></mstyle>\
+             <mo>=</mo><mn>{last}</mn><mstyle mathvariant=\"normal\"><mi>m</mi><mi>/</mi><mi>s</mi></mstyle></math>"
+        )
+    };
+    let force = |last: &str| {
+        format!(
+            "<math><mn>2.0</mn><mstyle mathvariant=\"normal\"><mi>k</mi><mi>g</mi></mstyle><mo>·</mo><mn>9.81</mn>\
+             <mstyle mathvariant=\"normal\"><mi>m</mi><mi>/</mi><msup><mi>s</mi><mn>2</mn></msup></mstyle><mo>=</mo><mn>{last}</mn>\
+             <mi mathvariant=\"normal\">N</mi></math>"
+        )
+    };
+    for (chain, right, wrong) in [(&speed as &dyn Fn(&str) -> String, "10", "12"), (&force, "19.6", "16.9")] {
+        assert_eq!(crate::report(&chain(right), TextFormat::Html).tally.checked, 1, "{}", chain(right));
+        assert_eq!(crate::wrong(&chain(right), TextFormat::Html), [""; 0]);
+        assert_eq!(crate::wrong(&chain(wrong), TextFormat::Html).len(), 1);
+    }
+}

@@ -167,6 +167,14 @@ fn each_structure_of_a_formula_in_word_is_read() {
     let result =
         |number: &str| formula(&format!("{quotient}{}<m:r><m:rPr><m:nor/></m:rPr><m:t> m/s</m:t></m:r>", r(number)));
     right_and_wrong(&result("12"), &result("14"), &said("14 m/s", "12 m/s"));
+    let least = format!("<m:func><m:fName>{}</m:fName>{}</m:func>", unit("min"), e(&d("", &r("7,12"))));
+    results(&format!("{least}{}", r("+30=")), "37", "42", &said("42", "37"));
+    // A unit may be in several runs, a letter in each.
+    let minutes = |hours: &str| {
+        let unit = ["m", "i", "n"].map(unit).concat();
+        formula(&format!("{}{unit}{}{}", r("90 "), r(&format!("={hours} ")), self::unit("h")))
+    };
+    right_and_wrong(&minutes("1.5"), &minutes("1.8"), &said("1.8 h", "1.5 h"));
     // Rows of equations, with the number of an equation behind the last one.
     let rows = |last: &str| {
         formula(&format!(

@@ -11,7 +11,7 @@ use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
 use crate::reader::Formula;
-use crate::token::{Token, TokenKind};
+use crate::token::{Token, TokenKind, trim_space};
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -244,7 +244,7 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     if pair.judgement.verdict <= ChainVerdict::Units {
         return None;
     }
-    // A factorial whose sign stands behind the formula.
+    // A factorial whose sign stands behind the formula, or ends it as a sentence would.
     if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.right.span, pair.formula.span) {
         let sign = Token::new(TokenKind::Operator('!'), pair.right.span);
         let other = pair.judge(&pair.left.tokens, &[pair.right.tokens.as_slice(), &[sign]].concat());
@@ -439,6 +439,8 @@ mod tests {
         alone("other-notation", "$1-1/2 + 2-3/4 = 4.25$", ChainVerdict::Doubtful);
         // A result that is written with its period may be truncated.
         alone("other-notation", "$1/6 = 0.1(6)$", ChainVerdict::Doubtful);
+        alone("other-notation", r"$12 \cdot 11! = 12!$", ChainVerdict::Doubtful);
+        none(r"$12 \cdot 11! = 13!$", ChainVerdict::Inconsistent);
         alone("other-notation", r"$1-1/2 \cdot 2.0\,\text{m} = 3.0\,\text{m/s}$", ChainVerdict::Units);
         none("$1-1/2 + 2-3/4 = 5.25$", ChainVerdict::Inconsistent);
         earlier("other-notation", "whole-turns", r"$$360^\circ \\ + 5^\circ = 5^\circ$$");

@@ -6,24 +6,48 @@ use crate::token::{MathFunction, NamedOperation, SourceChar, Token, TokenKind, t
 
 /// The tokens of an element.
 pub(crate) fn tokens(of: &Element) -> Vec<Token> {
+    tokens_in(of, false)
+}
+
+/// The tokens of an element in one whose letters are upright, or not.
+fn tokens_in(of: &Element, upright: bool) -> Vec<Token> {
     let mut out = Vec::new();
-    push_tokens(of, &mut out);
+    push_tokens(of, upright, &mut out);
     out
 }
 
-fn row_tokens(of: &Element) -> Vec<Token> {
+fn row_tokens(of: &Element, upright: bool) -> Vec<Token> {
     let mut out = Vec::new();
     let mut rest = of.children.as_slice();
     while let [child, behind @ ..] = rest {
+        // Upright letters side by side are a word or a unit.
+        let letters = rest.iter().take_while(|of| is_upright_letter(of, upright)).count();
         rest = match rest {
+            _ if letters > 1 => {
+                let word: Vec<SourceChar> = rest[..letters].iter().flat_map(|of| plain_chars(&of.text)).collect();
+                tokenise_words(&word, &mut out);
+                &rest[letters..]
+            }
             [open, table, close, behind @ ..] if push_matrix([open, table, close], &mut out) => behind,
             _ => {
-                push_tokens(child, &mut out);
+                push_tokens(child, upright, &mut out);
                 behind
             }
         };
     }
     out
+}
+
+/// Whether the letters in an element are upright, which it may say itself.
+fn is_upright(of: &Element, outer: bool) -> bool {
+    of.attribute("mathvariant").map_or(outer, |variant| variant == "normal")
+}
+
+fn is_upright_letter(of: &Element, outer: bool) -> bool {
+    of.name == "mi"
+        && is_upright(of, outer)
+        && of.children.is_empty()
+        && matches!(of.text.as_slice(), [one] if one.c.is_alphabetic())
 }
 
 /// Adds a matrix or a determinant, if a table in brackets is one; whether it is. In a column by itself may be a binomial
@@ -70,18 +94,19 @@ fn trim_chars(signs: &[SourceChar]) -> &[SourceChar] {
     signs.get(start..signs.len().saturating_sub(end)).unwrap_or_default()
 }
 
-fn push_tokens(of: &Element, out: &mut Vec<Token>) {
+fn push_tokens(of: &Element, outer: bool, out: &mut Vec<Token>) {
+    let upright = is_upright(of, outer);
     let text = plain_chars(&of.text);
     let text = trim_chars(&text);
     let mut push = |kind: TokenKind| out.push(Token::new(kind, of.span));
-    let child = |at: usize| of.children.get(at).map(tokens).unwrap_or_default();
+    let child = |at: usize| of.children.get(at).map(|of| tokens_in(of, upright)).unwrap_or_default();
     match (of.name.as_str(), of.children.len()) {
         ("math" | "mrow" | "mstyle" | "mpadded" | "semantics" | "mtd" | "menclose" | "merror" | "maction", _) => {
             // Text outside any element is an author's slip, and read.
             if of.children.is_empty() {
                 tokenise_words(text, out);
             }
-            out.extend(row_tokens(of));
+            out.extend(row_tokens(of, upright));
         }
         ("annotation" | "annotation-xml" | "mphantom" | "none" | "mprescripts" | "maligngroup" | "malignmark", _) => {}
         ("mn", _) => {
@@ -91,7 +116,7 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
                 _ => tokenise_words(text, out),
             }
         }
-        ("mi", _) => identifier(of, text, out),
+        ("mi", _) => identifier(text, upright, out),
         ("mo", _) => {
             let name: String = text.iter().map(|sign| sign.c).collect();
             match (text, MathFunction::from_name(&name)) {
@@ -128,7 +153,7 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
             push(TokenKind::Call(NamedOperation::Binomial, vec![child(0), child(1)]));
         }
         ("mfrac", 2) => push(TokenKind::Fraction(child(0), child(1))),
-        ("msqrt", _) => push(TokenKind::Root(row_tokens(of), Vec::new())),
+        ("msqrt", _) => push(TokenKind::Root(row_tokens(of, upright), Vec::new())),
         ("mroot", 2) => push(TokenKind::Root(child(0), child(1))),
         ("msup", 2) => push(TokenKind::Scripts(child(0), Vec::new(), child(1))),
         ("msub", 2) => push(TokenKind::Scripts(child(0), child(1), Vec::new())),
@@ -143,10 +168,11 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
         }
         ("mtable", _) if is_stack(of) => push(TokenKind::Unknown("a fraction of fractions".to_owned())),
         ("mtable", _) => {
-            let rows = of.children.iter().map(|row| row.children.iter().map(tokens).collect()).collect();
+            let rows =
+                of.children.iter().map(|row| row.children.iter().map(|of| tokens_in(of, upright)).collect()).collect();
             push(TokenKind::Table(side_by_side(rows)));
         }
-        ("mtr" | "mlabeledtr", _) => out.extend(row_tokens(of)),
+        ("mtr" | "mlabeledtr", _) => out.extend(row_tokens(of, upright)),
         ("mfenced", _) => {
             let bracket = |name, usual| of.attribute(name).and_then(|text| text.trim().chars().next()).unwrap_or(usual);
             push(TokenKind::Operator(bracket("open", '(')));
@@ -154,7 +180,7 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
                 if at > 0 {
                     out.push(Token::new(TokenKind::Operator(','), child.span));
                 }
-                push_tokens(child, out);
+                push_tokens(child, upright, out);
             }
             out.push(Token::new(TokenKind::Operator(bracket("close", ')')), of.span));
         }
@@ -163,7 +189,7 @@ fn push_tokens(of: &Element, out: &mut Vec<Token>) {
     }
     // A leaf that was not closed has taken what follows it.
     if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {
-        out.extend(row_tokens(of));
+        out.extend(row_tokens(of, upright));
     }
 }
 
@@ -180,7 +206,7 @@ fn is_stack(table: &Element) -> bool {
     table.children.len() > 1 && table.children.iter().all(|row| row.children.len() == 1) && has_line(table)
 }
 
-fn identifier(of: &Element, text: &[SourceChar], out: &mut Vec<Token>) {
+fn identifier(text: &[SourceChar], upright: bool, out: &mut Vec<Token>) {
     let name: String = text.iter().map(|sign| sign.c).collect();
     let span = span_of_chars(text);
     match text {
@@ -189,7 +215,9 @@ fn identifier(of: &Element, text: &[SourceChar], out: &mut Vec<Token>) {
             out.extend(MathFunction::from_name(&name).map(|function| Token::new(TokenKind::Function(function), span)));
         }
         [one] if "%°$".contains(one.c) => out.push(Token::new(TokenKind::Word(name), span)),
-        [one] if !one.c.is_ascii_digit() && of.attribute("mathvariant") != Some("normal") => {
+        // Some programs take a sign for a letter.
+        [one] if one.c.is_ascii_punctuation() => out.push(Token::new(TokenKind::Operator(one.c), span)),
+        [one] if !one.c.is_ascii_digit() && !upright => {
             out.push(Token::new(TokenKind::Name(name), span));
         }
         _ => tokenise_words(text, out),

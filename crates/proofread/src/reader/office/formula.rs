@@ -12,6 +12,13 @@ pub(super) struct Leaf {
     pub text: String,
 }
 
+impl Leaf {
+    /// Whether it is a word of upright letters, or a part of one.
+    pub(super) fn is_word(&self) -> bool {
+        self.element == "mtext" && self.text.chars().all(char::is_alphabetic)
+    }
+}
+
 /// How letters of a formula are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Letters {
@@ -43,7 +50,7 @@ pub(super) fn leaves(text: &str, letters: Letters) -> Vec<Leaf> {
             ("mspace", 1)
         } else if digits > 0 {
             ("mn", digits)
-        } else if MathFunction::from_name(&name).is_some() {
+        } else if MathFunction::from_name(&name).is_some() && !(letters == Letters::Upright && name == MINUTE) {
             ("mi", name.len())
         } else if letters == Letters::Upright && word > 0 {
             ("mtext", word)
@@ -66,8 +73,20 @@ pub(super) fn add(page: &mut MadePage, leaf: &Leaf) {
         page.tags("<mspace/>");
         return page.shown(" ");
     }
+    if leaf.element == "mtext" && leaf.text == MINUTE {
+        // Letter by letter it is no function.
+        for letter in leaf.text.chars() {
+            page.tags("<mi mathvariant=\"normal\">");
+            page.characters(letter.encode_utf8(&mut [0; 4]));
+            page.tags("</mi>");
+        }
+        return;
+    }
     element(page, leaf.element, &leaf.text);
 }
+
+/// A unit that is also a function.
+const MINUTE: &str = "min";
 
 /// Adds leaves that the line shows already, from this byte on.
 pub(super) fn add_at(page: &mut MadePage, of: &[Leaf], mut at: usize) {

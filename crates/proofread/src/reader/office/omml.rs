@@ -3,6 +3,7 @@
 use super::formula::{self, Leaf, Letters, accent, bracketed, element, element_shown_as, leaves};
 use super::nodes::Node;
 use super::page::MadePage;
+use crate::token::MathFunction;
 
 /// Elements that only hold others.
 const HOLDERS: [&str; 20] = [
@@ -78,7 +79,23 @@ struct Translation<'p> {
 
 impl Translation<'_> {
     fn nodes(&mut self, of: &[Node<'_>]) {
-        of.iter().for_each(|node| self.node(node));
+        // A word may be in several runs, a letter in each.
+        let mut word: Option<Leaf> = None;
+        for node in of {
+            let only = if node.name == "r" && node.child("br").is_none() { run_leaves(node) } else { Vec::new() };
+            match (only.as_slice(), &mut word) {
+                ([leaf], Some(word)) if leaf.is_word() => word.text += &leaf.text,
+                ([leaf], None) if leaf.is_word() => word = Some(leaf.clone()),
+                _ => {
+                    word.take().iter().for_each(|word| self.leaf(word));
+                    match only.as_slice() {
+                        [leaf] if leaf.is_word() => word = Some(leaf.clone()),
+                        _ => self.node(node),
+                    }
+                }
+            }
+        }
+        word.iter().for_each(|word| self.leaf(word));
     }
 
     fn child(&mut self, of: &Node<'_>, name: &str) {
@@ -124,7 +141,13 @@ impl Translation<'_> {
                 self.child(of, "e");
             }
             "func" => {
-                self.child(of, "fname");
+                let runs = of.child("fname").map_or(&[][..], |name| name.children.as_slice());
+                let name: String = runs.iter().filter(|run| run.name == "r").map(run_text).collect();
+                if MathFunction::from_name(name.trim()).is_some() {
+                    element(self.page, "mi", name.trim());
+                } else {
+                    self.child(of, "fname");
+                }
                 self.page.shown(" ");
                 self.child(of, "e");
             }

@@ -67,7 +67,14 @@ impl<'w> FormulaWriter<'w> {
     }
 
     fn parts(&mut self, parts: &[Part]) {
-        parts.iter().for_each(|part| self.part(part));
+        for (at, part) in parts.iter().enumerate() {
+            // Space is printed beside numbers and text alone.
+            let is_wide = |at: usize| matches!(parts.get(at), Some(Part::Number(_) | Part::Text(_)));
+            if matches!(part, Part::Space(_)) && !is_wide(at + 1) && !at.checked_sub(1).is_some_and(is_wide) {
+                continue;
+            }
+            self.part(part);
+        }
     }
 
     fn element(&mut self, name: &str, parts: &[Part]) {
