@@ -273,7 +273,7 @@ fn nested_variants(tokens: &[Token], at: usize, tries: &mut Tries<'_>) -> Contro
         TokenKind::Root(..) | TokenKind::Group(_) => 1,
         _ => 0,
     };
-    for (which, list) in token.inner().into_iter().take(lists).enumerate() {
+    for (which, list) in token.inner().take(lists).enumerate() {
         variants(list, false, &mut |edit| {
             let mut kind = token.kind.clone();
             kind.lists().into_iter().skip(which).take(1).for_each(|list| list.clone_from(&edit.tokens));

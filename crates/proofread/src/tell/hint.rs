@@ -87,7 +87,7 @@ const PRINTED_TWICE: f64 = 3.0;
 
 /// How many tokens there are, with those inside others.
 fn size(tokens: &[Token]) -> usize {
-    tokens.iter().map(|token| 1 + token.inner().into_iter().map(size).sum::<usize>()).sum()
+    tokens.iter().map(|token| 1 + token.inner().map(size).sum::<usize>()).sum()
 }
 
 /// How many places of each kind both sides have at which a slip may be.
@@ -113,7 +113,7 @@ impl Places {
                 _ => {}
             }
             if !matches!(token.kind, TokenKind::Power(_)) {
-                token.inner().into_iter().for_each(|inner| self.count(inner));
+                token.inner().for_each(|inner| self.count(inner));
             }
         }
     }
@@ -164,7 +164,7 @@ fn printed_digits(tokens: &[Token]) -> usize {
             }
         }
         TokenKind::Power(_) => 0,
-        _ => token.inner().into_iter().map(printed_digits).sum(),
+        _ => token.inner().map(printed_digits).sum(),
     };
     tokens.iter().enumerate().map(of).sum()
 }
