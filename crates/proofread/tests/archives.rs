@@ -132,6 +132,9 @@ fn the_chapters_of_a_book_are_read_in_their_order() {
     assert_eq!(findings, ["printed 26, recomputed 25", "printed 27, recomputed 25"], "{all}");
     let places = ["book.epub/OEBPS/ch1.xhtml:2:", "book.epub/OEBPS/ch 2.xhtml:2:"].map(|place| all.find(place));
     assert!(places[0].is_some() && places[0] < places[1], "{all}");
+    let (_folder, path) = file("book.epub", &epub([&chapter("26"), &chapter("25")], &[]));
+    let (_, out, _) = run(&["--format", "sarif", &path]);
+    assert!(out.contains("\"name\": \"OEBPS/ch1.xhtml\"") && out.contains("In OEBPS/ch1.xhtml: "), "{out}");
 }
 
 /// Exit code and message for a file that is refused.

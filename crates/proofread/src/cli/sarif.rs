@@ -71,7 +71,9 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
         message += &format!(" Set aside: {}.", doubt.reason());
     }
     let mut place = location(uri, start, end);
-    if let Some(label) = document.label(start.line) {
+    // A chapter of a book is no file of its own.
+    let chapter = document.path.as_ref().and_then(|path| document.name.strip_prefix(&format!("{}/", path.display())));
+    if let Some(label) = document.label(start.line).or(chapter) {
         place["logicalLocations"] = json!([{ "name": label }]);
         message = format!("In {label}: {message}");
     }
