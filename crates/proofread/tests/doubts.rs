@@ -129,10 +129,12 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
         doubts(&chains.iter().map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), TextFormat::Markdown)
     };
     let habit = Some(Doubt::Habit);
-    assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [habit; 3]);
-    assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 36"]), [None; 3]);
+    assert_eq!(of(&["2.5 + 1.5 = 48", "6.0 + 3.0 = 108", "3.5 + 1.5 = 60"]), [habit; 3]);
+    assert_eq!(of(&["2.5 + 1.5 = 48", "6.0 + 3.0 = 108", "3.5 + 1.5 = 61"]), [None; 3]);
     // The same misprint again says nothing about others.
-    assert_eq!(of(&["2.5 + 1.5 = 28"; 3]), [None; 3]);
+    assert_eq!(of(&["2.5 + 1.5 = 48"; 3]), [None; 3]);
+    // No convention leaves out a factor of seven: it is the author's error each time.
+    assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [None; 3]);
 }
 
 #[test]

@@ -44,21 +44,20 @@ fn a_number_of_two_digits_is_a_fragment_and_one_of_three_is_none() {
 
 #[test]
 fn three_formulas_with_one_factor_are_a_habit_and_two_are_none() {
-    let two = r"$1.0+1.0=3.00$ and $2.5\cdot 2=7.50$";
-    apart(&format!("{two} and $4.0+2.0=9.00$"), two, Doubt::Habit);
-    // The factors are one within half a per cent.
-    apart(&format!("{two} and $4.0+2.0=9.04$"), &format!("{two} and $4.0+2.0=9.05$"), Doubt::Habit);
+    let two = r"$1.0+1.0=4.00$ and $2.5\cdot 2=10.00$";
+    apart(&format!("{two} and $4.0+2.0=12.00$"), two, Doubt::Habit);
+    // The factors are one within half a per cent, and that of a convention.
+    apart(&format!("{two} and $4.0+2.0=12.05$"), &format!("{two} and $4.0+2.0=12.07$"), Doubt::Habit);
     let times = |factor: f64, digits: usize| {
         let printed = [2.0, 4.0, 6.0].map(|right| format!("{:.digits$}", right * factor));
         format!("$1.00+1.00={}$ and $2.00\\cdot 2={}$ and $4.00+2.00={}$", printed[0], printed[1], printed[2])
     };
-    // Near one, a factor says nothing; ten and a tenth of it are misplaced points.
-    apart(&times(1.0 / 0.949, 3), &times(1.0 / 0.951, 3), Doubt::Habit);
-    apart(&times(1.0 / 1.051, 3), &times(1.0 / 1.049, 3), Doubt::Habit);
-    for (habit, misplaced) in [(0.0994, 0.0996), (0.1006, 0.1004)] {
-        apart(&times(1.0 / habit, 3), &times(1.0 / misplaced, 3), Doubt::Habit);
-        apart(&times(0.01 / habit, 5), &times(0.01 / misplaced, 5), Doubt::Habit);
+    for (habit, other) in [(9.81, 9.7), (60.0, 59.5), (100.0, 99.0), (3.6, 3.56), (4.19, 4.25), (0.0174533, 0.0176)] {
+        apart(&times(habit, 5), &times(other, 5), Doubt::Habit);
     }
+    // Ten and a tenth of it are misplaced points.
+    apart(&times(0.01, 5), &times(0.1, 5), Doubt::Habit);
+    apart(&times(100.0, 3), &times(10.0, 3), Doubt::Habit);
 }
 
 #[test]

@@ -413,6 +413,32 @@ fn is_among(tokens: &[Token], place: u32) -> bool {
     })
 }
 
+/// Factors that a habit of writing leaves out: of units, angles, free fall, and powers of ten.
+const OF_CONVENTIONS: [f64; 14] = [
+    2.0,
+    3.6,
+    4.184,
+    4.186,
+    4.1868,
+    9.8,
+    9.81,
+    12.0,
+    24.0,
+    60.0,
+    3600.0,
+    std::f64::consts::PI,
+    std::f64::consts::TAU,
+    180.0 / std::f64::consts::PI,
+];
+
+/// Whether an author may have left out such a factor throughout. Other factors are of errors that are repeated.
+fn is_of_convention(factor: f64) -> bool {
+    let near = |of: f64| (factor / of - 1.0).abs() < 0.005;
+    let power = libm::log10(factor);
+    let of_ten = (power - libm::round(power)).abs() < 0.002;
+    factor.is_finite() && factor > 0.0 && (of_ten || OF_CONVENTIONS.iter().any(|of| near(*of) || near(1.0 / of)))
+}
+
 /// Differences of a document by the factor between their sides.
 #[derive(Debug, Default)]
 pub(crate) struct Factors(Vec<Factor>);
@@ -436,7 +462,7 @@ impl Factors {
         let factor = left.point / right.point;
         // A misplaced point does repeat.
         let misplaced = [0.1, 10.0].into_iter().any(|ten| (factor.abs() / ten - 1.0).abs() < 0.005);
-        if !misplaced && factor.is_finite() && factor != 0.0 && !(0.95..1.05).contains(&factor) {
+        if !misplaced && is_of_convention(factor.abs()) && !(0.95..1.05).contains(&factor) {
             self.0.push(Factor { finding, formula, factor, sides: sides.map(str::to_owned) });
         }
     }

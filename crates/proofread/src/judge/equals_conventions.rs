@@ -200,7 +200,10 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
         let is_unity = |tokens: &[Token]| tokens.iter().find_map(Token::number) == Some("1");
         let unity = is_unity(left) || is_unity(right);
         return one.dimension != other.dimension
-            && (unity || (is_convertible(one.dimension) && is_convertible(other.dimension)));
+            && (unity
+                || counted(left)
+                || counted(right)
+                || (is_convertible(one.dimension) && is_convertible(other.dimension)));
     }
     let stands_for_one = (is_one(one) && other.has_unit) || (is_one(other) && one.has_unit);
     decibels[0] != decibels[1] || counted(left) != counted(right) || stands_for_one
@@ -219,12 +222,14 @@ pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[SideValue; 2
     near && sides.into_iter().any(is_power)
 }
 
-/// Whether one quantity may stand for another one on a drawing: they are of different kinds, or of sizes that no misprint of
-/// a conversion explains.
+/// Whether one quantity may stand for another one on a drawing: they are of different kinds, it is a length of one of its unit, or they are of sizes that
+/// no misprint of a conversion explains.
 pub(crate) fn may_be_to_scale(left: &SideValue, right: &SideValue) -> bool {
     let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
     let (one, other) = (size(left), size(right));
-    left.dimension != right.dimension || one > 10.0 * other || other > 10.0 * one
+    let is_length = unit("m").is_some_and(|metre| left.dimension == metre.dimension);
+    let is_unit = is_length && left.factor > 0.0 && (one / left.factor - 1.0).abs() < 1e-9;
+    left.dimension != right.dimension || is_unit || one > 10.0 * other || other > 10.0 * one
 }
 
 /// Whether a law or a constant of nature makes such a quantity one of another kind: mass, energy, energy of a mole, weight,

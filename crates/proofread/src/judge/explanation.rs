@@ -245,7 +245,9 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
         return None;
     }
     // A factorial whose sign stands behind the formula, or ends it as a sentence would.
-    if pair.ends_formula && surroundings::begins_with_factorial(pair.text, pair.right.span, pair.formula.span) {
+    let ends_formula = || trim_space(&pair.formula.tokens).last().is_some_and(|last| last.is_sign('!'));
+    let begins_text = || surroundings::begins_with_factorial(pair.text, pair.right.span, pair.formula.span);
+    if pair.ends_formula && (ends_formula() || begins_text()) {
         let sign = Token::new(TokenKind::Operator('!'), pair.right.span);
         let other = pair.judge(&pair.left.tokens, &[pair.right.tokens.as_slice(), &[sign]].concat());
         if other.verdict < ChainVerdict::Doubtful {

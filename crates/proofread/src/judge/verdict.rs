@@ -415,12 +415,12 @@ impl ComparedSides<'_> {
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
         let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none());
         // A bare number is given as it is, or it has the digits of the others and one more was dropped.
-        let share = match literal[0] == literal[1] || !bare {
-            true => LIKELY,
-            false if self.is_finer_than_operands(literal) => LIKELY_FROM_TENS,
-            false => LIKELY_OF_BARE,
+        let likelihood = match literal[0] == literal[1] || !bare {
+            true => StepLikelihood { share: LIKELY, of_one_digit: Some(f64::INFINITY) },
+            false if self.is_finer_than_operands(literal) => FROM_TENS,
+            false => StepLikelihood { share: LIKELY, of_one_digit: Some(LIKELY_OF_BARE) },
         };
-        let explained = meets && is_likely(&strict, &points, literal, share);
+        let explained = meets && likelihood.explains(&strict, &points, literal);
         let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
         let ill = explained && self.cancels && literal[0] != literal[1] && !close;
         if explained && !ill {
@@ -461,7 +461,7 @@ impl ComparedSides<'_> {
         }
         if lenient[0].meets(&lenient[1], 0.0)
             && !ill
-            && is_likely(&lenient, &points, literal, LIKELY_FROM_TENS)
+            && FROM_TENS.explains(&lenient, &points, literal)
             && is_as_coarse(&lenient, literal)
         {
             return Ok(judgement(if by_numbers { ChainVerdict::Units } else { ChainVerdict::Doubtful }));
@@ -521,21 +521,32 @@ fn most_digits(tokens: &[Token]) -> usize {
     tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
 }
 
-/// Whether the digits that were lost on the way explain the difference: it is within a share of what all the steps together leave open, or
-/// about one unit of the last digit if the share is [`LIKELY`]. Their errors hardly ever all point the same way.
-fn is_likely(open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2], likely: f64) -> bool {
-    let one_more = likely == LIKELY;
-    let (computed, printed) = match literal {
-        [false, true] => (0, 1),
-        [true, false] => (1, 0),
-        [false, false] | [true, true] if !one_more => (0, 1),
-        _ => return true,
-    };
-    let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
-    let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half_width(), b.half_width()));
-    differences.zip(halves).all(|(difference, (steps, digits))| {
-        digits == 0.0 || (one_more && difference <= 3.0001 * digits) || difference <= likely * (steps + digits)
-    })
+/// What explains a difference by digits that were lost on the way. Their errors hardly ever all point the same way.
+#[derive(Clone, Copy)]
+struct StepLikelihood {
+    /// How much the difference may be of what all the steps together leave open.
+    share: f64,
+    /// How much it may be if it is about one unit of the last digit; none if that is nothing special.
+    of_one_digit: Option<f64>,
+}
+
+impl StepLikelihood {
+    fn explains(self, open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2]) -> bool {
+        let (computed, printed) = match literal {
+            [false, true] => (0, 1),
+            [true, false] => (1, 0),
+            [false, false] | [true, true] if self.of_one_digit.is_none() => (0, 1),
+            _ => return true,
+        };
+        let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
+        let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half_width(), b.half_width()));
+        differences.zip(halves).all(|(difference, (steps, digits))| {
+            let open = steps + digits;
+            let is_one_digit =
+                |share: f64| difference <= 3.0001 * digits && (share.is_infinite() || difference <= share * open);
+            digits == 0.0 || self.of_one_digit.is_some_and(is_one_digit) || difference <= self.share * open
+        })
+    }
 }
 
 /// Whether two points are within so many half units of the printed one's last digit.
@@ -596,10 +607,10 @@ const FINEST: f64 = 10.0;
 /// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
 /// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.
 const LIKELY: f64 = 0.25;
-/// How much they are expected to use in arithmetic without units, whose numbers are often exact.
+/// How much one unit of the last digit may be of it in arithmetic without units, whose numbers are often exact.
 const LIKELY_OF_BARE: f64 = 0.6;
 /// How much they are expected to use if only integers that were rounded to tens explain a difference.
-const LIKELY_FROM_TENS: f64 = 0.15;
+const FROM_TENS: StepLikelihood = StepLikelihood { share: 0.15, of_one_digit: None };
 
 /// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
 fn angles([left, right]: &[SideValue; 2], points: &[SideValue; 2], reading: ReadingChoices) -> Option<ChainVerdict> {
