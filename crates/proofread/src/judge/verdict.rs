@@ -477,11 +477,13 @@ impl ComparedSides<'_> {
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
     }
 
-    /// Whether the printed result has more digits than each decimal number that goes into it.
+    /// Whether the printed result has more digits than each decimal number that goes into it, without functions.
     fn is_finer_than_operands(&self, literal: [bool; 2]) -> bool {
         let computed = self.sides[usize::from(literal[0])];
         let printed = self.sides[usize::from(literal[1])];
-        most_digits(computed) < most_digits(printed)
+        // A logarithm has more digits than its argument.
+        let function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
+        !any(computed, &function) && most_digits(computed) < most_digits(printed)
     }
 
     /// Whether whole numbers are reckoned with and give one that is small enough to be printed in full, in mathematics and not as a
