@@ -1,27 +1,11 @@
-//! What proofreading found in texts by others: the judgements and measurements that the crate `proofread` keeps.
+//! What proofreading found in texts by others: the misprints, and how often the program was right, as the crate `proofread` keeps them.
 
 use anyhow::Context;
 use serde::de::DeserializeOwned;
 
-const UNIVERSITY_PHYSICS: &str = include_str!("../../proofread/judged/university-physics.csv");
-const UNITS: &str = include_str!("../../proofread/judged/university-physics-units.csv");
-const CONTACT: &str = include_str!("../../proofread/judged/contact.csv");
-const ERRATA: &str = include_str!("../../proofread/judged/errata.csv");
-const RUNS: &str = include_str!("../../proofread/judged/runs.csv");
-
-/// What a person who read a flag in its context says of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Judgement {
-    /// The text is wrong as printed.
-    Real,
-    /// The author rounded on the way or cut digits off.
-    Rounding,
-    /// A convention of the field, such as a sign or a unit that is understood.
-    Convention,
-    /// The program misread the text.
-    Ours,
-}
+const MISPRINTS: &str = include_str!("../../proofread/judged/misprints.csv");
+const BOOKS: &str = include_str!("../../proofread/judged/book-runs.csv");
+const RATES: &str = include_str!("../../proofread/judged/rates.csv");
 
 /// Whether something is so, as the records write it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
@@ -33,115 +17,67 @@ pub(crate) enum Answer {
     No,
 }
 
-/// A flag in the textbook on which the program was tuned.
-#[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct Flag {
-    /// The module of the book.
-    pub module: String,
-    /// The element in the module's file, by its id.
-    pub element: String,
-    /// The two sides that differ, as the program read them.
-    pub chain: String,
-    /// What the left side gives, to as many digits as are printed; empty if there is no such number.
-    #[serde(default)]
-    pub recomputed: String,
-    /// The single edit that would make the chain agree; empty without one.
-    #[serde(default)]
-    pub hint: String,
-    /// Whether the hint of a misprint names what should be printed.
-    pub hint_right: Option<Answer>,
-    /// Whether the chain is in the newest state.
-    pub printed_new: Answer,
-    /// Whether the program flags it in the old state.
-    pub flagged_old: Answer,
-    /// Whether the program flags it in the newest state.
-    pub flagged_new: Answer,
-    /// What the reader says.
-    pub judgement: Judgement,
-    /// Why, or what should be printed.
-    pub why: String,
+/// What is misprinted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum MisprintKind {
+    /// A number of a chain.
+    Number,
+    /// A statistic, a share or a total.
+    Statistics,
+    /// A unit or an exponent of one, beside numbers that are right.
+    Unit,
 }
 
-/// A flag on the unit in the newest state of the textbook.
+/// A misprint in a textbook.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct UnitFlag {
-    /// The module of the book.
-    pub module: String,
-    /// The element in the module's file, by its id.
-    pub element: String,
-    /// The two sides.
-    pub chain: String,
-    /// What the reader says.
-    pub judgement: Judgement,
-    /// Why, or what should be printed.
-    pub why: String,
-}
-
-/// A flag at first contact with a text.
-#[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct Contact {
-    /// `first` to `eleventh`; `again` if only a run after repairs raised it, `publisher` in another book by the publisher of the tuning
-    /// text.
-    pub round: String,
-    /// The text.
-    pub text: String,
-    /// The file in it, by its path.
+pub(crate) struct Misprint {
+    /// The book.
+    pub book: String,
+    /// The file in its sources.
     pub file: String,
-    /// The line of the result in the file.
+    /// The line there.
     pub line: u32,
-    /// The two sides that differ, as the program read them.
-    pub chain: String,
-    /// Whether the hint of a misprint names what should be printed.
-    pub hint_right: Option<Answer>,
-    /// Whether the program flags it after the repairs.
-    pub after: Answer,
-    /// What the reader says.
-    pub judgement: Judgement,
-    /// What a second reader says who did not know the first judgement; none in rounds with one reader.
-    pub second_judge: Option<Judgement>,
-    /// Whether the fault of the text behind it is the fault behind a flag above.
+    /// The element or section that it is in.
+    pub element: String,
+    /// The two sides that disagree.
+    pub printed: String,
+    /// What the left side gives, to as many digits as are printed; empty if there is no such number.
+    pub recomputed: String,
+    /// What should be printed, by the reading of the judge.
+    pub should: String,
+    /// What is misprinted.
+    pub kind: MisprintKind,
+    /// Whether it comes from the same fault as one above.
     pub repeats: Answer,
-    /// Why, or what should be printed.
-    pub why: String,
 }
 
-/// A mistake that the book's publisher corrected.
+/// A run over a textbook.
 #[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct PublishedErratum {
-    /// `number` or `unit`.
-    pub kind: String,
-    /// The list on which the program puts the place, or `no`.
-    pub found: String,
-}
-
-/// A run of the program over a text.
-#[derive(Clone, Debug, serde::Deserialize)]
-pub(crate) struct ToolRun {
-    /// Its name.
-    pub run: String,
-    /// The text, by the name that the contacts use.
-    pub text: String,
-    /// Formulas or lines.
-    pub formulas: u32,
-    /// Chains that arithmetic can check.
-    pub checkable: u32,
+pub(crate) struct BookRun {
+    /// The book.
+    pub book: String,
+    /// The revision of its sources.
+    pub revision: String,
     /// Chains that were checked.
     pub checked: u32,
-    /// Flags on the number.
-    #[cfg(test)]
-    pub flags: u32,
-    /// Results in which one digit was changed on purpose.
-    pub results: Option<u32>,
-    /// How many changed results were flagged.
-    pub results_noticed: Option<u32>,
-    /// How many changed results still agree to their printed digits, so that nobody could notice them.
-    pub results_invisible: Option<u32>,
-    /// Operands in which one digit was changed on purpose.
-    pub operands: Option<u32>,
-    /// How many changed operands were flagged.
-    pub operands_noticed: Option<u32>,
-    /// How many changed operands don't change the result in its printed digits, so that nobody could notice them.
-    pub operands_invisible: Option<u32>,
+    /// Flags on a number.
+    pub flags_numbers: u32,
+    /// Flags on a statistic, a share or a total.
+    pub flags_statistics: u32,
+}
+
+/// How often something came out well, of how many.
+#[derive(Clone, Debug, serde::Deserialize)]
+pub(crate) struct MeasuredRate {
+    /// What was measured: `flags`, `statistics`, `hints`, `reported`, `planted` or `displayed`.
+    pub measure: String,
+    /// In texts of which kind; `all` for all of them.
+    pub subject: String,
+    /// How often.
+    pub good: u32,
+    /// Of how many.
+    pub tried: u32,
 }
 
 fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {
@@ -149,34 +85,25 @@ fn read<T: DeserializeOwned>(record: &str) -> anyhow::Result<Vec<T>> {
     reader.deserialize().map(|row| row.context("a record of what proofreading found")).collect()
 }
 
-/// The run of this name.
-pub(crate) fn run(name: &str) -> anyhow::Result<ToolRun> {
-    runs()?.into_iter().find(|run| run.run == name).with_context(|| format!("no run is named `{name}`"))
+/// The misprints in the textbooks, book by book.
+pub(crate) fn misprints() -> anyhow::Result<Vec<Misprint>> {
+    read(MISPRINTS)
 }
 
-/// The flags on a number in the tuning text.
-pub(crate) fn flags() -> anyhow::Result<Vec<Flag>> {
-    read(UNIVERSITY_PHYSICS)
+/// The runs over the textbooks.
+pub(crate) fn books() -> anyhow::Result<Vec<BookRun>> {
+    read(BOOKS)
 }
 
-/// The flags on a unit in its newest state.
-pub(crate) fn unit_flags() -> anyhow::Result<Vec<UnitFlag>> {
-    read(UNITS)
+/// Every rate that was measured at first contact.
+pub(crate) fn rates() -> anyhow::Result<Vec<MeasuredRate>> {
+    read(RATES)
 }
 
-/// The flags at first contact.
-pub(crate) fn contacts() -> anyhow::Result<Vec<Contact>> {
-    read(CONTACT)
-}
-
-/// The errata that arithmetic can see.
-pub(crate) fn errata() -> anyhow::Result<Vec<PublishedErratum>> {
-    read(ERRATA)
-}
-
-/// The runs.
-pub(crate) fn runs() -> anyhow::Result<Vec<ToolRun>> {
-    read(RUNS)
+/// The rate of a measure in texts of a kind.
+pub(crate) fn rate(measure: &str, subject: &str) -> anyhow::Result<MeasuredRate> {
+    let found = rates()?.into_iter().find(|rate| rate.measure == measure && rate.subject == subject);
+    found.with_context(|| format!("no rate of `{measure}` in `{subject}` was measured"))
 }
 
 /// The 95 % interval of Wilson for a share of `all`, as fractions.
@@ -205,29 +132,20 @@ mod tests {
     }
 
     #[test]
-    fn two_readers_judge_the_second_round_and_the_last_three() {
-        for flag in contacts().expect("read") {
-            let by_two = ["second", "ninth", "tenth", "eleventh"].contains(&flag.round.as_str());
-            assert_eq!(flag.second_judge.is_some(), by_two, "{}: {}", flag.text, flag.why);
+    fn each_misprint_is_in_a_book_that_was_run_and_says_what_is_meant() {
+        let books = books().expect("read");
+        for misprint in misprints().expect("read") {
+            assert!(books.iter().any(|book| book.book == misprint.book), "{}", misprint.book);
+            assert!(!misprint.should.is_empty() && !misprint.printed.is_empty(), "{} {}", misprint.file, misprint.line);
         }
     }
 
     #[test]
-    fn the_runs_count_the_flags_that_were_judged() {
-        let contacts = contacts().expect("read");
-        let is_contact = |run: &&ToolRun| !["old", "new", "again"].contains(&run.run.as_str());
-        for run in runs().expect("read").iter().filter(is_contact) {
-            let judged = contacts.iter().filter(|flag| flag.round == run.run && flag.text == run.text).count();
-            assert_eq!(judged, run.flags as usize, "{}", run.text);
-        }
-        for run in runs().expect("read").iter().filter(|run| run.run == "again") {
-            let such = |flag: &&Contact| flag.text == run.text && flag.after == Answer::Yes;
-            assert_eq!(contacts.iter().filter(such).count(), run.flags as usize, "{} after the repairs", run.text);
-        }
-        let flags = flags().expect("read");
-        let flagged = |of: fn(&Flag) -> Answer| flags.iter().filter(|flag| of(flag) == Answer::Yes).count();
-        for (name, count) in [("old", flagged(|flag| flag.flagged_old)), ("new", flagged(|flag| flag.flagged_new))] {
-            assert_eq!(count, run(name).expect("a run").flags as usize, "{name}");
+    fn no_rate_has_more_good_than_tried() {
+        let rates = rates().expect("read");
+        assert!(rates.len() > 10);
+        for rate in rates {
+            assert!(rate.good <= rate.tried && rate.tried > 0, "{} {}", rate.measure, rate.subject);
         }
     }
 }

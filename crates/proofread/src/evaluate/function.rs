@@ -193,7 +193,11 @@ fn on_interval(function: MathFunction, x: Interval) -> Option<Interval> {
             }
             x.map_monotone(|x| without_residue(libm::tan(x), x))
         }
-        MathFunction::Cot => on_interval(MathFunction::Tan, x)?.inverse()?,
+        MathFunction::Cot => {
+            let quotient = [MathFunction::Cos, MathFunction::Sin].map(|of| on_interval(of, x));
+            let [Some(cosine), Some(sine)] = quotient else { return None };
+            cosine * sine.inverse()?
+        }
         MathFunction::Sec => wave(x, libm::cos, 0.0).inverse()?,
         MathFunction::Csc => wave(x, libm::sin, PI / 2.0).inverse()?,
         MathFunction::Arcsin => inside(x)?.map_monotone(libm::asin),

@@ -181,6 +181,9 @@ impl SideValue {
         if self.dimension != other.dimension && !loosely && !self.is_zero() && !other.is_zero() {
             return Err(Obstacle::MixedSum);
         }
+        if self.is_tuple != other.is_tuple {
+            return Err(Obstacle::Unclear("a number added to a list"));
+        }
         let parts = &mut Parts::default();
         for (at, (mine, its)) in self.parts.0.iter().zip(other.parts.0).enumerate() {
             mine.iter().copied().chain(its).for_each(|part| parts.add(at, part));

@@ -90,6 +90,27 @@ fn bracketed_fractions(side: &[Token]) -> Option<usize> {
     (!solid.is_empty() && pieces.clone().all(is_symbol)).then(|| pieces.count())
 }
 
+/// Whether a side is nothing but integers or sizes such as 2 × 3 in brackets, one behind the other.
+fn is_all_bracketed(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let pieces: Vec<&[&Token]> = solid.split(|token| token.is_sign(')')).collect();
+    let is_piece = |piece: &[&Token]| match piece {
+        [rest @ .., open, number] if open.is_sign('(') && is_integer(number) => {
+            rest.iter().all(|of| of.is_one_of("·×∘"))
+        }
+        [rest @ .., open, rows, times, columns] if open.is_sign('(') && times.is_sign('×') => {
+            is_integer(rows) && is_integer(columns) && rest.iter().all(|of| of.is_one_of("·×"))
+        }
+        _ => false,
+    };
+    matches!(pieces.as_slice(), [all @ .., end] if end.is_empty() && !all.is_empty() && all.iter().all(|of| is_piece(of)))
+}
+
+/// Whether brackets are cycles of permutations or the sizes of matrices: both sides are nothing else.
+pub(crate) fn may_be_cycles(left: &[Token], right: &[Token]) -> bool {
+    is_all_bracketed(left) && is_all_bracketed(right)
+}
+
 /// Whether fractions in brackets are symbols of quadratic residues: they equal 1, −1 or 0, or other fractions in brackets.
 pub(crate) fn may_be_residue_symbols(left: &[Token], right: &[Token]) -> bool {
     let is_residue = |side: &[Token]| {

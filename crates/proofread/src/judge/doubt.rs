@@ -189,6 +189,7 @@ impl PlacedPair<'_> {
             || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
             || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
             || bracket_symbols::may_be_residue_symbols(left, right)
+            || bracket_symbols::may_be_cycles(left, right)
             || notation::has_phasor(right)
             || notation::is_mark(right)
             || notation::is_bracketed_number(left)
@@ -263,6 +264,13 @@ impl PlacedPair<'_> {
         let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
+        // A price, beside what so many cost: 50 dimes at $0.10 = $5.00.
+        let money = |side: &ChainSide| side.tokens.first().and_then(Token::word) == Some("$");
+        let price =
+            left.is_literal() && right.is_literal() && money(self.left) && money(self.right) && self.begins_chain();
+        if price && apart {
+            return true;
+        }
         // What the text names in words has its unit there, or the working leaves it out.
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
         // The dollar is also a unit of other things.

@@ -46,7 +46,6 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
-    each(&other_way_round);
     each(&as_columns);
     each(&under_function);
     each(&from_left_to_right);
@@ -57,6 +56,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     if is_binary(&left.tokens) && is_binary(&right.tokens) {
         out.push(sides().map(|side| in_decimal(&side)));
     }
+    out.extend(other_way_round(&right.tokens).map(|other| [left.tokens.clone(), other]));
     out.extend(as_congruence(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
     out
@@ -271,11 +271,20 @@ pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
 
 /// A side whose two values behind ± are given in the other order, as they are after a division by a negative number.
 fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
-    let is_sign = |token: &Token| token.is_sign('±');
-    let at = side.iter().position(is_sign)?;
     let mut out = side.to_vec();
-    out[at] = Token::new(TokenKind::Operator('∓'), side[at].span);
-    Some(out)
+    for token in &mut out {
+        if token.is_sign('±') {
+            token.kind = TokenKind::Operator('∓');
+            return Some(out);
+        }
+        for list in token.kind.lists() {
+            if let Some(changed) = other_way_round(list) {
+                *list = changed;
+                return Some(out);
+            }
+        }
+    }
+    None
 }
 
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.

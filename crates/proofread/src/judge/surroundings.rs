@@ -85,6 +85,10 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
         return true;
     }
+    let example = text_before(text, span);
+    if example.contains("roportion") && example.contains("hether") && example.contains("a proportion") {
+        return true;
+    }
     const REPORTS: [&str; 11] = [
         "mistake",
         "wrongly",

@@ -184,6 +184,16 @@ pub(crate) fn judge(
             break;
         }
     }
+    // Without any unit, there is none that could differ.
+    if let Some(best) = &mut best
+        && let Some((left, right)) = &best.values
+        && best.verdict == ChainVerdict::Units
+        && [left, right].into_iter().all(|side| !side.has_unit && side.angle.is_none() && !side.parts.is_vector())
+        && are_near(left, right)
+        && !pair.inverse
+    {
+        best.verdict = ChainVerdict::Inconsistent;
+    }
     if let Some(best) = &mut best
         && let Some(values) = &best.values
         && best.verdict > ChainVerdict::Units
@@ -511,6 +521,12 @@ impl ComparedSides<'_> {
         let value = evaluator.evaluate_side(self.sides[0]);
         value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
     }
+}
+
+/// Whether two numbers are of about the same size, so that no prefix of a unit is between them.
+fn are_near(left: &SideValue, right: &SideValue) -> bool {
+    let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
+    (0.5..2.0).contains(&(size(left) / size(right)))
 }
 
 /// The most significant digits of a decimal number anywhere in these tokens.

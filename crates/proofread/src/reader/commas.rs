@@ -133,8 +133,14 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
             TokenKind::Operator(',') if parted(tokens, at).is_some() => {
-                let opens = at > 1 && tokens[at - 2].is_one_of("([{");
-                let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}"));
+                let of_macro =
+                    |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name.starts_with('\\'));
+                let signed = usize::from(at > 2 && tokens[at - 2].is_one_of("-+"));
+                let opens = at > 1 + signed && {
+                    let open = &tokens[at - 2 - signed];
+                    open.is_one_of("([{⟨") || of_macro(open)
+                };
+                let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
                 // A pair in brackets may be a point of the plane.
                 seen.commas += usize::from(!(opens && closes || is_pair(tokens, at)));
                 seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));

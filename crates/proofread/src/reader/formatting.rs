@@ -32,10 +32,7 @@ const KNOWN: [(&str, FormattingCommand); 10] = [
         command(false, 1, true),
     ),
     ("fcolorbox resizebox", command(true, 2, true)),
-    (
-        "tag label ref eqref vspace phantom hphantom vphantom require pageref autoref cref Cref index",
-        command(false, 1, false),
-    ),
+    ("tag label ref eqref vspace vphantom require pageref autoref cref Cref index", command(false, 1, false)),
     (
         "color cite citep citet parencite textcite footcite footnote footnotetext todo marginpar hyperref",
         command(true, 1, false),

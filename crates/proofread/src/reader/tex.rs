@@ -434,6 +434,11 @@ impl Tex<'_> {
                 }
                 self.quantity(&name, depth, out);
             }
+            // A place that is kept free, and filled elsewhere.
+            "phantom" | "hphantom" => {
+                self.raw_group();
+                push(out, TokenKind::Unknown("a place that is kept free".to_owned()));
+            }
             "unitfrac" => {
                 let number = self.optional().unwrap_or_default();
                 let number = self.read_inside(number.into_iter().rev().collect(), depth);
@@ -499,6 +504,13 @@ impl Tex<'_> {
         let is_minute = text.trim() == "min" && command != "operatorname";
         if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute) {
             out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
+            return;
+        }
+        // Without a number before it, the name of a function and no second of arc.
+        let follows_number =
+            out.iter().rev().find(|token| !token.is_space()).is_some_and(|last| last.number().is_some());
+        if matches!(text.trim(), "arcsec" | "arccsc" | "arccot") && !follows_number {
+            out.push(token(TokenKind::Unknown(format!("\\{}", text.trim())), span_of_chars(&raw)));
             return;
         }
         if text.contains(['\\', '^', '_', '{', '$']) || (command == "mathrm" && text.contains('~')) {
