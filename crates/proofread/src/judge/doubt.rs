@@ -298,8 +298,9 @@ impl PlacedPair<'_> {
         let is_zero = digits == Some("0");
         let is_small =
             is_small && self.begins_chain() && (is_zero || bare(right) || !is_integer(right) || !self.is_whole());
-        let pair =
-            both && bare(left) && bare(right) && self.begins_chain() && [left, right].into_iter().all(is_integer);
+        let computes = |side: &ChainSide| side.tokens.iter().any(|token| !token.is_space() && token.number().is_none());
+        let alone = self.begins_chain() || !self.chain.sides.iter().any(computes);
+        let pair = both && bare(left) && bare(right) && alone && [left, right].into_iter().all(is_integer);
         lacks_unit
             || opposite
             || costs

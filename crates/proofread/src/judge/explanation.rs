@@ -136,9 +136,13 @@ fn try_other_digits(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     explained.then(|| pair.with_verdict(ChainVerdict::Rounded)).flatten()
 }
 
-/// A side before gives both, so that the step between was rounded.
+/// A side before gives both, so that the step between was rounded: a printed one, or one that is as near to both as its last digit.
 fn try_rounded_step(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
-    if pair.literal_sides() != Some([true, true]) || pair.judgement.verdict <= ChainVerdict::Units {
+    let sides = pair.literal_sides()?;
+    let (left, right) = pair.judgement.values.as_ref()?;
+    let is_near = left.dimension == right.dimension && left.difference(right) < NEAR_STEP;
+    let is_step = sides == [true, true] || (sides == [false, true] && is_near);
+    if !is_step || pair.judgement.verdict <= ChainVerdict::Units {
         return None;
     }
     // What is in base units of the SI may lack its unit.
@@ -152,6 +156,9 @@ fn try_rounded_step(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let given = pair.before.iter().rev().take(MOST_BEFORE).any(gives);
     given.then(|| pair.with_verdict(ChainVerdict::Rounded)).flatten()
 }
+
+/// How far a step with rounded numbers may be from the result of the steps before it, relative to it.
+const NEAR_STEP: f64 = 0.01;
 
 /// How many sides before two others are asked whether they give both.
 const MOST_BEFORE: usize = 3;

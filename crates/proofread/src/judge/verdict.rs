@@ -122,10 +122,18 @@ pub(crate) struct PairJudgement {
 impl PairJudgement {
     /// Whether its sides are nearer to each other than those of another reading.
     pub(crate) fn is_nearer(&self, other: &Self) -> bool {
-        let apart = |of: &Self| of.values.as_ref().map_or(f64::INFINITY, |(left, right)| left.difference(right));
+        // A sign is lost more easily than digits.
+        let apart = |of: &Self| {
+            of.values.as_ref().map_or(f64::INFINITY, |(left, right)| {
+                left.difference(right).min(LOST_SIGN + left.clone().negate().difference(right))
+            })
+        };
         apart(self) < 0.999 * apart(other)
     }
 }
+
+/// How far two sides are apart that differ in their sign alone.
+const LOST_SIGN: f64 = 0.5;
 
 /// Most choices that are made at once.
 const MOST_CHOICES: u32 = 4;

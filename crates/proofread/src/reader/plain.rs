@@ -35,9 +35,13 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
         if from < whole.end {
             pieces.push(from..whole.end);
         }
+        let is_row = is_row_of_table(line);
+        if is_row {
+            pieces = pieces.into_iter().flat_map(|piece| cells(text, piece)).collect();
+        }
         for piece in pieces {
             let part = &text[piece.clone()];
-            let ends_line = piece.end == whole.end;
+            let ends_line = is_row || piece.end == whole.end;
             if !part.contains('=') || !part.contains(|c: char| c.is_ascii_digit()) {
                 continue;
             }
@@ -47,13 +51,30 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
                 each(Formula { style: FormulaStyle::Plain, ..Formula::new(vec![unread], span) });
             } else {
                 line_of(part, piece.start, piece.start == whole.start, &mut |mut formula| {
-                    formula.continues = piece.start > whole.start && touches(formula.tokens.iter());
+                    formula.continues = !is_row && piece.start > whole.start && touches(formula.tokens.iter());
                     formula.goes_on = !ends_line && touches(formula.tokens.iter().rev());
                     each(formula);
                 });
             }
         }
     }
+}
+
+/// Whether a line is a row of a table in Markdown, with a sign at both ends and between its cells.
+fn is_row_of_table(line: &str) -> bool {
+    let row = line.trim();
+    row.starts_with('|') && row.ends_with('|') && row.matches('|').count() > 2
+}
+
+/// The cells of a row, or of a part of it.
+fn cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
+    let mut start = row.start;
+    let mut out = Vec::new();
+    for cell in text[row].split('|') {
+        out.push(start..start + cell.len());
+        start += cell.len() + 1;
+    }
+    out
 }
 
 /// Whether a side runs up to the edge of a piece, behind which another formula is, so that it may not be all of a side.

@@ -436,8 +436,11 @@ impl Tex<'_> {
             }
             // A place that is kept free, and filled elsewhere.
             "phantom" | "hphantom" => {
-                self.raw_group();
-                push(out, TokenKind::Unknown("a place that is kept free".to_owned()));
+                // The width of digits or signs only moves others.
+                let is_named = self.raw_group().iter().any(|sign| sign.c.is_ascii_alphabetic());
+                if is_named {
+                    push(out, TokenKind::Unknown("a place that is kept free".to_owned()));
+                }
             }
             "unitfrac" => {
                 let number = self.optional().unwrap_or_default();

@@ -392,6 +392,11 @@ fn estimate_before(chars: &[char], level: usize) -> Option<(Placed, Option<Print
         }
         const OTHERS: [&str; 15] =
             ["p", "P", "t", "z", "F", "n", "N", "df", "SD", "SEM", "s", "k", "to", "and", "value"];
+        // Nor is a standard error that is called so.
+        let near: String = chars[name.saturating_sub(40)..name].iter().collect();
+        if ["standard error", "standard deviation"].iter().any(|words| near.contains(words)) {
+            return None;
+        }
         // A range, a power or a test is no estimate.
         let outside = name.checked_sub(1).map_or(' ', |at| chars[at]);
         let is_other = OTHERS.contains(&word.as_str()) || ")]–^\u{1}×/+-".contains(outside);

@@ -65,7 +65,13 @@ pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
 fn outcome_of(share: &PrintedShare, whole: f64) -> Outcome {
     let computed = 100.0 * share.part / whole;
     let is_cut = computed >= share.share.value && computed < share.share.value + 2.0 * share.share.half;
-    if is_cut { Outcome::Doubt(Doubt::Truncated) } else { Outcome::Difference }
+    // In 19.2 % (8/10) + …, a rate is multiplied by a share.
+    let is_product = share.at.start == share.range.start && (computed - share.share.value).abs() > 0.5 * computed;
+    match () {
+        () if is_cut => Outcome::Doubt(Doubt::Truncated),
+        () if is_product => Outcome::Doubt(Doubt::OtherParts),
+        () => Outcome::Difference,
+    }
 }
 
 fn judged(share: &PrintedShare, whole: f64, outcome: &Outcome) -> Judged {

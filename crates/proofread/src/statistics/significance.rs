@@ -163,7 +163,11 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
         crosses.then(|| "the two are on different sides of 0.05".to_owned())
     };
     let is_one_sided = is_one_sided && test.comparison == Comparison::Equal;
-    let outcome = match is_one_sided || is_near_adjustment(chars, start) {
+    // The ratio of two variances is compared on both sides.
+    let both_tails = [2.0 * range[0].min(1.0 - range[0]), 2.0 * range[1].min(1.0 - range[1])];
+    let both_tails = [both_tails[0].min(both_tails[1]), both_tails[0].max(both_tails[1])];
+    let is_of_variances = test.kind == TestKind::Fisher && !is_impossible && agrees(test.comparison, p, both_tails);
+    let outcome = match is_one_sided || is_of_variances || is_near_adjustment(chars, start) {
         true => Outcome::Doubt(Doubt::OtherTest),
         false => Outcome::Difference,
     };
