@@ -124,3 +124,46 @@ fn each_judgement_has_a_reason_and_one_of_four_names() {
         assert!(["numbers", "units", "doubts", "quiet"].contains(&chain.now.as_str()), "{}", chain.chain);
     }
 }
+
+/// A flag in a text by others, as far as the runs count it.
+#[derive(serde::Deserialize)]
+struct CountedFlag {
+    round: String,
+    text: String,
+    after: String,
+    second_judge: String,
+}
+
+/// A run over a text.
+#[derive(serde::Deserialize)]
+struct CountedRun {
+    run: String,
+    text: String,
+    flags: usize,
+}
+
+fn rows<T: serde::de::DeserializeOwned>(record: &str) -> Vec<T> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(record.as_bytes());
+    reader.deserialize().map(|row| row.expect("a row of the record")).collect()
+}
+
+#[test]
+fn the_runs_count_the_flags_that_were_judged() {
+    let flags: Vec<CountedFlag> = rows(CONTACT);
+    let runs: Vec<CountedRun> = rows(include_str!("../judged/runs.csv"));
+    for run in runs.iter().filter(|run| !["old", "new"].contains(&run.run.as_str())) {
+        let counts = |flag: &&CountedFlag| match run.run.as_str() {
+            "again" => flag.text == run.text && flag.after == "yes",
+            name => flag.text == run.text && flag.round == name,
+        };
+        assert_eq!(flags.iter().filter(counts).count(), run.flags, "{}, {}", run.text, run.run);
+    }
+}
+
+#[test]
+fn two_readers_judge_the_second_round_and_the_ninth_to_the_eleventh() {
+    for flag in rows::<CountedFlag>(CONTACT) {
+        let by_two = ["second", "ninth", "tenth", "eleventh"].contains(&flag.round.as_str());
+        assert_eq!(!flag.second_judge.is_empty(), by_two, "{}, {}", flag.text, flag.round);
+    }
+}

@@ -35,6 +35,7 @@ mod office;
 mod operations;
 mod page_lines;
 mod plain;
+mod rates;
 mod readings;
 mod remarks;
 mod running;

@@ -1,0 +1,154 @@
+//! The rates beside the program: `judged/rates.csv` is what the records give, and README says what it says.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Flags at first contact, each with its judgement.
+const FLAGS: &str = include_str!("../judged/contact-by-subject.csv");
+/// Errors that others reported or corrected, each with whether the program sees it.
+const REPORTED: &str = include_str!("../judged/reported.csv");
+/// Counts of planted digits and of displayed equalities, text by text.
+const COUNTED: &str = include_str!("../judged/counted.csv");
+const README: &str = include_str!("../README.md");
+
+/// The contact whose rates are told: the last one.
+const LAST: &str = "thirteenth";
+
+#[derive(serde::Deserialize)]
+struct Flag {
+    contact: String,
+    kind: String,
+    list: String,
+    judgement: String,
+    repeats: String,
+    hint: String,
+    hint_right: String,
+}
+
+#[derive(serde::Deserialize)]
+struct Reported {
+    contact: String,
+    kind: String,
+    visible: String,
+    seen: String,
+}
+
+#[derive(serde::Deserialize)]
+struct Counted {
+    contact: String,
+    measure: String,
+    kind: String,
+    good: u32,
+    tried: u32,
+}
+
+fn read<T: serde::de::DeserializeOwned>(record: &str) -> Vec<T> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(record.as_bytes());
+    reader.deserialize().map(|row| row.expect("a row of the record")).collect()
+}
+
+/// Good ones and all, by measure and kind of text, in the order in which they are told.
+#[derive(Default)]
+struct Rates(Vec<(&'static str, String, u32, u32)>);
+
+impl Rates {
+    /// Adds the rates of a measure by the kinds of its texts, the one with most first, and of all.
+    fn add(&mut self, measure: &'static str, cases: impl Iterator<Item = (String, u32, u32)>) {
+        let mut by_kind: BTreeMap<String, (u32, u32)> = BTreeMap::new();
+        for (kind, good, tried) in cases {
+            let sum = by_kind.entry(kind).or_default();
+            *sum = (sum.0 + good, sum.1 + tried);
+        }
+        let all = by_kind.values().fold((0, 0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+        let mut kinds: Vec<_> = by_kind.into_iter().collect();
+        kinds.sort_by_key(|(_, (_, tried))| std::cmp::Reverse(*tried));
+        let kinds = if kinds.len() > 1 { kinds } else { Vec::new() };
+        for (kind, (good, tried)) in kinds.into_iter().chain([("all".to_owned(), all)]) {
+            self.0.push((measure, kind, good, tried));
+        }
+    }
+
+    fn of(&self, measure: &str, kind: &str) -> (u32, u32) {
+        let found = self.0.iter().find(|rate| rate.0 == measure && rate.1 == kind);
+        found.map(|rate| (rate.2, rate.3)).unwrap_or_else(|| panic!("no rate of {measure} in {kind}"))
+    }
+
+    fn written(&self) -> String {
+        let mut out = "# How often the program was right at the last first contact, by what was measured and the kind of text. Made from the \
+             other records by tests/rates.rs; see README.md.\nmeasure,subject,good,tried\n"
+            .to_owned();
+        for (measure, kind, good, tried) in &self.0 {
+            out += &format!("{measure},{kind},{good},{tried}\n");
+        }
+        out
+    }
+}
+
+fn rates() -> Rates {
+    let flags: Vec<Flag> = read(FLAGS);
+    let flags: Vec<Flag> = flags.into_iter().filter(|flag| flag.contact == LAST).collect();
+    let real = |flag: &Flag| u32::from(flag.judgement == "real");
+    let on = |list: &'static str| flags.iter().filter(move |flag| flag.list == list);
+    let mut rates = Rates::default();
+    rates.add("flags", on("numbers").map(|flag| (flag.kind.clone(), real(flag), 1)));
+    let first = on("numbers").filter(|flag| flag.repeats == "no");
+    rates.add("faults", first.map(|flag| ("all".to_owned(), real(flag), 1)));
+    rates.add("statistics", on("statistics").map(|flag| ("all".to_owned(), real(flag), 1)));
+    let hinted = flags.iter().filter(|flag| flag.judgement == "real" && !flag.hint.is_empty());
+    rates.add("hints", hinted.map(|flag| ("all".to_owned(), u32::from(flag.hint_right == "yes"), 1)));
+    let reported: Vec<Reported> = read(REPORTED);
+    let visible = reported.iter().filter(|of| of.contact == LAST && of.visible == "yes");
+    rates.add("reported", visible.map(|of| (of.kind.clone(), u32::from(of.seen == "yes"), 1)));
+    let counted: Vec<Counted> = read(COUNTED);
+    for measure in ["planted", "displayed"] {
+        let of = counted.iter().filter(|of| of.contact == LAST && of.measure == measure);
+        rates.add(measure, of.map(|of| (of.kind.clone(), of.good, of.tried)));
+    }
+    rates
+}
+
+#[test]
+fn the_rates_are_those_of_the_records() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("judged/rates.csv");
+    let (written, now) = (std::fs::read_to_string(&path).unwrap_or_default(), rates().written());
+    if written != now {
+        std::fs::write(&path, &now).expect("judged/rates.csv can be written");
+    }
+    assert_eq!(written, now, "judged/rates.csv is written anew; look at what has changed");
+}
+
+#[test]
+fn the_readme_says_how_reliable_the_program_is() {
+    let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
+    let rates = rates();
+    let percent = |measure: &str, kind: &str| {
+        let (good, tried) = rates.of(measure, kind);
+        format!("{:.0} %", 100.0 * f64::from(good) / f64::from(tried))
+    };
+    let counted = |measure: &str| {
+        let (good, tried) = rates.of(measure, "all");
+        format!("{good} of {tried}")
+    };
+    for phrase in [
+        format!("{} flags on numbers were real, {}", counted("flags"), percent("flags", "all")),
+        format!("{} in mathematics", percent("flags", "mathematics")),
+        format!("{} in physics and engineering", percent("flags", "physics and engineering")),
+        format!("{} in statistics", percent("flags", "statistics")),
+        format!("{} on the list of statistics", counted("statistics")),
+        format!("{} hints", counted("hints")),
+        format!("{} errors that others had reported", counted("reported")),
+        format!("{} planted digits", percent("planted", "all")),
+        format!("{} displayed equalities", percent("displayed", "all")),
+    ] {
+        assert!(readme.contains(&phrase), "{phrase}");
+    }
+}
+
+#[test]
+fn every_record_names_its_contact_and_judges_each_flag() {
+    for flag in read::<Flag>(FLAGS) {
+        assert!(["twelfth", "thirteenth"].contains(&flag.contact.as_str()), "{}", flag.contact);
+        assert!(["real", "rounding", "convention", "purpose", "misread"].contains(&flag.judgement.as_str()));
+        assert!(["yes", "no"].contains(&flag.repeats.as_str()));
+    }
+}
