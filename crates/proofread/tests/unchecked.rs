@@ -28,6 +28,10 @@ fn each_chain_that_was_not_checked_has_its_reason() {
         (r"$5\text{ apples} + 3 = 8$", UncheckedKind::Word, "apples"),
         (r"$\int_0^1 2 = 2$", UncheckedKind::Notation, "an integral"),
         ("Is $2 + 2 = 5$?", UncheckedKind::Denied, ""),
+        ("So $2 + 2 = 5$???", UncheckedKind::Denied, ""),
+        (r"$6!^{(2)} = 48$", UncheckedKind::Notation, "a factorial of several steps"),
+        (r"$(0,1)\times(0,1) = (-1,0)$", UncheckedKind::Notation, "a product of pairs"),
+        (r"$\arctan2(3, 4) = 36.9°$", UncheckedKind::Notation, "a function of two numbers"),
         ("$= 5$", UncheckedKind::Cut, ""),
     ] {
         assert_eq!(only(text), (kind, name.to_owned()), "{text}");

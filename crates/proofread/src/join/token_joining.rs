@@ -132,9 +132,9 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                 let held = if is_part(tokens) { held_together } else { without_comma };
                 out.extend(flatten(inner).into_iter().map(held));
             }
-            // A value with its sign that is put in behind another sign: 2 + {-3}.
+            // A value with its sign that is put in behind another sign: 2 + {-3}, but not 2 · {-}3.
             TokenKind::Group(inner)
-                if ungrouped(inner).first().is_some_and(|first| first.is_one_of("-+")) && ends_with_sign(&out) =>
+                if matches!(ungrouped(inner), [first, _, ..] if first.is_one_of("-+")) && ends_with_sign(&out) =>
             {
                 out.push(Token::new(TokenKind::Operator('('), span));
                 out.extend(flatten(inner));

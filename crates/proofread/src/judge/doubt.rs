@@ -195,13 +195,14 @@ impl PlacedPair<'_> {
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
             || (judgement.verdict == ChainVerdict::Dimensions
                 && [left, right].into_iter().any(notation::has_two_meanings))
-            || notation::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
+            || other_arithmetic::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
             || judgement
                 .values
                 .as_ref()
                 .and_then(|(left, _)| left.number().ok())
                 .is_some_and(|of| notation::is_size(of.point, right))
             || self.is_one_of_two()
+            || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
