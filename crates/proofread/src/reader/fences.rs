@@ -140,7 +140,11 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
                 inside += 4;
                 out.push_str(&line[..indent]);
                 out.push_str("*   ");
-                out.push_str(&line[indent + 4..]);
+                // More space would indent that text further.
+                let (shut, rest) =
+                    line[indent + 4..].strip_prefix(' ').map_or(("", &line[indent + 4..]), |rest| (".", rest));
+                out.push_str(shut);
+                out.push_str(rest);
                 continue;
             }
             FenceLine::No | FenceLine::Code => (content.len(), ' '),
@@ -156,7 +160,8 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
 
 /// Whether a line begins an admonition of Python-Markdown or a tab of its extensions: `!!! note`, `??? example`, `???+ tip`, `=== "Tab"`.
 fn is_admonition(line: &str) -> bool {
-    (["!!! ", "??? ", "???+"].iter().any(|mark| line.starts_with(mark)) && line.len() > 4) || line.starts_with("=== \"")
+    (["!!! ", "??? ", "???+ "].iter().any(|mark| line.starts_with(mark)) && line.len() > 4)
+        || line.starts_with("=== \"")
 }
 
 #[cfg(test)]
