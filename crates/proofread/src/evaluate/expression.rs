@@ -3,6 +3,7 @@
 use crate::effort;
 use crate::evaluate::cursor::Cursor;
 use crate::evaluate::interval::Interval;
+use crate::evaluate::operation::double_factorial;
 use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::step_rounding::StepRounding;
@@ -426,7 +427,11 @@ impl<'b> Evaluator<'b> {
             } else if token.is_sign('!') {
                 cursor.at += 1;
                 match cursor.current() {
-                    Some(next) if next.is_sign('!') => return Err(Obstacle::Unclear("a double factorial")),
+                    Some(next) if next.is_sign('!') => {
+                        cursor.at += 1;
+                        value = double_factorial(&value)?;
+                        continue;
+                    }
                     Some(Token { kind: TokenKind::Power(of), .. })
                         if of.first().is_some_and(|open| open.is_sign('(')) =>
                     {

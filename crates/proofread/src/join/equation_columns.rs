@@ -64,7 +64,7 @@ fn is_equation(cells: &[&[Token]]) -> bool {
     match cells {
         [left, right] => {
             // It may also be asked whether it holds.
-            let is_asked = trim_space(right).first().is_some_and(|first| first.is_sign('≡'));
+            let is_asked = trim_space(right).first().is_some_and(|first| first.is_one_of("≡∼"));
             let related = begins_with_relation(right) || is_asked;
             let begins = trim_space(left).first().is_some_and(|first| !first.is_one_of("+·×/"));
             begins && related && trim_space(right).len() > 1

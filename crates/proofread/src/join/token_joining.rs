@@ -4,9 +4,9 @@
 //! no scripts, accents, groups without meaning and tables any more: a letter has its subscript in its name, and an exponent is
 //! a [`TokenKind::Power`] behind what it belongs to.
 
-use crate::join::equation_columns;
 use crate::join::joined_operations::join_operations;
 use crate::join::split_units::{self, prefixed_unit, pressure_column};
+use crate::join::{congruence, equation_columns};
 use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
 
 /// Joins the tokens of a formula.
@@ -14,7 +14,8 @@ pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
     let rows = equation_columns::without_row_remarks(&rows).unwrap_or(rows);
     let rows = equation_columns::read_down(&rows).or_else(|| equation_columns::part_equations(&rows)).unwrap_or(rows);
-    merged(flatten(&rows))
+    let tokens = flatten(&rows);
+    merged(congruence::as_remainders(&tokens).unwrap_or(tokens))
 }
 
 /// Tables at the top become rows; inside brackets they are matrices.

@@ -326,6 +326,8 @@ impl PlacedPair<'_> {
         let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
         let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
         row.iter().any(|token| match &token.kind {
+            // It was read as the modulus of a congruence.
+            TokenKind::Unknown(name) if name == "pmod" && computes_remainder(&self.right.tokens) => false,
             // In another side of the chain, it cuts neither of these.
             TokenKind::Unknown(_) if self.is_in_other_side(token.span) => false,
             // Dots behind decimals were read.

@@ -467,6 +467,12 @@ impl Tex<'_> {
                 let arguments = vec![self.argument(depth), self.argument(depth)];
                 push(out, TokenKind::Call(NamedOperation::Binomial, arguments));
             }
+            // One of four sizes.
+            "mathchoice" => {
+                let shown = self.argument(depth);
+                (0..3).for_each(|_| drop(self.raw_group()));
+                push(out, TokenKind::Group(shown));
+            }
             name => {
                 if let Some(command) = formatting::formatting_command(name) {
                     self.format_argument(name, command, span, depth, out);
