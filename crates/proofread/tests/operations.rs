@@ -310,3 +310,26 @@ fn the_first_of_four_sizes_is_shown() {
     let of = |last: &str| crate::wrong(&text(last), TextFormat::Latex).len();
     assert_eq!((of("5"), of("6")), (0, 1));
 }
+
+#[test]
+fn dots_stand_for_the_terms_of_an_arithmetic_progression() {
+    holds(&[
+        r"$1+2+3+\cdots+10 = 55$",
+        r"$1+3+\dots+99 = \frac{50\cdot 100}{2} = 2500$",
+        r"$2(10+9+\ldots+1) = 110$",
+        "1 + 2 + ... + 100 = 5050",
+    ]);
+    fails(&[
+        r"$1+2+3+\cdots+10 = 65$",
+        r"$1+3+\dots+99 = \frac{50\cdot 100}{2} = 2501$",
+        r"$2(10+9+\ldots+1) = 120$",
+        "1 + 2 + ... + 100 = 5150",
+    ]);
+    silent(&[
+        r"$2+4+\cdots+64 = 126$",
+        r"$1+4+9+\cdots+100 = 386$",
+        r"$1+\cdots+10 = 65$",
+        r"$1+2+\cdots+n = 65$",
+        r"$1+2+\cdots+10^2 = 65$",
+    ]);
+}

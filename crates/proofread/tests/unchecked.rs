@@ -104,6 +104,15 @@ fn parts_that_are_not_read_are_counted_by_name() {
     assert_eq!(counts(text, TextFormat::Html), [of(UnreadKind::Element, "pre", 1), of(UnreadKind::Comment, "", 1)]);
     let text = r#"{"cells": [{"cell_type": "code", "source": ["x = 1"]}]}"#;
     assert_eq!(counts(text, TextFormat::Notebook), [of(UnreadKind::Cell, "", 1)]);
+    // An older dialect of PreTeXt, and elements of the same names whose content is read.
+    let text = "<p><equation>2+2 = 5</equation><equation>x = y</equation><alignmath>1+1&amp;=3\\\\</alignmath></p>";
+    assert_eq!(
+        counts(text, TextFormat::Xml),
+        [of(UnreadKind::Element, "alignmath", 1), of(UnreadKind::Element, "equation", 1)]
+    );
+    let text =
+        "<equation><math><mn>2</mn><mo>=</mo><mn>2</mn></math></equation><equation>$$2+2 = 4$$</equation><equation>";
+    assert_eq!(counts(text, TextFormat::Xml), []);
     // What is read is not among them.
     assert_eq!(counts("```{note}\n$1 + 1 = 2$\n```\n\n```math\n1 + 1 = 2\n```", TextFormat::Markdown), []);
 }

@@ -5,6 +5,7 @@ use crate::evaluate::cursor::Cursor;
 use crate::evaluate::interval::Interval;
 use crate::evaluate::operation::double_factorial;
 use crate::evaluate::printed::{Mode, PrintedNumber};
+use crate::evaluate::progression::of_progression;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::step_rounding::StepRounding;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
@@ -149,6 +150,10 @@ impl<'b> Evaluator<'b> {
     }
 
     fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        if let Some(sum) = cursor.tokens.get(cursor.at..).and_then(of_progression) {
+            cursor.at = cursor.tokens.len();
+            return Ok(sum);
+        }
         let mut negative = false;
         if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
             cursor.at += 1;

@@ -330,6 +330,13 @@ impl PlacedPair<'_> {
             TokenKind::Unknown(name) if name == "pmod" && computes_remainder(&self.right.tokens) => false,
             // In another side of the chain, it cuts neither of these.
             TokenKind::Unknown(_) if self.is_in_other_side(token.span) => false,
+            // So were dots for terms of a sum: both sides have values.
+            TokenKind::Unknown(name)
+                if name == "…"
+                    && [self.left, self.right].into_iter().any(|side| side.span.join(token.span) == side.span) =>
+            {
+                false
+            }
             // Dots behind decimals were read.
             TokenKind::Unknown(_)
                 if [self.left, self.right].into_iter().any(|side| has_number_at(side, token.span)) =>

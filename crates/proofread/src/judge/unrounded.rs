@@ -153,9 +153,8 @@ fn with_pi(side: &[Token], digits: &str) -> Option<Vec<Token>> {
         for token in tokens {
             if token.kind == TokenKind::Name("π".to_owned()) {
                 let span: Span = token.span;
-                let factors = [TokenKind::Operator('·'), TokenKind::Number(share.to_owned())];
-                let factors = factors.map(|kind| Token::new(kind, span));
-                *token = Token::new(TokenKind::Group([&[token.clone()], factors.as_slice()].concat()), span);
+                let factors = [token.kind.clone(), TokenKind::Operator('·'), TokenKind::Number(share.to_owned())];
+                *token = Token::new(TokenKind::Group(factors.map(|kind| Token::new(kind, span)).to_vec()), span);
                 any = true;
             } else {
                 token.kind.lists().into_iter().for_each(|inner| any |= replace_pi(inner, share));
