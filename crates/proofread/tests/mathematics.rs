@@ -123,9 +123,18 @@ fn sums_that_are_false_on_purpose_are_known() {
             "True or false: $3+4=8$.",
             "$3+4=8$ (true or false)",
             "So $1^2+5^2=2^2$???",
+            r"This gives $8 \equiv 13 \pmod{15}$, which is no longer true.",
         ],
     );
-    listed(Markdown, &["We get $2+2=5$ here.", "We get $1+1=3$ here.", "$1^2+5^2=2^2$. What now?"]);
+    listed(
+        Markdown,
+        &[
+            "We get $2+2=5$ here.",
+            "We get $1+1=3$ here.",
+            "$1^2+5^2=2^2$. What now?",
+            r"This gives $8 \equiv 13 \pmod{15}$.",
+        ],
+    );
 }
 
 #[test]

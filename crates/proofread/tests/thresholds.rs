@@ -332,6 +332,7 @@ fn a_conversion_gains_no_digits() {
     judged(&[
         (r"0.5\,\text{m} = 500\,\text{mm}", "consistent"),
         (r"0.5\,\text{m} = 506\,\text{mm}", "inconsistent"),
+        (r"0.5\,\text{m} = 0.506\,\text{m}", "truncated"),
         (r"3.5\,\text{cm} = 40\,\text{mm}", "consistent"),
         (r"3.5\,\text{cm} = 41\,\text{mm}", "inconsistent"),
         (r"0.333\,\text{h} = 20\,\text{min}", "consistent"),

@@ -94,7 +94,7 @@ fn named_moduli(text: &str) -> Vec<f64> {
         number_at(modulus.or_else(|| sign.contains('f').then_some(behind))?)
     });
     // Neither SU(2) nor the value U(2) = 5 of a function.
-    let of_groups = text.match_indices("U(").filter_map(|(at, sign)| {
+    let of_groups = text.match_indices("U(").take(surroundings::MOST_CALLS).filter_map(|(at, sign)| {
         let (inside, behind) = text[at + sign.len()..].split_once(')')?;
         let equal = behind.trim_start().strip_prefix('=');
         let is_value = equal.is_some_and(|equal| !equal.trim_start_matches([' ', '\\']).starts_with('{'));

@@ -369,6 +369,8 @@ impl ComparedSides<'_> {
         // What is converted has no more digits than it had before.
         let is_finer =
             literal == [true, true] && both_units && relative_width(right) < FEWER_DIGITS * relative_width(left);
+        // In the same unit, it may be said more exactly.
+        let gains_digits = is_finer && points[0].factor != points[1].factor;
         let agrees = match literal {
             [true, true] => points[0].meets(right, 0.0) || (!is_finer && left.meets(&points[1], 0.0)),
             [false, true] => points[0].meets(right, 0.0),
@@ -457,7 +459,7 @@ impl ComparedSides<'_> {
             [true, false] => is_cut(&points[1], left),
             [true, true] => {
                 (fewer(left, right) && is_cut(&points[0], right))
-                    || (!is_finer && fewer(right, left) && is_cut(&points[1], left))
+                    || (!gains_digits && fewer(right, left) && is_cut(&points[1], left))
             }
             [false, false] => false,
         };
@@ -466,7 +468,7 @@ impl ComparedSides<'_> {
         }
         if lenient[0].meets(&lenient[1], 0.0)
             && !ill
-            && !is_finer
+            && !gains_digits
             && FROM_TENS.explains(&lenient, &points, literal)
             && is_as_coarse(&lenient, literal)
         {
@@ -477,7 +479,7 @@ impl ComparedSides<'_> {
         }
         // What the steps would allow, but not likely, is more than a digit; and of one or two digits, the last one is a large part.
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
-        let near = near && !is_finer && has_three_digits(&strict[usize::from(literal[1])]);
+        let near = near && !gains_digits && has_three_digits(&strict[usize::from(literal[1])]);
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
         let is_ill_conditioned = ill && self.cancels_decimals;
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
