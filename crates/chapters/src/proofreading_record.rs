@@ -61,10 +61,6 @@ pub(crate) struct BookRun {
     pub revision: String,
     /// Chains that were checked.
     pub checked: u32,
-    /// Flags on a number.
-    pub flags_numbers: u32,
-    /// Flags on a statistic, a share or a total.
-    pub flags_statistics: u32,
 }
 
 /// How often something came out well, of how many.

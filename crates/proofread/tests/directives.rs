@@ -101,3 +101,39 @@ fn a_finding_in_running_text_of_latex_has_its_place() {
     let finding = &report(text, Latex).findings[0];
     assert_eq!((&text[finding.at.range()], &text[finding.left_span.range()]), ("1.25", "1.2 + 0.5"));
 }
+
+#[test]
+fn chunks_of_bookdown_with_text_are_read() {
+    for name in ["example", "exercise", "theorem", "lemma", "definition", "block2"] {
+        for options in ["", ", label=\"x\"", " ex1, name=\"Sums\""] {
+            let chunk = |sum: &str| format!("```{{{name}{options}}}\nTake $2 + 3 = {sum}$.\n```\n");
+            assert_eq!(wrong(&chunk("5"), Markdown), [""; 0]);
+            assert_eq!(wrong(&chunk("6"), Markdown), ["2 + 3 | 6"], "{name}{options}");
+        }
+    }
+}
+
+#[test]
+fn admonitions_and_tabs_of_mkdocs_are_read() {
+    for mark in ["!!! note", "??? example \"Größe\"", "???+ tip", "=== \"Überblick\""] {
+        let text = |sum: &str| {
+            format!("{mark}\n\n    Take $2 + 2 = 4$.\n\n    And\n\n    $$2 + 3 = {sum}$$\n\nThen $1 + 1 = 2$.\n")
+        };
+        for before in ["", "Text\n\n"] {
+            assert_eq!(wrong(&(before.to_owned() + &text("5")), Markdown), [""; 0]);
+            assert_eq!(wrong(&(before.to_owned() + &text("6")), Markdown), ["2 + 3 | 6"], "{before}{mark}");
+        }
+        let nested = format!(
+            "!!! note\n\n    {mark}\n\n        Take $2 + 2 = 4$.\n\n        So $2 + 3 = 6$.\n\n    Also $3 + 3 = 7$.\n"
+        );
+        assert_eq!(wrong(&nested, Markdown), ["2 + 3 | 6", "3 + 3 | 7"], "{mark}");
+    }
+    // What is indented elsewhere is code.
+    for code in [
+        "Text\n\n    !!! note\n\n        $2 + 3 = 6$\n",
+        "!!!\n\n    $2 + 3 = 6$\n",
+        "!!! note\n\nText\n\n    $2 + 3 = 6$\n",
+    ] {
+        assert_eq!(wrong(code, Markdown), [""; 0], "{code}");
+    }
+}

@@ -26,6 +26,7 @@ mod integrations;
 mod judged;
 #[cfg(feature = "cli")]
 mod lsp;
+mod mathematics;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;

@@ -237,3 +237,99 @@ fn a_mixed_number_may_be_improper() {
     holds(&[r"$2\tfrac75 = 3\tfrac25$"]);
     fails(&[r"$2\tfrac75 = 3\tfrac35$"]);
 }
+
+#[test]
+fn a_binomial_coefficient_may_be_one_of_a_series() {
+    holds(&[
+        r"$\binom{-3/2}{2} = \frac{(-3/2)(-5/2)}{2!} = \frac{15}{8}$",
+        r"$\binom{-2}{3} = -4$",
+        r"$\binom{1/2}{2} = -1/8 = -0.125$",
+        r"$\binom{0.5}{0} = 1$ and $\binom{2}{5} = 0$",
+    ]);
+    fails(&[r"$\binom{-3/2}{2} = \frac{(-3/2)(-5/2)}{3!}$", r"$\binom{-2}{3} = 4$", r"$\binom{1/2}{2} = -1/4$"]);
+    silent(&[r"$\binom{-2}{-1} = 4$", r"$\binom{-2}{1/2} = 4$", r"$\binom{-2}{100000} = 4$"]);
+}
+
+#[test]
+fn a_double_factorial_takes_every_second_factor() {
+    holds(&[r"$7!! = 7\cdot5\cdot3\cdot1 = 105$", "$8!! = 384$", r"$0!! = 1$ and $5!!\cdot 2 = 30$"]);
+    fails(&[r"$7!! = 106$", "$8!! = 348$", r"$5!!\cdot 2 = 240$"]);
+    silent(&["$(-3)!! = 4$", "$1.5!! = 4$", "$9999!! = 4$"]);
+}
+
+#[test]
+fn congruences_have_a_printed_modulus() {
+    holds(&[
+        r"$7+9 \equiv 4 \pmod{12}$",
+        r"$17 \equiv 2 \pmod 5$, $-1 \equiv 4 \pmod 5$ and $-1 \equiv -6 \pmod 5$",
+        r"$5\cdot 3\equiv 1\ (\mathrm{mod}\ 7)$ and $22 \equiv 1 \mod 7$",
+        r"$2^{10} \equiv 1 \pmod{11}$ since $1024 \equiv 1 \pmod{11}$",
+    ]);
+    fails(&[
+        r"$7+9 \equiv 3 \pmod{12}$",
+        r"$17 \equiv 3 \pmod 5$",
+        r"$-1 \equiv 3 \pmod 5$",
+        r"$5\cdot 3\equiv 2\ (\mathrm{mod}\ 7)$",
+        r"$22 \equiv 2 \mod 7$",
+        r"so $2^{10} \equiv 2 \pmod{11}$.",
+    ]);
+    silent(&[
+        r"$7+9 \equiv 3$",
+        r"$x \equiv 3 \pmod{12}$ and $7 \equiv 3 \pmod n$",
+        r"$2 \equiv 3 \pmod 0$",
+        r"$2^{100} \equiv 3 \pmod{11}$",
+        r"$5+2\stackrel{?}{\equiv}3 \pmod 5$ and $5+2\stackrel{?}{=}3 \pmod 5$",
+        r"$7+9 \not\equiv 3 \pmod{12}$",
+    ]);
+}
+
+#[test]
+fn a_hint_for_a_congruence_names_what_is_printed() {
+    for text in [r"$7+9 \equiv 3 \pmod{12}$", r"$123 \equiv 44 \pmod{89}$", r"$1024 \equiv 56 \pmod{121}$"] {
+        let found = report(text, TextFormat::Markdown).findings;
+        assert_eq!(found.len(), 1, "{text}");
+        for hint in found.iter().filter_map(|of| of.hint.as_ref()) {
+            let printed = hint.words.rsplit('`').nth(1).expect("what is printed");
+            assert_eq!(&text[hint.at.range()], printed, "{text}: {hint:?}");
+        }
+    }
+}
+
+#[test]
+fn an_inverse_has_a_modulus() {
+    holds(&[r"$3^{-1} \bmod 7 = 5$", r"$3^{-1} \bmod 7 = 3^5 \bmod 7 = 5$", r"$3^{-1} \equiv 5 \pmod 7$"]);
+    fails(&[r"$3^{-1} \bmod 7 = 6$", r"$3^{-1} \equiv 6 \pmod 7$"]);
+    silent(&[r"$2^{-1} \bmod 4 = 2$", r"$0.5 \bmod 7 = 3$", r"$3^{-1} \bmod 0 = 5$", r"$3^{-1} \bmod 1 = 5$"]);
+}
+
+#[test]
+fn the_first_of_four_sizes_is_shown() {
+    let text = |last: &str| {
+        format!(r"\newcommand{{\hl}}[1]{{\mathchoice{{\displaystyle #1}}{{#1}}{{#1}}{{#1}}}} $2+3 = \hl{{{last}}}$")
+    };
+    let of = |last: &str| crate::wrong(&text(last), TextFormat::Latex).len();
+    assert_eq!((of("5"), of("6")), (0, 1));
+}
+
+#[test]
+fn dots_stand_for_the_terms_of_an_arithmetic_progression() {
+    holds(&[
+        r"$1+2+3+\cdots+10 = 55$",
+        r"$1+3+\dots+99 = \frac{50\cdot 100}{2} = 2500$",
+        r"$2(10+9+\ldots+1) = 110$",
+        "1 + 2 + ... + 100 = 5050",
+    ]);
+    fails(&[
+        r"$1+2+3+\cdots+10 = 65$",
+        r"$1+3+\dots+99 = \frac{50\cdot 100}{2} = 2501$",
+        r"$2(10+9+\ldots+1) = 120$",
+        "1 + 2 + ... + 100 = 5150",
+    ]);
+    silent(&[
+        r"$2+4+\cdots+64 = 126$",
+        r"$1+4+9+\cdots+100 = 386$",
+        r"$1+\cdots+10 = 65$",
+        r"$1+2+\cdots+n = 65$",
+        r"$1+2+\cdots+10^2 = 65$",
+    ]);
+}

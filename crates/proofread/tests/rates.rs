@@ -137,8 +137,8 @@ fn the_readme_says_how_reliable_the_program_is() {
         format!("{} on the list of statistics", counted("statistics")),
         format!("{} hints", counted("hints")),
         format!("{} errors that others had reported", counted("reported")),
-        format!("{} planted digits", percent("planted", "all")),
-        format!("{} displayed equalities", percent("displayed", "all")),
+        format!("{} of planted digits", percent("planted", "all")),
+        format!("{} of displayed equalities", percent("displayed", "all")),
     ] {
         assert!(readme.contains(&phrase), "{phrase}");
     }

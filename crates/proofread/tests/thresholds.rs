@@ -267,3 +267,86 @@ fn a_small_difference_of_rounded_numbers_explains_nothing_by_itself() {
 fn the_last_digit_is_one_of_three() {
     judged(&[("24.1 - 12.0 = 12.2", "last-digit"), ("2.4 - 1.2 = 1.3", "inconsistent"), ("2 + 2 = 5", "inconsistent")]);
 }
+
+#[test]
+fn whole_numbers_are_reckoned_exactly_up_to_ten_thousand() {
+    judged(&[
+        ("4 + 5 = 9", "consistent"),
+        ("4 + 5 = 10", "inconsistent"),
+        ("60 = 58 + 2", "consistent"),
+        ("60 = 58 + 1", "inconsistent"),
+        ("12^2 = 140", "inconsistent"),
+        ("5! = 100", "inconsistent"),
+        (r"\binom{10}{6} = 200", "inconsistent"),
+        (r"\sqrt{121} = 10", "inconsistent"),
+        (r"2^{10} = 1000", "inconsistent"),
+        (r"4 + 5 \approx 10", "consistent"),
+        (r"3 \cdot 3.0 = 10", "inconsistent"),
+        (r"3 \cdot 3.1 = 10", "consistent"),
+        (r"10^2 = 130", "inconsistent"),
+        (r"40 \cdot 0.80 = 30", "inconsistent"),
+        ("12345678901 + 1 = 12345678905", "inconsistent"),
+        (r"2^{40} = 1099511627776", "consistent"),
+        (r"4 \cdot 10^{-14} = 3 \cdot 10^{-14}", "inconsistent"),
+        (r"4\,\text{m} + 5\,\text{m} = 10\,\text{m}", "consistent"),
+        (r"99 \cdot 101 = 9900", "inconsistent"),
+        (r"101 \cdot 101 = 10000", "consistent"),
+        (r"67 \cdot 1432 = 96000", "consistent"),
+    ]);
+}
+
+#[test]
+fn bare_decimals_leave_less_open_than_measured_ones() {
+    judged(&[
+        (r"100 \cdot 0.25 = 26", "inconsistent"),
+        (r"100\,\text{m} \cdot 0.25 = 26\,\text{m}", "rounded"),
+        (r"1.04 \cdot 100 = 105", "last-digit"),
+        // Numbers with far fewer digits than the result are meant as they are.
+        (r"\sqrt{0.6} = 0.784", "inconsistent"),
+        (r"637/96 = 6.63572", "inconsistent"),
+        // A logarithm has as many decimals as its argument has digits.
+        (r"\ln 2.5 = 0.9163", "consistent"),
+        (r"\ln 2.5 = 0.9183", "rounded"),
+        (r"\ln 2.5 = 0.9463", "inconsistent"),
+    ]);
+}
+
+#[test]
+fn what_the_digits_hold_is_not_cut_off() {
+    judged(&[
+        ("3/7 = 0.42", "truncated"),
+        ("1/5 = 0.1", "inconsistent"),
+        ("5/8 = 0.624", "last-digit"),
+        (r"\binom{9}{2} = 30", "inconsistent"),
+        ("8/3 = 2", "truncated"),
+    ]);
+}
+
+#[test]
+fn bare_numbers_beside_a_unit_agree_as_numbers_do() {
+    judged(&[
+        (r"2.5 + 3.1 = 5.6\,\text{mm}", "consistent"),
+        (r"2.5 + 3.1 = 5.7\,\text{mm}", "inconsistent"),
+        (r"20.00 + 0.0849 = 20.0849\,\text{mm}", "consistent"),
+        (r"20.00 + 0.0849 = 20.0809\,\text{mm}", "last-digit"),
+        (r"2.5 \cdot 3.1 = 7.75\,\text{mm}", "consistent"),
+        (r"2.5 \cdot 3.1 = 8.95\,\text{mm}", "inconsistent"),
+        // Volts over kilohms.
+        (r"\frac{5.0}{2.0} = 2500\,\text{μA}", "units"),
+    ]);
+}
+
+#[test]
+fn a_conversion_gains_no_digits() {
+    judged(&[
+        (r"0.5\,\text{m} = 500\,\text{mm}", "consistent"),
+        (r"0.5\,\text{m} = 506\,\text{mm}", "inconsistent"),
+        (r"0.5\,\text{m} = 0.506\,\text{m}", "truncated"),
+        (r"3.5\,\text{cm} = 40\,\text{mm}", "consistent"),
+        (r"3.5\,\text{cm} = 41\,\text{mm}", "inconsistent"),
+        (r"0.333\,\text{h} = 20\,\text{min}", "consistent"),
+        (r"5\,\text{ft} = 152.4\,\text{cm}", "consistent"),
+        (r"1609\,\text{m} = 1.6\,\text{km}", "consistent"),
+        (r"0.5\,\text{N}\cdot\text{m} = 506\,\text{N}\cdot\text{mm}", "inconsistent"),
+    ]);
+}

@@ -28,6 +28,10 @@ fn each_chain_that_was_not_checked_has_its_reason() {
         (r"$5\text{ apples} + 3 = 8$", UncheckedKind::Word, "apples"),
         (r"$\int_0^1 2 = 2$", UncheckedKind::Notation, "an integral"),
         ("Is $2 + 2 = 5$?", UncheckedKind::Denied, ""),
+        ("So $2 + 2 = 5$???", UncheckedKind::Denied, ""),
+        (r"$6!^{(2)} = 48$", UncheckedKind::Notation, "a factorial of several steps"),
+        (r"$(0,1)\times(0,1) = (-1,0)$", UncheckedKind::Notation, "a product of pairs"),
+        (r"$\arctan2(3, 4) = 36.9°$", UncheckedKind::Notation, "a function of two numbers"),
         ("$= 5$", UncheckedKind::Cut, ""),
     ] {
         assert_eq!(only(text), (kind, name.to_owned()), "{text}");
@@ -100,6 +104,15 @@ fn parts_that_are_not_read_are_counted_by_name() {
     assert_eq!(counts(text, TextFormat::Html), [of(UnreadKind::Element, "pre", 1), of(UnreadKind::Comment, "", 1)]);
     let text = r#"{"cells": [{"cell_type": "code", "source": ["x = 1"]}]}"#;
     assert_eq!(counts(text, TextFormat::Notebook), [of(UnreadKind::Cell, "", 1)]);
+    // An older dialect of PreTeXt, and elements of the same names whose content is read.
+    let text = "<p><equation>2+2 = 5</equation><equation>x = y</equation><alignmath>1+1&amp;=3\\\\</alignmath></p>";
+    assert_eq!(
+        counts(text, TextFormat::Xml),
+        [of(UnreadKind::Element, "alignmath", 1), of(UnreadKind::Element, "equation", 1)]
+    );
+    let text =
+        "<equation><math><mn>2</mn><mo>=</mo><mn>2</mn></math></equation><equation>$$2+2 = 4$$</equation><equation>";
+    assert_eq!(counts(text, TextFormat::Xml), []);
     // What is read is not among them.
     assert_eq!(counts("```{note}\n$1 + 1 = 2$\n```\n\n```math\n1 + 1 = 2\n```", TextFormat::Markdown), []);
 }

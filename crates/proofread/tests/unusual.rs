@@ -9,14 +9,14 @@ fn on(list: ReportSection, text: &str, format: TextFormat) -> Vec<String> {
 }
 
 #[track_caller]
-fn unlisted(format: TextFormat, texts: &[&str]) {
+pub(crate) fn unlisted(format: TextFormat, texts: &[&str]) {
     for text in texts {
         assert_eq!(on(ReportSection::Numbers, text, format), [""; 0], "{text}");
     }
 }
 
 #[track_caller]
-fn listed(format: TextFormat, texts: &[&str]) {
+pub(crate) fn listed(format: TextFormat, texts: &[&str]) {
     for text in texts {
         assert_ne!(on(ReportSection::Numbers, text, format), [""; 0], "{text}");
     }

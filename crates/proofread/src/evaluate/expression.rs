@@ -3,7 +3,9 @@
 use crate::effort;
 use crate::evaluate::cursor::Cursor;
 use crate::evaluate::interval::Interval;
+use crate::evaluate::operation::double_factorial;
 use crate::evaluate::printed::{Mode, PrintedNumber};
+use crate::evaluate::progression::of_progression;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::step_rounding::StepRounding;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
@@ -148,6 +150,10 @@ impl<'b> Evaluator<'b> {
     }
 
     fn sum(&mut self, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
+        if let Some(sum) = cursor.tokens.get(cursor.at..).and_then(of_progression) {
+            cursor.at = cursor.tokens.len();
+            return Ok(sum);
+        }
         let mut negative = false;
         if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
             cursor.at += 1;
@@ -426,7 +432,11 @@ impl<'b> Evaluator<'b> {
             } else if token.is_sign('!') {
                 cursor.at += 1;
                 match cursor.current() {
-                    Some(next) if next.is_sign('!') => return Err(Obstacle::Unclear("a double factorial")),
+                    Some(next) if next.is_sign('!') => {
+                        cursor.at += 1;
+                        value = double_factorial(&value)?;
+                        continue;
+                    }
                     Some(Token { kind: TokenKind::Power(of), .. })
                         if of.first().is_some_and(|open| open.is_sign('(')) =>
                     {

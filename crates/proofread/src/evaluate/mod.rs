@@ -11,6 +11,7 @@ pub(crate) mod interval;
 pub(crate) mod numeral;
 mod operation;
 pub(crate) mod printed;
+mod progression;
 pub(crate) mod reading;
 pub(crate) mod step_rounding;
 mod units_after;

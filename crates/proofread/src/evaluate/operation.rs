@@ -11,6 +11,9 @@ use crate::token::{MathFunction, NamedOperation, Token, TokenKind, trim_space};
 /// Largest integer that is reckoned with exactly.
 const LARGEST: f64 = 9.0e15;
 
+/// Largest integer that is told from its inverse in floating point.
+const LARGEST_INVERTED: f64 = 9.0e7;
+
 /// Most factors of a factorial or binomial coefficient.
 const MOST_FACTORS: f64 = 400.0;
 
@@ -35,6 +38,28 @@ fn integer(value: &SideValue) -> Evaluated<f64> {
         return Err(Obstacle::Unclear("an integer is expected"));
     }
     Ok(whole)
+}
+
+/// The integer whose inverse a computed value is.
+fn inverted_integer(value: &SideValue) -> Option<f64> {
+    let number = value.number().ok().filter(|_| !value.has_unit && value.literal != Literal::Number)?.point;
+    let whole = libm::round(1.0 / number);
+    (whole.abs() < LARGEST_INVERTED && (1.0 / number - whole).abs() <= NOISE * whole.abs()).then_some(whole)
+}
+
+/// The inverse of an integer for a modulus, from 1 to the modulus.
+fn inverse(of: f64, modulus: f64) -> Evaluated<f64> {
+    let (mut a, mut b) = (of.rem_euclid(modulus), modulus);
+    let (mut factor, mut other) = (1.0, 0.0);
+    while b > 0.0 {
+        let times = libm::floor(a / b);
+        (a, b) = (b, a - times * b);
+        (factor, other) = (other, factor - times * other);
+    }
+    if a != 1.0 || modulus < 2.0 {
+        return Err(Obstacle::Unclear("a number without an inverse"));
+    }
+    Ok(factor.rem_euclid(modulus))
 }
 
 /// The pieces between commas or semicolons outside brackets.
@@ -67,9 +92,30 @@ fn product_of(first: f64, count: f64, step: f64) -> Evaluated<f64> {
     Ok((0..count as u32).map(|at| first + step * f64::from(at)).product())
 }
 
+/// The product of every second integer down from one: 7!! = 7 · 5 · 3 · 1.
+pub(crate) fn double_factorial(of: &SideValue) -> Evaluated<SideValue> {
+    let n = integer(of)?;
+    if n < 0.0 {
+        return Err(Obstacle::Unclear("a factorial of what is no small integer"));
+    }
+    let value = product_of(n, libm::ceil(n / 2.0), -2.0)?;
+    if value.is_finite() { Ok(computed(value, of.operations)) } else { Err(Obstacle::TooLarge) }
+}
+
+/// A coefficient of the binomial series, as of the power −3/2: its first `k` factors over the factorial of `k`.
+fn generalised_binomial(n: f64, k: f64) -> Evaluated<f64> {
+    if k < 0.0 {
+        return Err(Obstacle::Unclear("a binomial coefficient below a negative number"));
+    }
+    if k > MOST_FACTORS {
+        return Err(Obstacle::TooLarge);
+    }
+    Ok((0..k as u32).map(|at| (n - f64::from(at)) / f64::from(at + 1)).product())
+}
+
 fn binomial(n: f64, k: f64) -> Evaluated<f64> {
-    if k < 0.0 || n < 0.0 {
-        return Err(Obstacle::Unclear("a binomial coefficient of a negative number"));
+    if k < 0.0 {
+        return Err(Obstacle::Unclear("a binomial coefficient below a negative number"));
     }
     let k = if n >= k { k.min(n - k) } else { return Ok(0.0) };
     if k > MOST_FACTORS {
@@ -82,9 +128,14 @@ fn binomial(n: f64, k: f64) -> Evaluated<f64> {
 }
 
 impl Evaluator<'_> {
-    /// The remainder of a division of integers, not negative unless the modulus is.
+    /// The remainder of a division of integers, not negative unless the modulus is; that of a computed fraction 1/a is the inverse of a.
     pub(crate) fn remainder(&mut self, of: &SideValue, modulus: &SideValue) -> Evaluated<SideValue> {
-        let (of, modulus, operations) = (integer(of)?, integer(modulus)?, of.operations + modulus.operations);
+        let operations = of.operations.saturating_add(modulus.operations);
+        let modulus = integer(modulus)?;
+        if let (Err(_), Some(inverted)) = (integer(of), inverted_integer(of)) {
+            return Ok(computed(inverse(inverted, modulus)?, operations));
+        }
+        let of = integer(of)?;
         if modulus == 0.0 {
             return Err(Obstacle::Unclear("a remainder of a division by zero"));
         }
@@ -244,8 +295,14 @@ impl Evaluator<'_> {
     }
 
     fn count_choices(&mut self, operation: NamedOperation, n: &[Token], k: &[Token]) -> Evaluated<SideValue> {
-        let n = self.in_points(|inside| inside.evaluate_all(n))?;
-        let (n, operations) = (integer(&n)?, n.operations);
+        let of = self.in_points(|inside| inside.evaluate_all(n))?;
+        let operations = of.operations;
+        let is_count = integer(&of).is_ok_and(|n| n >= 0.0);
+        if operation == NamedOperation::Binomial && !is_count && !of.has_unit {
+            let k = self.in_points(|inside| inside.evaluate_all(k))?;
+            return Ok(computed(generalised_binomial(of.number()?.point, integer(&k)?)?, operations));
+        }
+        let n = integer(&of)?;
         let mut chosen = Vec::new();
         for piece in listed(k) {
             let value = self.in_points(|inside| inside.evaluate_all(piece))?;

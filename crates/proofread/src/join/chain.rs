@@ -153,7 +153,7 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         following[at] = if is_gap { following[at + 1] } else { at };
     }
     let mut previous_is_line = false;
-    let (mut in_remark, mut in_row) = (false, false);
+    let (mut in_remark, mut in_row, mut in_result) = (false, false, false);
     let mut marked = 0;
     for (at, token) in tokens.iter().enumerate() {
         if at < marked {
@@ -180,6 +180,16 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
                 && !ends_equation(token);
         in_row = (in_row || !token.is_space()) && !ends_equation(token);
         if in_remark {
+            continue;
+        }
+        // What an expression gives, behind it in brackets: 2^11 (= 2048).
+        if depth == 0 && token.is_sign('(') && next.is_some_and(|next| next.is_sign('=')) {
+            in_result = true;
+            continue;
+        }
+        if in_result && depth == 0 && token.is_sign(')') {
+            in_result = false;
+            splitter.end_chain(false, false);
             continue;
         }
         if token.is_one_of("([{⌊⌈") {

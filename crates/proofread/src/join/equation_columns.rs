@@ -59,14 +59,15 @@ fn is_aligned(row: &[&[Token]]) -> bool {
     row.iter().skip(1).step_by(2).all(|cell| trim_space(cell).is_empty() || begins_with_relation(cell))
 }
 
-/// Whether two cells are an equation of their own: something stands before the relation and behind it.
+/// Whether two cells are an equation of their own: something stands before the relation and behind it, and it does not go on with a sign.
 fn is_equation(cells: &[&[Token]]) -> bool {
     match cells {
         [left, right] => {
             // It may also be asked whether it holds.
-            let is_asked = trim_space(right).first().is_some_and(|first| first.is_sign('≡'));
+            let is_asked = trim_space(right).first().is_some_and(|first| first.is_one_of("≡∼"));
             let related = begins_with_relation(right) || is_asked;
-            !trim_space(left).is_empty() && related && trim_space(right).len() > 1
+            let begins = trim_space(left).first().is_some_and(|first| !first.is_one_of("+·×/"));
+            begins && related && trim_space(right).len() > 1
         }
         _ => false,
     }

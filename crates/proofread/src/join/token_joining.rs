@@ -4,9 +4,9 @@
 //! no scripts, accents, groups without meaning and tables any more: a letter has its subscript in its name, and an exponent is
 //! a [`TokenKind::Power`] behind what it belongs to.
 
-use crate::join::equation_columns;
 use crate::join::joined_operations::join_operations;
 use crate::join::split_units::{self, prefixed_unit, pressure_column};
+use crate::join::{congruence, equation_columns};
 use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
 
 /// Joins the tokens of a formula.
@@ -14,7 +14,8 @@ pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
     let rows = rows(tokens);
     let rows = equation_columns::without_row_remarks(&rows).unwrap_or(rows);
     let rows = equation_columns::read_down(&rows).or_else(|| equation_columns::part_equations(&rows)).unwrap_or(rows);
-    merged(flatten(&rows))
+    let tokens = flatten(&rows);
+    merged(congruence::as_remainders(&tokens).unwrap_or(tokens))
 }
 
 /// Tables at the top become rows; inside brackets they are matrices.
@@ -132,9 +133,9 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                 let held = if is_part(tokens) { held_together } else { without_comma };
                 out.extend(flatten(inner).into_iter().map(held));
             }
-            // A value with its sign that is put in behind another sign: 2 + {-3}.
+            // A value with its sign that is put in behind another sign: 2 + {-3}, but not 2 · {-}3.
             TokenKind::Group(inner)
-                if ungrouped(inner).first().is_some_and(|first| first.is_one_of("-+")) && ends_with_sign(&out) =>
+                if matches!(ungrouped(inner), [first, _, ..] if first.is_one_of("-+")) && ends_with_sign(&out) =>
             {
                 out.push(Token::new(TokenKind::Operator('('), span));
                 out.extend(flatten(inner));

@@ -38,16 +38,17 @@ fn pi() -> TokenKind {
 fn shares_pi(side: &[Token]) -> bool {
     let solid = without_space(side);
     let from_one = |of: &[&Token]| of[0].number() == Some("1") && of[1].is_sign('-') && of[2].kind == pi();
-    let is_sign = |of: &[&Token]| {
-        let raised = |token: &Token| matches!(&token.kind, TokenKind::Power(power) if power.iter().any(|token| token.kind == pi()));
-        of[0].number() == Some("1") && of[1].is_sign(')') && raised(of[2])
-    };
-    solid.windows(3).any(|of| from_one(of) || is_sign(of))
+    let raised =
+        |token: &Token| matches!(&token.kind, TokenKind::Power(power) if power.iter().any(|of| of.kind == pi()));
+    let is_sign =
+        |of: &[&Token]| of[0].is_sign('-') && of[1].number() == Some("1") && of[2].is_sign(')') && raised(of[3]);
+    solid.windows(3).any(from_one)
+        || solid.windows(4).any(is_sign)
         || side.iter().any(|token| token.inner().into_iter().any(shares_pi))
 }
 
-/// Whether π may be the name of a function or of a distribution: both sides call it, or it is called alone and what it gives is an
-/// integer or far from the product.
+/// Whether π may be the name of a function, a share, a permutation or a distribution: a side shows that it is no factor, unless it gives
+/// decimals near the other side; both sides call it; or it is called alone and what it gives is an integer or far from the product.
 pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(SideValue, SideValue)>) -> bool {
     let called = [names_pi(left), names_pi(right)];
     let bare = |side: &[Token]| (4..=5).contains(&without_space(side).len());
@@ -57,7 +58,7 @@ pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(Side
             let factor = (one.point / other.point).abs();
             !(1.0 / FAR..FAR).contains(&factor)
         });
-    if shares_pi(left) || shares_pi(right) {
+    if (shares_pi(left) && (far || !decimal(right))) || (shares_pi(right) && (far || !decimal(left))) {
         return true;
     }
     match called {

@@ -196,13 +196,14 @@ impl PlacedPair<'_> {
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
             || (judgement.verdict == ChainVerdict::Dimensions
                 && [left, right].into_iter().any(notation::has_two_meanings))
-            || notation::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
+            || other_arithmetic::is_proverbial(left, right, || surroundings::speaks_of_truth(self.text, around))
             || judgement
                 .values
                 .as_ref()
                 .and_then(|(left, _)| left.number().ok())
                 .is_some_and(|of| notation::is_size(of.point, right))
             || self.is_one_of_two()
+            || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
             || (bare && (notation::has_bits(left) || notation::has_bits(right)))
@@ -334,8 +335,17 @@ impl PlacedPair<'_> {
         let within = |span: Span| span.start <= self.left.span.start && self.left.span.start < span.end;
         let Some(row) = rows.find(|row| row.iter().any(|token| within(token.span))) else { return false };
         row.iter().any(|token| match &token.kind {
+            // It was read as the modulus of a congruence.
+            TokenKind::Unknown(name) if name == "pmod" && computes_remainder(&self.right.tokens) => false,
             // In another side of the chain, it cuts neither of these.
             TokenKind::Unknown(_) if self.is_in_other_side(token.span) => false,
+            // So were dots for terms of a sum: both sides have values.
+            TokenKind::Unknown(name)
+                if name == "…"
+                    && [self.left, self.right].into_iter().any(|side| side.span.join(token.span) == side.span) =>
+            {
+                false
+            }
             // Dots behind decimals were read.
             TokenKind::Unknown(_)
                 if [self.left, self.right].into_iter().any(|side| has_number_at(side, token.span)) =>

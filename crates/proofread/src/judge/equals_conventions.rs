@@ -126,9 +126,13 @@ fn leaves_unit_out(bare_side: &[Token], bare: &SideValue, side: &[Token], other:
             return !raised && ratio.is_some_and(|ratio| with(other.factor * ratio));
         }
         let base = base.filter(|base| base.dimension == other.dimension);
-        // Volts over kilohms give milliamperes, and the prefixes are understood with the units.
-        let by_prefixes =
-            |base: f64| !bare.is_literal() && (-4..=4).any(|power| with(base * libm::pow(1e3, f64::from(power))));
+        // Volts over kilohms give milliamperes, and the prefixes are understood with the units. Whether numbers without such prefixes
+        // agree is for those who compare them.
+        let is_printed_unit = |factor: f64| (factor / other.factor - 1.0).abs() < 1e-9;
+        let by_prefixes = |base: f64| {
+            let mut factors = (-4..=4).map(|power| base * libm::pow(1e3, f64::from(power)));
+            !bare.is_literal() && factors.any(|factor| !is_printed_unit(factor) && with(factor))
+        };
         let length = unit("cm").filter(|cm| cm.dimension == other.dimension && word != "cm");
         return base.is_some_and(|base| {
             with(base.factor) || length.is_some_and(|cm| with(cm.factor)) || by_prefixes(base.factor)
@@ -222,8 +226,8 @@ pub(crate) fn is_order_of_magnitude(sides: [&[Token]; 2], points: &[SideValue; 2
     near && sides.into_iter().any(is_power)
 }
 
-/// Whether one quantity may stand for another one on a drawing: they are of different kinds, it is a length of one of its unit, or they are of sizes that
-/// no misprint of a conversion explains.
+/// Whether one quantity may stand for another one on a drawing: they are of different kinds, it is a length of one of its unit, or they
+/// are of sizes that no misprint of a conversion explains.
 pub(crate) fn may_be_to_scale(left: &SideValue, right: &SideValue) -> bool {
     let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
     let (one, other) = (size(left), size(right));

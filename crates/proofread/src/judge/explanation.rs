@@ -10,8 +10,8 @@ use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
-use crate::reader::Formula;
-use crate::token::{Token, TokenKind, trim_space};
+use crate::reader::{Formula, FormulaStyle};
+use crate::token::{Span, Token, TokenKind, trim_space};
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -102,6 +102,14 @@ impl DifferingPair<'_> {
     /// Whether each side is a printed number or quantity, and nothing is computed.
     fn literal_sides(&self) -> Option<[bool; 2]> {
         self.judgement.values.as_ref().map(|(left, right)| [left.is_literal(), right.is_literal()])
+    }
+
+    /// Around what the text says something about the sides: the formula, or in a plain line the two sides.
+    fn place(&self) -> Span {
+        match self.formula.style {
+            FormulaStyle::Plain => self.left.span.join(self.right.span),
+            FormulaStyle::Formula => self.formula.span,
+        }
     }
 
     /// The judgement at hand with another verdict.
@@ -305,7 +313,7 @@ fn try_scale(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let is_literal = left.is_literal() && right.is_literal() && left.has_unit;
     let explained = is_literal
         && equals_conventions::may_be_to_scale(left, right)
-        && surroundings::speaks_of_scale(pair.text, pair.formula.span);
+        && surroundings::speaks_of_scale(pair.text, pair.place());
     explained.then(|| pair.with_verdict(ChainVerdict::Doubtful)).flatten()
 }
 

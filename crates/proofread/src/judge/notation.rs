@@ -6,7 +6,7 @@ use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::{ChainVerdict, judge};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any, show};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
 use crate::unit::unit;
 use std::f64::consts::PI;
 
@@ -245,17 +245,6 @@ fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
     })?;
     out[at] = Token::new(TokenKind::Word("mod".to_owned()), out[at].span);
     Some(out)
-}
-
-/// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of
-/// what is true: 1 + 1 = 0, 1 + 1 = 1, 2 + 2 = 5.
-pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: impl FnOnce() -> bool) -> bool {
-    let digits = |side: &[Token]| show(side).replace(' ', "");
-    match (&*digits(left), &*digits(right)) {
-        ("1+1", "0") => true,
-        ("1+1", "1" | "3") | ("2+2", "5") | ("5", "2+2") => speaks_of_truth(),
-        _ => false,
-    }
 }
 
 /// Whether the right side is the size of a square, such as 5 × 5, and not a product.

@@ -1,7 +1,7 @@
 //! Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 
 use crate::judge::surroundings::{self, text_around};
-use crate::token::Span;
+use crate::token::{Span, Token, show};
 
 const WORDS: [&str; 15] = [
     "significand",
@@ -51,19 +51,12 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
         (Some(modulus), Some(difference)) if modulus > 0.0 && difference.fract() == 0.0 => difference % modulus == 0.0,
         _ => true,
     };
-    // A ring may be named some sentences before, with its modulus or as its group of units.
-    let far = surroundings::text_before(text, span);
-    let far =
-        if ["mathbb", "GF(", "U("].iter().any(|sign| far.contains(sign)) { far.to_lowercase() } else { String::new() };
-    let named = |difference: f64| {
-        let signs = { RINGS }.into_iter().chain(["u("]).flat_map(|sign| far.match_indices(sign));
-        let moduli = signs.filter_map(|(at, sign)| {
-            let behind = far[at + sign.len()..].trim_start_matches('}');
-            number_at(behind.strip_prefix(['_', '/']).unwrap_or(behind).trim_start_matches(r"n\mathbb z"))
-        });
-        { moduli }.any(|modulus| modulus > 1.0 && difference != 0.0 && difference % modulus == 0.0)
+    // A ring may be named some sentences before.
+    let is_multiple = |difference: f64| {
+        let fits = |modulus: f64| modulus > 1.0 && difference != 0.0 && difference % modulus == 0.0;
+        named_moduli(surroundings::text_before(text, span)).into_iter().any(fits)
     };
-    if difference.is_some_and(named) {
+    if difference.is_some_and(is_multiple) {
         return true;
     }
     // The hours of a clock.
@@ -75,6 +68,40 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
             let is_ring = modulus.len() < behind.len() || sign == "gf(" || sign.contains('f');
             is_ring && fits(number_at(modulus))
         })
+}
+
+/// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of
+/// what is true: 1 + 1 = 0, 1 + 1 = 1, 2 + 2 = 5.
+pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: impl FnOnce() -> bool) -> bool {
+    let digits = |side: &[Token]| show(side).replace(' ', "");
+    match (&*digits(left), &*digits(right)) {
+        ("1+1", "0") => true,
+        ("1+1", "1" | "3") | ("2+2", "5") | ("5", "2+2") => speaks_of_truth(),
+        _ => false,
+    }
+}
+
+/// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`.
+fn named_moduli(text: &str) -> Vec<f64> {
+    if !["mathbb", "GF(", "U("].iter().any(|sign| text.contains(sign)) {
+        return Vec::new();
+    }
+    let lower = text.to_ascii_lowercase();
+    let of_rings = { RINGS }.into_iter().flat_map(|sign| lower.match_indices(sign)).filter_map(|(at, sign)| {
+        let behind = lower[at + sign.len()..].trim_start_matches('}');
+        // Behind a comma, ℤ has no modulus.
+        let modulus = behind.strip_prefix(['_', '/']);
+        number_at(modulus.or_else(|| sign.contains('f').then_some(behind))?)
+    });
+    // Neither SU(2) nor the value U(2) = 5 of a function.
+    let of_groups = text.match_indices("U(").take(surroundings::MOST_CALLS).filter_map(|(at, sign)| {
+        let (inside, behind) = text[at + sign.len()..].split_once(')')?;
+        let equal = behind.trim_start().strip_prefix('=');
+        let is_value = equal.is_some_and(|equal| !equal.trim_start_matches([' ', '\\']).starts_with('{'));
+        let is_name = text[..at].ends_with(|c: char| c.is_alphanumeric());
+        inside.parse().ok().filter(|_| !is_name && !is_value)
+    });
+    of_rings.chain(of_groups).collect()
 }
 
 /// The number that follows, in braces, brackets or marks of a formula; none if something else does, or a power.

@@ -41,6 +41,26 @@ pub(crate) fn text_before(text: &str, span: Span) -> &str {
     before
 }
 
+/// Most places where a name is called that are looked at.
+pub(crate) const MOST_CALLS: usize = 20;
+
+/// Whether a side calls P or C as a function of two numbers, and the text before it as one of two letters, as in P(x, y): then it is no
+/// number of choices such as P(n, k).
+pub(crate) fn calls_function(text: &str, side: Span) -> bool {
+    let source = text.get(side.range()).unwrap_or_default().trim_start();
+    let Some(call) = ["P(", "C("].into_iter().find(|call| source.starts_with(call)) else { return false };
+    let before = text_before(text, side);
+    let mut calls =
+        before.match_indices(call).take(MOST_CALLS).filter_map(|(at, _)| before[at + call.len()..].split_once(')'));
+    calls.any(|(arguments, _)| match arguments.split_once(',').map(|(one, other)| [one.trim(), other.trim()]) {
+        Some([one, other]) => {
+            let is_letter = |of: &str| of.len() == 1 && of.starts_with(|c: char| c.is_ascii_alphabetic());
+            is_letter(one) && is_letter(other) && !matches!(one, "n" | "N" | "m")
+        }
+        None => false,
+    })
+}
+
 fn without_tags(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
@@ -124,7 +144,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const DENIALS: [&str; 11] = [
+    const DENIALS: [&str; 13] = [
+        "no longer true",
+        "no longer holds",
         "would be false",
         "would be wrong",
         "is false",

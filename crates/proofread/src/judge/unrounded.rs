@@ -146,22 +146,23 @@ fn constant(number: &Numeral) -> Option<String> {
     (decimals >= 1 && known.0 != number.digits).then(|| known.0.to_owned())
 }
 
-/// The tokens with digits for π; none if it does not occur.
+/// The tokens with π as large as these digits; none if it does not occur. It stays there to be seen, since an angle with π is in radians.
 fn with_pi(side: &[Token], digits: &str) -> Option<Vec<Token>> {
-    fn replace_pi(tokens: &mut [Token], digits: &str) -> bool {
+    fn replace_pi(tokens: &mut [Token], share: &str) -> bool {
         let mut any = false;
         for token in tokens {
             if token.kind == TokenKind::Name("π".to_owned()) {
                 let span: Span = token.span;
-                let number = Token::new(TokenKind::Number(digits.to_owned()), span);
-                *token = Token::new(TokenKind::Group(vec![number]), span);
+                let factors = [token.kind.clone(), TokenKind::Operator('·'), TokenKind::Number(share.to_owned())];
+                *token = Token::new(TokenKind::Group(factors.map(|kind| Token::new(kind, span)).to_vec()), span);
                 any = true;
             } else {
-                token.kind.lists().into_iter().for_each(|inner| any |= replace_pi(inner, digits));
+                token.kind.lists().into_iter().for_each(|inner| any |= replace_pi(inner, share));
             }
         }
         any
     }
+    let share = digits.parse::<f64>().ok()? / std::f64::consts::PI;
     let mut out = side.to_vec();
-    replace_pi(&mut out, digits).then_some(out)
+    replace_pi(&mut out, &format!("{share:.17}")).then_some(out)
 }

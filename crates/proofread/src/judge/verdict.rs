@@ -1,7 +1,7 @@
 //! Two neighbouring sides compared under every reading that makes a difference.
 
 use crate::evaluate::expression::{Evaluator, NameValues};
-use crate::evaluate::interval::Interval;
+use crate::evaluate::interval::{Interval, SLACK};
 use crate::evaluate::numeral::with_shared_exact;
 use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
@@ -10,6 +10,10 @@ use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::join::chain::Relation;
 use crate::join::token_joining::has_letters;
 use crate::judge::equals_conventions;
+use crate::judge::lost_digits::{
+    FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, is_as_coarse, is_cut,
+    is_exact, is_near, is_within, most_digits, relative_width,
+};
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
 use std::f64::consts::PI;
@@ -369,25 +373,28 @@ impl ComparedSides<'_> {
         }
         let by_numbers = numbers && both_units;
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
-        let exact = self.is_exact(&points, literal);
-        if exact && self.relation == Relation::Equal {
-            let verdict = match points[0].difference(&points[1]) < crate::evaluate::interval::SLACK {
+        if self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
+            let printed = usize::from(literal[1]);
+            let near = is_near(&points[1 - printed], &strict[printed]) && has_three_digits(&strict[printed]);
+            let same = points[0].number()?.point - points[1].number()?.point;
+            let verdict = match same.abs() < 0.5 {
                 true => ChainVerdict::Consistent,
-                false if is_near(&points[0], &strict[1]) && has_three_digits(&strict[1]) => ChainVerdict::LastDigit,
+                false if near => ChainVerdict::LastDigit,
                 false => ChainVerdict::Inconsistent,
             };
             return Ok(judgement(verdict));
         }
         let [left, right] = &strict;
+        // What is converted has no more digits than it had before.
+        let is_finer =
+            literal == [true, true] && both_units && relative_width(right) < FEWER_DIGITS * relative_width(left);
+        // In the same unit, it may be said more exactly.
+        let gains_digits = is_finer && points[0].factor != points[1].factor;
         let agrees = match literal {
-            [true, true] => {
-                // What is converted has no more digits than it had before.
-                let is_finer = both_units && relative_width(right) < FEWER_DIGITS * relative_width(left);
-                points[0].meets(right, 0.0) || (!is_finer && left.meets(&points[1], 0.0))
-            }
+            [true, true] => points[0].meets(right, 0.0) || (!is_finer && left.meets(&points[1], 0.0)),
             [false, true] => points[0].meets(right, 0.0),
             [true, false] => left.meets(&points[1], 0.0),
-            [false, false] => points[0].difference(&points[1]) < crate::evaluate::interval::SLACK,
+            [false, false] => points[0].difference(&points[1]) < SLACK,
         };
         if agrees {
             return Ok(fine(ChainVerdict::Consistent));
@@ -397,7 +404,7 @@ impl ComparedSides<'_> {
         {
             return Ok(judgement(ChainVerdict::Doubtful));
         }
-        if equals_conventions::agree_with_omitted_unit(self.sides, left, right)
+        if (!numbers && equals_conventions::agree_with_omitted_unit(self.sides, left, right))
             || equals_conventions::lacks_direction(left, right)
         {
             return Ok(judgement(ChainVerdict::Units));
@@ -438,7 +445,10 @@ impl ComparedSides<'_> {
             false if self.is_finer_than_operands(literal) => FROM_TENS,
             false => StepLikelihood { share: LIKELY, of_one_digit: Some(LIKELY_OF_BARE) },
         };
-        let explained = meets && likelihood.explains(&strict, &points, literal);
+        let is_bare_result = bare && literal[0] != literal[1];
+        let explained = meets
+            && !(is_bare_result && self.has_exact_operands(literal))
+            && likelihood.explains(&strict, &points, literal);
         let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
         let ill = explained && self.cancels && literal[0] != literal[1] && !close;
         if explained && !ill {
@@ -470,7 +480,8 @@ impl ComparedSides<'_> {
             [false, true] => is_cut(&points[0], right),
             [true, false] => is_cut(&points[1], left),
             [true, true] => {
-                (fewer(left, right) && is_cut(&points[0], right)) || (fewer(right, left) && is_cut(&points[1], left))
+                (fewer(left, right) && is_cut(&points[0], right))
+                    || (!gains_digits && fewer(right, left) && is_cut(&points[1], left))
             }
             [false, false] => false,
         };
@@ -479,6 +490,7 @@ impl ComparedSides<'_> {
         }
         if lenient[0].meets(&lenient[1], 0.0)
             && !ill
+            && !gains_digits
             && FROM_TENS.explains(&lenient, &points, literal)
             && is_as_coarse(&lenient, literal)
         {
@@ -489,7 +501,7 @@ impl ComparedSides<'_> {
         }
         // What the steps would allow, but not likely, is more than a digit; and of one or two digits, the last one is a large part.
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
-        let near = near && has_three_digits(&strict[usize::from(literal[1])]);
+        let near = near && !gains_digits && has_three_digits(&strict[usize::from(literal[1])]);
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
         let is_ill_conditioned = ill && self.cancels_decimals;
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
@@ -504,20 +516,32 @@ impl ComparedSides<'_> {
         !any(computed, &function) && most_digits(computed) < most_digits(printed)
     }
 
-    /// Whether whole numbers are reckoned with and give one that is small enough to be printed in full, in mathematics and not as a
-    /// measurement: then the printed one must be it, with all its zeros.
-    fn is_exact(&self, points: &[SideValue; 2], literal: [bool; 2]) -> bool {
-        let [Ok(computed), Ok(printed)] = [&points[0], &points[1]].map(SideValue::number) else { return false };
-        let whole = |of: f64| (of - libm::round(of)).abs() < 1e-9 && of.abs() < FULL;
+    /// Whether the numbers that go into a result are whole, or have so few digits beside it that they must be meant as they are.
+    fn has_exact_operands(&self, literal: [bool; 2]) -> bool {
+        let computed = self.sides[usize::from(literal[0])];
+        let printed = self.sides[usize::from(literal[1])];
+        let function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
+        let (operands, result) = (most_digits(computed), most_digits(printed));
+        !any(computed, &function) && result > 0 && (operands == 0 || result >= operands + 2)
+    }
+
+    /// Whether a whole number comes out that is small enough to be printed in full, or is printed to its last digit, in mathematics and not
+    /// as a measurement: then the printed one must be it, with all its zeros.
+    fn is_of_whole_numbers(&self, points: &[SideValue; 2], literal: [bool; 2]) -> bool {
+        let [Ok(left), Ok(right)] = [&points[0], &points[1]].map(SideValue::number) else { return false };
+        let is_whole = |of: f64| (of - libm::round(of)).abs() < 1e-9 && (of == 0.0 || (0.5..EXACT).contains(&of.abs()));
+        let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
         let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
-        literal == [false, true]
+        let has_decimals = self.sides.iter().any(|side| any(side, &decimal));
+        let [computed, printed] = if literal[1] { [left.point, right.point] } else { [right.point, left.point] };
+        let in_full = computed.abs() < FULL && (printed != 0.0 || !has_decimals);
+        let to_its_end = !has_decimals && printed % 10.0 != 0.0;
+        (literal[0] || literal[1])
             && points.iter().all(|point| !point.has_unit && point.angle.is_none())
-            && whole(computed.point)
-            && whole(printed.point)
-            && !self
-                .sides
-                .iter()
-                .any(|side| any(side, &decimal) || any(side, &|kind| matches!(kind, TokenKind::Function(_))))
+            && is_whole(left.point)
+            && is_whole(right.point)
+            && (in_full || to_its_end)
+            && !self.sides.iter().any(|side| any(side, &is_function))
     }
 
     /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
@@ -529,57 +553,6 @@ impl ComparedSides<'_> {
         let value = evaluator.evaluate_side(self.sides[0]);
         value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
     }
-}
-
-/// Whether two numbers are of about the same size, so that no prefix of a unit is between them.
-fn are_near(left: &SideValue, right: &SideValue) -> bool {
-    let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
-    (0.5..2.0).contains(&(size(left) / size(right)))
-}
-
-/// The most significant digits of a decimal number anywhere in these tokens.
-fn most_digits(tokens: &[Token]) -> usize {
-    let own = |token: &Token| {
-        let digits = token.number().filter(|digits| digits.contains('.'));
-        digits.map_or(0, |digits| digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count())
-    };
-    let inner = |token: &Token| token.inner().map(most_digits).max().unwrap_or(0);
-    tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
-}
-
-/// What explains a difference by digits that were lost on the way. Their errors hardly ever all point the same way.
-#[derive(Clone, Copy)]
-struct StepLikelihood {
-    /// How much the difference may be of what all the steps together leave open.
-    share: f64,
-    /// How much it may be if it is about one unit of the last digit; none if that is nothing special.
-    of_one_digit: Option<f64>,
-}
-
-impl StepLikelihood {
-    fn explains(self, open: &[SideValue; 2], points: &[SideValue; 2], literal: [bool; 2]) -> bool {
-        let (computed, printed) = match literal {
-            [false, true] => (0, 1),
-            [true, false] => (1, 0),
-            [false, false] | [true, true] if self.of_one_digit.is_none() => (0, 1),
-            _ => return true,
-        };
-        let differences = points[computed].parts.pairs(&points[printed].parts).map(|(a, b)| (a.point - b.point).abs());
-        let halves = open[computed].parts.pairs(&open[printed].parts).map(|(a, b)| (a.half_width(), b.half_width()));
-        differences.zip(halves).all(|(difference, (steps, digits))| {
-            let open = steps + digits;
-            let is_one_digit =
-                |share: f64| difference <= 3.0001 * digits && (share.is_infinite() || difference <= share * open);
-            digits == 0.0 || self.of_one_digit.is_some_and(is_one_digit) || difference <= self.share * open
-        })
-    }
-}
-
-/// Whether two points are within so many half units of the printed one's last digit.
-fn is_within(points: &[SideValue; 2], printed: &SideValue, halves: f64) -> bool {
-    let differences = points[0].parts.pairs(&points[1].parts).map(|(a, b)| (a.point - b.point).abs());
-    let printed = printed.parts.0.iter().flatten().map(|part| part.half_width());
-    differences.zip(printed).all(|(difference, half)| difference <= halves * half)
 }
 
 /// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
@@ -605,38 +578,11 @@ fn has_words_of(side: &[Token], other: &[Token]) -> bool {
     side.iter().filter_map(Token::word).all(|word| other.iter().any(|token| token.word() == Some(word)))
 }
 
-/// Whether a printed result is as coarse as its integers would be if they were rounded; a finer one shows that they are exact.
-fn is_as_coarse([left, right]: &[SideValue; 2], literal: [bool; 2]) -> bool {
-    let (computed, printed) = match literal {
-        [false, true] => (left, right),
-        [true, false] => (right, left),
-        _ => return true,
-    };
-    let halves = computed.parts.pairs(&printed.parts).map(|(a, b)| (a.half_width(), b.half_width()));
-    halves.into_iter().all(|(steps, digits)| digits == 0.0 || steps <= FINEST * digits)
-}
-
-/// How much of a value its digits leave open.
-fn relative_width(value: &SideValue) -> f64 {
-    value.number().map_or(0.0, |of| if of.point == 0.0 { 1.0 } else { of.half_width() / of.point.abs() })
-}
-
-/// How much less a conversion may leave open than the quantity that is converted.
-const FEWER_DIGITS: f64 = 0.1;
-
 /// Whole numbers below this are printed in full where they are reckoned with.
 const FULL: f64 = 1e4;
 
-/// How many times finer than its rounded integers a result may be printed.
-const FINEST: f64 = 10.0;
-
-/// How much of what the steps leave open they are expected to use. In University Physics, where steps were rounded, all but
-/// three of 73 results stay within it, and half of the planted digits that the whole interval hides are noticed.
-const LIKELY: f64 = 0.25;
-/// How much one unit of the last digit may be of it in arithmetic without units, whose numbers are often exact.
-const LIKELY_OF_BARE: f64 = 0.6;
-/// How much they are expected to use if only integers that were rounded to tens explain a difference.
-const FROM_TENS: StepLikelihood = StepLikelihood { share: 0.15, of_one_digit: None };
+/// Whole numbers below this are exact in floating point.
+const EXACT: f64 = 9.0e15;
 
 /// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
 fn angles([left, right]: &[SideValue; 2], points: &[SideValue; 2], reading: ReadingChoices) -> Option<ChainVerdict> {
@@ -673,41 +619,4 @@ fn is_continued(left: &SideValue, right: &SideValue) -> bool {
         _ => true,
     });
     left.parts.is_vector() && lacks && fits
-}
-
-/// Whether cutting `computed` off gives the printed digits.
-fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
-    let is_bare = !printed.has_unit;
-    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
-        let (size, open) = (printed.point.abs(), 2.0 * printed.half_width());
-        let beyond = computed.point.abs() - size;
-        // What the printed digits hold exactly has nothing to cut off.
-        let units = computed.point / open;
-        let is_held = is_bare && (units - libm::round(units)).abs() < 1e-9 && computed.half_width() == 0.0;
-        let is_whole = is_bare && computed.half_width() == 0.0 && computed.point.fract() == 0.0;
-        open > 0.0
-            && !is_held
-            && !(is_whole && printed.point.fract() == 0.0)
-            && computed.point * printed.point >= 0.0
-            && beyond >= -1e-9 * size
-            && beyond < open
-    })
-}
-
-/// Whether a printed result has three digits or more.
-fn is_exact(printed: &SideValue) -> bool {
-    printed.parts.0.iter().flatten().all(|part| part.half_width() > 0.0 && part.half_width() < 0.05 * part.point.abs())
-}
-
-/// Whether a printed result has three significant digits or more.
-fn has_three_digits(printed: &SideValue) -> bool {
-    printed.parts.0.iter().flatten().all(|part| significant_digits(*part).is_none_or(|digits| digits >= 3))
-}
-
-/// Whether a computed value is within one more unit of the last printed digit.
-fn is_near(computed: &SideValue, printed: &SideValue) -> bool {
-    computed.parts.pairs(&printed.parts).all(|(computed, printed)| {
-        let more = 2.0001 * printed.half_width();
-        more <= printed.point.abs() && computed.high >= printed.low - more && computed.low <= printed.high + more
-    })
 }

@@ -86,8 +86,11 @@ fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
         let dots = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name == "…");
         tokens.get(at + usize::from(signed)).is_some_and(|token| digits(token).is_some() || dots(token))
     };
-    // A list, unless the next comma is followed by space.
-    let listed = follows(at.checked_sub(2)) && at > 2 && number(at - 3) || follows(Some(at + 2)) && number(at + 3);
+    // A list, unless the next comma is followed by space. The number before this one may have a sign of its own.
+    let signed = at > 1 && tokens[at - 2].is_sign('-');
+    let comma = at.checked_sub(2 + usize::from(signed));
+    let listed = follows(comma) && comma.and_then(|comma| comma.checked_sub(1)).is_some_and(number)
+        || follows(Some(at + 2)) && number(at + 3);
     let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
     (tokens[at].is_sign(',') && near && !listed && plain(decimals) && thousands(whole).is_some())
         .then_some((whole, decimals))

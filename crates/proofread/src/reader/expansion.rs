@@ -4,6 +4,9 @@ use super::definitions::Macro;
 use super::tex::Tex;
 use crate::token::{SourceChar, Span};
 
+/// Most letters that are looked at for the name of a command before an argument.
+const LONGEST_NAME: usize = 64;
+
 impl Tex<'_> {
     /// Puts what a macro stands for in its place.
     pub(super) fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
@@ -26,7 +29,8 @@ impl Tex<'_> {
             {
                 letters.next();
                 // An argument ends the name of a command before it.
-                let name = body.iter().rev().take_while(|sign: &&SourceChar| sign.c.is_ascii_alphabetic()).count();
+                let last = body.iter().rev().take(LONGEST_NAME);
+                let name = last.take_while(|sign: &&SourceChar| sign.c.is_ascii_alphabetic()).count();
                 if name > 0 && body.len() > name && body[body.len() - name - 1].c == '\\' {
                     body.push(SourceChar { c: ' ', span });
                 }

@@ -109,24 +109,23 @@ pub(super) fn name_of_fence(info: &str) -> &str {
 }
 
 /// The text with other signs, as many as there are bytes, for what would keep other programs from reading it: the marks of
-/// directives, and options with backticks; and where the marks are. None if there are no fences.
+/// directives and admonitions, and options with backticks; and where the marks of directives are. None if there are none of these.
 pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>)> {
-    if ![
-        "```", "~~~", "
-!!! ", "
-??? ", "
-???+",
-    ]
-    .iter()
-    .any(|mark| text.contains(mark))
-    {
+    let has_admonition = || text.lines().any(|line| is_admonition(line.trim_start_matches(' ')));
+    if !text.contains("```") && !text.contains("~~~") && !has_admonition() {
         return None;
     }
     let (mut out, mut marks) = (String::with_capacity(text.len()), Vec::new());
     let mut fences = Fences::default();
+    // How far what is in an admonition is indented at most; none outside of them.
+    let mut inside = 0;
     for line in text.split_inclusive('\n') {
         let start = out.len();
         let content = line.trim_end();
+        let indent = content.len() - content.trim_start_matches(' ').len();
+        if !content.is_empty() {
+            inside = inside.min(indent / 4 * 4);
+        }
         let mark = content.find(['`', '~']).unwrap_or(content.len());
         let (kept, hidden) = match fences.take(line) {
             // What a directive is about is text, too, and must not become code by the space before it.
@@ -136,10 +135,16 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
                 (0, if content[close..].trim().is_empty() { ' ' } else { '.' })
             }
             FenceLine::QuotedOptions => (mark + content[mark..].bytes().take_while(|c| *c == b'`').count(), ' '),
-            FenceLine::No if is_admonition(content) => {
+            FenceLine::No if indent == inside && is_admonition(&content[indent..]) => {
                 // The text of an admonition is indented as that of an item in a list.
+                inside += 4;
+                out.push_str(&line[..indent]);
                 out.push_str("*   ");
-                out.push_str(&line[4..]);
+                // More space would indent that text further.
+                let (shut, rest) =
+                    line[indent + 4..].strip_prefix(' ').map_or(("", &line[indent + 4..]), |rest| (".", rest));
+                out.push_str(shut);
+                out.push_str(rest);
                 continue;
             }
             FenceLine::No | FenceLine::Code => (content.len(), ' '),
@@ -153,9 +158,10 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
     Some((out, marks))
 }
 
-/// Whether a line begins an admonition of Python-Markdown: `!!! note`, `??? example`, `???+ tip`.
+/// Whether a line begins an admonition of Python-Markdown or a tab of its extensions: `!!! note`, `??? example`, `???+ tip`, `=== "Tab"`.
 fn is_admonition(line: &str) -> bool {
-    ["!!! ", "??? ", "???+"].iter().any(|mark| line.starts_with(mark)) && line.len() > 4
+    (["!!! ", "??? ", "???+ "].iter().any(|mark| line.starts_with(mark)) && line.len() > 4)
+        || line.starts_with("=== \"")
 }
 
 #[cfg(test)]

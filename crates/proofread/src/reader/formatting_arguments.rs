@@ -27,7 +27,7 @@ impl Tex<'_> {
             let asked = ASKING.contains(&without_dress(&said));
             match inner.as_slice() {
                 [Token { kind: TokenKind::Operator(c), .. }] if name.ends_with("set") || name == "stackrel" => {
-                    let sign = if asked && *c == '=' { '≡' } else { *c };
+                    let sign = if asked && "=≡".contains(*c) { ASKED } else { *c };
                     out.push(token(TokenKind::Operator(sign), span));
                 }
                 [Token { kind: TokenKind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
@@ -78,6 +78,9 @@ impl Tex<'_> {
         }
     }
 }
+
+/// The relation of two sides of which it is not said that they are equal.
+pub(crate) const ASKED: char = '∼';
 
 /// What stands above or below an equals sign where it is not said that both sides are equal.
 const ASKING: [&str; 11] = ["?", "??", "!", "no", "false", "not", "X", "✗", "✘", "\\times", "\\xmark"];

@@ -13,6 +13,8 @@ const SCOPES: [&str; 10] =
     ["example", "exercise", "note", "section", "figure", "table", "problem", "solution", "article", "aside"];
 /// Elements whose text is not prose.
 const SILENT: [&str; 5] = ["script", "style", "code", "pre", "annotation"];
+/// Elements with TeX in older dialects, in which it is not read; other dialects have elements of these names around MathML.
+const OTHER_FORMULAS: [&str; 3] = ["equation", "alignmath", "alignedmath"];
 /// Elements that do not end a sentence.
 pub(crate) const INLINE: [&str; 17] = [
     "emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small",
@@ -71,6 +73,12 @@ pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut Formu
                 note(&mut unread, UnreadKind::Element, &tag.name, &text[at..end]);
             }
             at = end;
+        } else if OTHER_FORMULAS.contains(&tag.name.as_str()) && !tag.empty {
+            let end = next_tag(text, at).filter(|end| end.closes && end.name == tag.name);
+            let inside = end.and_then(|end| text.get(at..end.start)).unwrap_or_default();
+            if !["$$", "\\[", "\\("].iter().any(|mark| inside.contains(mark)) {
+                note(&mut unread, UnreadKind::Element, &tag.name, inside);
+            }
         } else if SCOPES.contains(&tag.name.as_str()) && !tag.empty && scopes.len() < DEEPEST {
             scopes.push((tag.name.clone(), next_scope));
             next_scope += 1;

@@ -31,6 +31,7 @@ mod tex;
 #[cfg(feature = "cli")]
 mod typst;
 mod unread;
+mod upright;
 mod words;
 
 use crate::order::sort_by_place;

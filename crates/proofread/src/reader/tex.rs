@@ -6,9 +6,7 @@ use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
-use crate::token::{
-    ENDLESS, MathFunction, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show,
-};
+use crate::token::{ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -477,6 +475,12 @@ impl Tex<'_> {
                 let arguments = vec![self.argument(depth), self.argument(depth)];
                 push(out, TokenKind::Call(NamedOperation::Binomial, arguments));
             }
+            // One of four sizes.
+            "mathchoice" => {
+                let shown = self.argument(depth);
+                (0..3).for_each(|_| drop(self.raw_group()));
+                push(out, TokenKind::Group(shown));
+            }
             name => {
                 if let Some(command) = formatting::formatting_command(name) {
                     self.format_argument(name, command, span, depth, out);
@@ -494,43 +498,6 @@ impl Tex<'_> {
     /// Whether nothing but space and full stops is left.
     fn ends(&self) -> bool {
         self.stack.iter().all(|sign| sign.c.is_whitespace() || ".,}$&\\".contains(sign.c))
-    }
-
-    /// Upright text: a function, units, or words.
-    fn read_upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
-        let raw = self.raw_group();
-        let text: String = raw.iter().map(|sign| sign.c).collect();
-        // A remark in brackets stands apart.
-        if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
-            out.push(token(TokenKind::Space(2), span_of_chars(&raw)));
-        }
-        let is_minute = text.trim() == "min" && command != "operatorname";
-        if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute) {
-            out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
-            return;
-        }
-        // Without a number before it, the name of a function and no second of arc.
-        let follows_number =
-            out.iter().rev().find(|token| !token.is_space()).is_some_and(|last| last.number().is_some());
-        if matches!(text.trim(), "arcsec" | "arccsc" | "arccot") && !follows_number {
-            out.push(token(TokenKind::Unknown(format!("\\{}", text.trim())), span_of_chars(&raw)));
-            return;
-        }
-        if text.contains(['\\', '^', '_', '{', '$']) || (command == "mathrm" && text.contains('~')) {
-            // Space for a dollar sign ends the name of a command before it.
-            let spaced = |sign: &SourceChar| if sign.c == '$' { SourceChar { c: ' ', ..*sign } } else { *sign };
-            let inner = self.read_inside(raw.iter().rev().map(spaced).collect(), depth);
-            // An equation in a text in a formula is one of its own.
-            let parted = text.contains('$') && text.contains('=');
-            let part = parted.then(|| token(TokenKind::Operator(';'), span_of_chars(&raw)));
-            out.extend(part.clone());
-            merge_letters(inner, out);
-            out.extend(part);
-            return;
-        }
-        let raw: Vec<SourceChar> =
-            raw.into_iter().map(|sign| if sign.c == '~' { SourceChar { c: ' ', ..sign } } else { sign }).collect();
-        tokenise_words(&raw, out);
     }
 
     fn quantity(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {

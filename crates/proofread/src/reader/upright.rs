@@ -1,0 +1,56 @@
+//! Upright text in a formula, with the formulas in it.
+
+use super::symbols::merge_letters;
+use super::tex::{Tex, token};
+use super::words::{span_of_chars, tokenise_words};
+use crate::token::{MathFunction, SourceChar, Token, TokenKind};
+
+impl Tex<'_> {
+    /// Upright text: a function, units, or words.
+    pub(super) fn read_upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
+        let raw = self.raw_group();
+        let text: String = raw.iter().map(|sign| sign.c).collect();
+        // A remark in brackets stands apart.
+        if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
+            out.push(token(TokenKind::Space(2), span_of_chars(&raw)));
+        }
+        let is_minute = text.trim() == "min" && command != "operatorname";
+        if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute) {
+            out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
+            return;
+        }
+        // Without a number before it, the name of a function and no second of arc.
+        let follows_number =
+            out.iter().rev().find(|token| !token.is_space()).is_some_and(|last| last.number().is_some());
+        if matches!(text.trim(), "arcsec" | "arccsc" | "arccot") && !follows_number {
+            out.push(token(TokenKind::Unknown(format!("\\{}", text.trim())), span_of_chars(&raw)));
+            return;
+        }
+        let has_formulas = text.contains('$') && text.contains('=') && !text.contains("\\$");
+        for (which, piece) in raw.split(|sign| has_formulas && sign.c == '$').enumerate() {
+            // An equation in a text in a formula is one of its own.
+            if which % 2 == 1 {
+                let part = token(TokenKind::Operator(';'), span_of_chars(piece));
+                out.push(part.clone());
+                out.extend(self.read_inside(piece.iter().rev().copied().collect(), depth));
+                out.push(part);
+            } else {
+                self.read_words(command, piece, depth, out);
+            }
+        }
+    }
+
+    /// Upright text without formulas that stand apart from it.
+    fn read_words(&mut self, command: &str, raw: &[SourceChar], depth: usize, out: &mut Vec<Token>) {
+        let has = |signs: &[char]| raw.iter().any(|sign| signs.contains(&sign.c));
+        if has(&['\\', '^', '_', '{', '$']) || (command == "mathrm" && has(&['~'])) {
+            // Space for a dollar sign ends the name of a command before it.
+            let spaced = |sign: &SourceChar| if sign.c == '$' { SourceChar { c: ' ', ..*sign } } else { *sign };
+            let inner = self.read_inside(raw.iter().rev().map(spaced).collect(), depth);
+            merge_letters(inner, out);
+            return;
+        }
+        let plain = |sign: &SourceChar| if sign.c == '~' { SourceChar { c: ' ', ..*sign } } else { *sign };
+        tokenise_words(&raw.iter().map(plain).collect::<Vec<_>>(), out);
+    }
+}
