@@ -434,6 +434,9 @@ impl<'b> Evaluator<'b> {
                 match cursor.current() {
                     Some(next) if next.is_sign('!') => {
                         cursor.at += 1;
+                        if cursor.current().is_some_and(|next| next.is_sign('!')) {
+                            return Err(Obstacle::Unclear("a factorial of several steps"));
+                        }
                         value = double_factorial(&value)?;
                         continue;
                     }

@@ -9,6 +9,7 @@ use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::judge::bracket_symbols;
+use crate::judge::equals_conventions;
 use crate::judge::notation;
 use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
@@ -201,7 +202,7 @@ impl PlacedPair<'_> {
                 .values
                 .as_ref()
                 .and_then(|(left, _)| left.number().ok())
-                .is_some_and(|of| notation::is_size(of.point, right))
+                .is_some_and(|of| equals_conventions::is_size(of.point, right))
             || self.is_one_of_two()
             || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
             || (plain && notation::is_range(self.text, left))

@@ -3,6 +3,7 @@
 
 use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::value::{AngleUnit, SideValue};
+use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::{UnitDimension, is_percent, unit, without_prefix};
 use std::f64::consts::PI;
@@ -211,6 +212,17 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
     }
     let stands_for_one = (is_one(one) && other.has_unit) || (is_one(other) && one.has_unit);
     decibels[0] != decibels[1] || counted(left) != counted(right) || stands_for_one
+}
+
+/// Whether the right side is the size of a square, such as 5 × 5, and not a product.
+pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
+    match without_space(right).as_slice() {
+        [one, times, other] => {
+            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
+            times.is_sign('×') && one.number() == other.number() && number == Some(left)
+        }
+        _ => false,
+    }
 }
 
 /// Whether one side is a power of ten alone, and the other one of the same order of magnitude.

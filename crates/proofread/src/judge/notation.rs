@@ -247,17 +247,6 @@ fn as_remainder(side: &[Token]) -> Option<Vec<Token>> {
     Some(out)
 }
 
-/// Whether the right side is the size of a square, such as 5 × 5, and not a product.
-pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
-    match without_space(right).as_slice() {
-        [one, times, other] => {
-            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
-            times.is_sign('×') && one.number() == other.number() && number == Some(left)
-        }
-        _ => false,
-    }
-}
-
 /// A side whose two values behind ± are given in the other order, as they are after a division by a negative number.
 fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
     let mut out = side.to_vec();
