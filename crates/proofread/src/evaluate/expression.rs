@@ -3,12 +3,12 @@
 use crate::effort;
 use crate::evaluate::cursor::Cursor;
 use crate::evaluate::interval::Interval;
-use crate::evaluate::operation::double_factorial;
 use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::progression::of_progression;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::step_rounding::StepRounding;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
+use crate::evaluate::whole::double_factorial;
 use crate::token::{Token, TokenKind, has_number, trim_space};
 use crate::unit::unit;
 use std::collections::HashMap;

@@ -16,3 +16,4 @@ pub(crate) mod reading;
 pub(crate) mod step_rounding;
 mod units_after;
 pub(crate) mod value;
+mod whole;

@@ -6,39 +6,17 @@ use crate::evaluate::expression::Evaluator;
 use crate::evaluate::interval::Interval;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{Evaluated, Literal, Obstacle, SideValue};
+use crate::evaluate::whole::{LARGEST, MOST_FACTORS, NOISE, computed, integer, product_of};
 use crate::token::{MathFunction, NamedOperation, Token, TokenKind, trim_space};
-
-/// Largest integer that is reckoned with exactly.
-const LARGEST: f64 = 9.0e15;
 
 /// Largest integer that is told from its inverse in floating point.
 const LARGEST_INVERTED: f64 = 9.0e7;
-
-/// Most factors of a factorial or binomial coefficient.
-const MOST_FACTORS: f64 = 400.0;
 
 /// Most terms of a sum over an index.
 const MOST_TERMS: f64 = 200.0;
 
 /// Largest determinant that is computed, in rows.
 const MOST_ROWS: usize = 4;
-
-/// What floating point adds to an integer, relative to it.
-const NOISE: f64 = 1e-9;
-
-fn computed(value: f64, operations: u32) -> SideValue {
-    SideValue { operations: operations.saturating_add(1), ..SideValue::from_interval(Interval::exact(value)) }
-}
-
-/// The integer that a value is.
-fn integer(value: &SideValue) -> Evaluated<f64> {
-    let number = value.number()?.point;
-    let whole = libm::round(number);
-    if value.has_unit || (number - whole).abs() > NOISE * whole.abs().max(1.0) || whole.abs() > LARGEST {
-        return Err(Obstacle::Unclear("an integer is expected"));
-    }
-    Ok(whole)
-}
 
 /// The integer whose inverse a computed value is.
 fn inverted_integer(value: &SideValue) -> Option<f64> {
@@ -82,24 +60,6 @@ fn greatest_divisor(mut a: f64, mut b: f64) -> f64 {
         (a, b) = (b, a % b);
     }
     a
-}
-
-/// The product of `count` factors, each `step` from the one before, beginning with `first`.
-fn product_of(first: f64, count: f64, step: f64) -> Evaluated<f64> {
-    if !(0.0..=MOST_FACTORS).contains(&count) {
-        return Err(Obstacle::TooLarge);
-    }
-    Ok((0..count as u32).map(|at| first + step * f64::from(at)).product())
-}
-
-/// The product of every second integer down from one: 7!! = 7 · 5 · 3 · 1.
-pub(crate) fn double_factorial(of: &SideValue) -> Evaluated<SideValue> {
-    let n = integer(of)?;
-    if n < 0.0 {
-        return Err(Obstacle::Unclear("a factorial of what is no small integer"));
-    }
-    let value = product_of(n, libm::ceil(n / 2.0), -2.0)?;
-    if value.is_finite() { Ok(computed(value, of.operations)) } else { Err(Obstacle::TooLarge) }
 }
 
 /// A coefficient of the binomial series, as of the power −3/2: its first `k` factors over the factorial of `k`.

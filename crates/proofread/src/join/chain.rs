@@ -1,5 +1,6 @@
 //! Chains: sides with relations between them.
 
+use crate::join::equation_columns::EQUATION_END;
 use crate::join::token_joining::join_tokens;
 use crate::token::{Span, Token, TokenKind, has_number, span_of, trim_space};
 use crate::unit::{is_percent, unit};
@@ -53,9 +54,6 @@ pub(crate) struct Chain {
 
 /// The width of the space that stands for the end of a row within a side.
 pub(crate) const ROW_END: u8 = 8;
-
-/// The width of the space that parts two equations, wider than that of `\quad`.
-pub(crate) const EQUATION_END: u8 = 11;
 
 fn relation(token: &Token) -> Option<Relation> {
     match token.kind {

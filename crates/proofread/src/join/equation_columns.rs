@@ -1,8 +1,10 @@
 //! Aligned equations side by side that go on in the rows below: each column of equations is read down.
 
-use crate::join::chain::EQUATION_END;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::unit;
+
+/// The width of the space that parts two equations, wider than that of `\quad`.
+pub(crate) const EQUATION_END: u8 = 11;
 
 /// The rows of a formula, each with its cells.
 fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {

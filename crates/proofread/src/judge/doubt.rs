@@ -11,6 +11,7 @@ use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::judge::bracket_symbols;
 use crate::judge::equals_conventions;
 use crate::judge::notation;
+use crate::judge::number_marks;
 use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
@@ -192,7 +193,7 @@ impl PlacedPair<'_> {
             || bracket_symbols::may_be_residue_symbols(left, right)
             || bracket_symbols::may_be_cycles(left, right)
             || notation::has_phasor(right)
-            || notation::is_mark(right)
+            || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
             || (judgement.verdict == ChainVerdict::Dimensions
@@ -207,7 +208,7 @@ impl PlacedPair<'_> {
             || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
             || (plain && notation::is_range(self.text, left))
             || (plain && self.begins_chain() && self.is_station())
-            || (bare && (notation::has_bits(left) || notation::has_bits(right)))
+            || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))
             || (bare
                 && surroundings::named_base(self.text, around).is_none()
                 && !computes_remainder(left)
@@ -229,7 +230,7 @@ impl PlacedPair<'_> {
     fn is_station(&self) -> bool {
         let before =
             self.text.get(..self.left.span.start as usize).unwrap_or_default().trim_end_matches([' ', '.', ':']);
-        notation::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
+        number_marks::is_mark(&self.left.tokens) && before.ends_with(|c: char| c.is_alphabetic())
     }
 
     /// Whether a quantity equals a bare number at the end of the formula, behind which a unit may stand that is not known.

@@ -2,7 +2,7 @@
 
 use crate::evaluate::step_rounding::significant_digits;
 use crate::evaluate::value::SideValue;
-use crate::token::Token;
+use crate::token::{Token, TokenKind, any};
 
 /// The most significant digits of a decimal number anywhere in these tokens.
 pub(super) fn most_digits(tokens: &[Token]) -> usize {
@@ -120,4 +120,27 @@ pub(super) fn is_near(computed: &SideValue, printed: &SideValue) -> bool {
 pub(super) fn are_near(left: &SideValue, right: &SideValue) -> bool {
     let size = |of: &SideValue| of.number().map_or(0.0, |number| number.point.abs());
     (0.5..2.0).contains(&(size(left) / size(right)))
+}
+
+/// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
+pub(super) fn is_plain_sum(side: &[Token]) -> bool {
+    let is_term = |token: &Token| match &token.kind {
+        TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
+        TokenKind::Operator(c) => "+-±()[]|,;".contains(*c),
+        _ => false,
+    };
+    let products =
+        side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
+    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-±")) && !products
+}
+
+/// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².
+pub(super) fn is_round(side: &[Token]) -> bool {
+    let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+    side.len() > 1 && !any(side, &decimal)
+}
+
+/// Whether all units of one side are among those of another one.
+pub(super) fn has_words_of(side: &[Token], other: &[Token]) -> bool {
+    side.iter().filter_map(Token::word).all(|word| other.iter().any(|token| token.word() == Some(word)))
 }

@@ -7,6 +7,7 @@ pub(crate) mod explanation;
 mod flattened;
 mod lost_digits;
 mod notation;
+mod number_marks;
 mod other_arithmetic;
 pub(crate) mod section;
 mod substitution;

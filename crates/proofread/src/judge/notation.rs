@@ -3,6 +3,7 @@
 
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
+use crate::judge::number_marks::{integer, touch};
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::{ChainVerdict, judge};
 use crate::reader::{Formula, FormulaStyle};
@@ -426,15 +427,6 @@ pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
     dash.is_sign('-') && from_to && touch(side) && text.get(dash.span.range()) == Some("–")
 }
 
-fn integer(token: &Token) -> Option<u32> {
-    token.number().and_then(|digits| digits.parse().ok())
-}
-
-/// Whether tokens stand one behind the other without anything between them in the text.
-fn touch(tokens: &[Token]) -> bool {
-    tokens.windows(2).all(|pair| pair[0].span.end == pair[1].span.start)
-}
-
 /// A side with its mixed numbers, `1-3/4`, as sums; none if there is none.
 fn mixed(side: &[Token]) -> Option<Vec<Token>> {
     let mut out = Vec::with_capacity(side.len());
@@ -582,29 +574,4 @@ pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let signed = &sides[1][sides[1].len() - rest.len() - 1..];
     let signed = signed.first().is_some_and(|sign| sign.is_sign('-')) && holds(signed, sides[2]);
     holds(sides[0], result) && (signed || holds(rest, sides[2]))
-}
-
-/// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.
-pub(crate) fn is_mark(side: &[Token]) -> bool {
-    let two = |token: &Token| {
-        token.number().is_some_and(|digits| digits.split('.').next().is_some_and(|whole| whole.len() == 2))
-    };
-    match side {
-        [place, plus, feet] => plus.is_sign('+') && integer(place).is_some() && two(feet) && touch(side),
-        [degrees, one, minutes, other, seconds] => {
-            let numbers = integer(degrees).is_some() && two(minutes) && two(seconds);
-            one.is_sign('-') && other.is_sign('-') && numbers && touch(side)
-        }
-        _ => false,
-    }
-}
-
-/// Whether a side has an integer with the digits 0 and 1 that is as long as those of other bases, or a byte.
-pub(crate) fn has_bits(side: &[Token]) -> bool {
-    let bits = |digits: &str| {
-        let long = digits.len() > 4 && (digits.contains('0') || digits.len() == 8);
-        long && digits.chars().all(|c| c == '0' || c == '1')
-    };
-    let round = |digits: &str| digits.trim_end_matches('0').len() < 2;
-    side.iter().filter_map(Token::number).any(|digits| bits(digits) && !round(digits))
 }

@@ -11,8 +11,8 @@ use crate::join::chain::Relation;
 use crate::join::token_joining::has_letters;
 use crate::judge::equals_conventions;
 use crate::judge::lost_digits::{
-    FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, is_as_coarse, is_cut,
-    is_exact, is_near, is_within, most_digits, relative_width,
+    FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, has_words_of,
+    is_as_coarse, is_cut, is_exact, is_near, is_plain_sum, is_round, is_within, most_digits, relative_width,
 };
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
@@ -553,29 +553,6 @@ impl ComparedSides<'_> {
         let value = evaluator.evaluate_side(self.sides[0]);
         value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
     }
-}
-
-/// Whether a side only adds and subtracts printed numbers, so that nothing is rounded on the way.
-fn is_plain_sum(side: &[Token]) -> bool {
-    let is_term = |token: &Token| match &token.kind {
-        TokenKind::Number(_) | TokenKind::Word(_) | TokenKind::Space(_) | TokenKind::Basis(_) => true,
-        TokenKind::Operator(c) => "+-±()[]|,;".contains(*c),
-        _ => false,
-    };
-    let products =
-        side.windows(2).any(|pair| pair[1].is_one_of("([") && !pair[0].is_one_of("+-([") && !pair[0].is_space());
-    side.iter().all(is_term) && side.iter().any(|token| token.is_one_of("+-±")) && !products
-}
-
-/// Whether a side is a round expression, as in 0.0198 ≈ 1/50 and 2498 ≈ 50².
-fn is_round(side: &[Token]) -> bool {
-    let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
-    side.len() > 1 && !any(side, &decimal)
-}
-
-/// Whether all units of one side are among those of another one.
-fn has_words_of(side: &[Token], other: &[Token]) -> bool {
-    side.iter().filter_map(Token::word).all(|word| other.iter().any(|token| token.word() == Some(word)))
 }
 
 /// Whole numbers below this are printed in full where they are reckoned with.

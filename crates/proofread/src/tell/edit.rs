@@ -170,7 +170,7 @@ pub(crate) fn variants(tokens: &[Token], result: bool, tries: &mut Tries<'_>) ->
     ControlFlow::Continue(())
 }
 
-/// The same unit with other prefixes.
+/// A unit with each of the other common prefixes.
 fn other_prefixes(word: &str) -> Vec<String> {
     const PREFIXES: [&str; 8] = ["", "k", "m", "c", "μ", "n", "M", "G"];
     let bare = |prefix: &&str| {

@@ -1,0 +1,38 @@
+//! What is written like numbers and is none: marks of stations, bits.
+
+use crate::token::Token;
+
+/// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.
+pub(crate) fn is_mark(side: &[Token]) -> bool {
+    let two = |token: &Token| {
+        token.number().is_some_and(|digits| digits.split('.').next().is_some_and(|whole| whole.len() == 2))
+    };
+    match side {
+        [place, plus, feet] => plus.is_sign('+') && integer(place).is_some() && two(feet) && touch(side),
+        [degrees, one, minutes, other, seconds] => {
+            let numbers = integer(degrees).is_some() && two(minutes) && two(seconds);
+            one.is_sign('-') && other.is_sign('-') && numbers && touch(side)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a side has an integer with the digits 0 and 1 that is as long as those of other bases, or a byte.
+pub(crate) fn has_bits(side: &[Token]) -> bool {
+    let bits = |digits: &str| {
+        let long = digits.len() > 4 && (digits.contains('0') || digits.len() == 8);
+        long && digits.chars().all(|c| c == '0' || c == '1')
+    };
+    let round = |digits: &str| digits.trim_end_matches('0').len() < 2;
+    side.iter().filter_map(Token::number).any(|digits| bits(digits) && !round(digits))
+}
+
+/// The whole number that a token prints, if it prints one.
+pub(super) fn integer(token: &Token) -> Option<u32> {
+    token.number().and_then(|digits| digits.parse().ok())
+}
+
+/// Whether tokens stand one behind the other without anything between them in the text.
+pub(super) fn touch(tokens: &[Token]) -> bool {
+    tokens.windows(2).all(|pair| pair[0].span.end == pair[1].span.start)
+}
