@@ -137,81 +137,15 @@ pub(crate) fn judge(
     relation: Relation,
     bindings: Option<&NameValues>,
 ) -> PairJudgement {
-    let mut pair = ComparedSides {
-        sides: [left, right],
-        relation,
-        bindings,
-        noticed: ReadingChoices::USUAL,
-        inverse: false,
-        cancels: false,
-        cancels_decimals: false,
-        alike: None,
-    };
-    let mut best: Option<PairJudgement> = None;
-    let mut obstacle = None;
-    let mut without_value = true;
-    let mut tried: Vec<ReadingChoices> = Vec::new();
-    loop {
-        let mut open = pair.noticed;
-        // Revolutions beside radians are angles.
-        if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
-            open = ReadingChoices::USUAL.union(pair.without_choice(open, ReadingChoices::TURNS));
-        }
-        let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
-        let Some(reading) = next else { break };
-        tried.push(reading);
-        for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
-            match pair.compare(reading.union(numbers)) {
-                Ok(Some(found)) => {
-                    let better = |best: &PairJudgement| {
-                        found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
-                    };
-                    if best.as_ref().is_none_or(better) {
-                        best = Some(found);
-                    }
-                }
-                Ok(None) => {}
-                Err(why) => {
-                    without_value &= matches!(why, Obstacle::NoValue(_));
-                    obstacle = obstacle.or(Some(why));
-                }
-            }
-            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
-                break;
-            }
-        }
-        if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
-            break;
-        }
-    }
-    if let Some(best) = &mut best
-        && let Some(values) = &best.values
-        && best.verdict > ChainVerdict::Units
-        && equals_conventions::may_stand_for_each_other(left, right, values)
-    {
-        best.verdict = ChainVerdict::Doubtful;
-    }
-    best.unwrap_or_else(|| {
-        let verdict = match obstacle {
-            // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
-            Some(Obstacle::MixedSum) if bindings.is_none() || ![left, right].into_iter().any(has_letters) => {
-                ChainVerdict::Dimensions
-            }
-            Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
-            _ => ChainVerdict::CannotEvaluate,
-        };
-        PairJudgement {
-            verdict,
-            reading: ReadingChoices::USUAL,
-            values: None,
-            obstacle,
-            used: Vec::new(),
-            explanation: None,
-            is_ill_conditioned: false,
-        }
-    })
+    ComparedSides::new([left, right], relation, bindings).judge()
 }
 
+/// Whether two sides without names agree to the printed digits, as [`judge`] would find. It is quicker: of sides that don't, it does
+/// not find out how they differ.
+pub(crate) fn is_agreed(left: &[Token], right: &[Token], relation: Relation) -> bool {
+    let pair = ComparedSides { only_agreement: true, ..ComparedSides::new([left, right], relation, None) };
+    pair.judge().verdict == ChainVerdict::Consistent
+}
 /// Whether a side can be evaluated under some reading, and whether it is a printed number.
 pub(crate) fn evaluate_freely(side: &[Token], bindings: Option<&NameValues>) -> Evaluated<SideValue> {
     let mut first = None;
@@ -246,9 +180,92 @@ struct ComparedSides<'t> {
     cancels_decimals: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
+    /// Whether nothing but their agreement is asked for.
+    only_agreement: bool,
 }
 
-impl ComparedSides<'_> {
+impl<'t> ComparedSides<'t> {
+    fn new(sides: [&'t [Token]; 2], relation: Relation, bindings: Option<&'t NameValues>) -> Self {
+        Self {
+            sides,
+            relation,
+            bindings,
+            noticed: ReadingChoices::USUAL,
+            inverse: false,
+            cancels: false,
+            cancels_decimals: false,
+            alike: None,
+            only_agreement: false,
+        }
+    }
+
+    /// The best judgement over all readings.
+    fn judge(mut self) -> PairJudgement {
+        let mut best: Option<PairJudgement> = None;
+        let mut obstacle = None;
+        let mut without_value = true;
+        let mut tried: Vec<ReadingChoices> = Vec::new();
+        loop {
+            let mut open = self.noticed;
+            // Revolutions beside radians are angles.
+            if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
+                open = ReadingChoices::USUAL.union(self.without_choice(open, ReadingChoices::TURNS));
+            }
+            let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
+            let Some(reading) = next else { break };
+            tried.push(reading);
+            for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
+                match self.compare(reading.union(numbers)) {
+                    Ok(Some(found)) => {
+                        let better = |best: &PairJudgement| {
+                            found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
+                        };
+                        if best.as_ref().is_none_or(better) {
+                            best = Some(found);
+                        }
+                    }
+                    Ok(None) => {}
+                    Err(why) => {
+                        without_value &= matches!(why, Obstacle::NoValue(_));
+                        obstacle = obstacle.or(Some(why));
+                    }
+                }
+                if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
+                    break;
+                }
+            }
+            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
+                break;
+            }
+        }
+        if let Some(best) = &mut best
+            && let Some(values) = &best.values
+            && best.verdict > ChainVerdict::Units
+            && equals_conventions::may_stand_for_each_other(self.sides[0], self.sides[1], values)
+        {
+            best.verdict = ChainVerdict::Doubtful;
+        }
+        best.unwrap_or_else(|| {
+            let verdict = match obstacle {
+                // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
+                Some(Obstacle::MixedSum) if self.bindings.is_none() || !self.sides.into_iter().any(has_letters) => {
+                    ChainVerdict::Dimensions
+                }
+                Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
+                _ => ChainVerdict::CannotEvaluate,
+            };
+            PairJudgement {
+                verdict,
+                reading: ReadingChoices::USUAL,
+                values: None,
+                obstacle,
+                used: Vec::new(),
+                explanation: None,
+                is_ill_conditioned: false,
+            }
+        })
+    }
+
     fn without_choice(&self, set: ReadingChoices, choice: ReadingChoices) -> ReadingChoices {
         set.subsets(16).into_iter().rev().find(|of| !of.contains(choice)).unwrap_or_default()
     }
@@ -311,6 +328,11 @@ impl ComparedSides<'_> {
         };
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(SideValue::is_zero_at_point);
+        let both_units = points.iter().all(|point| point.has_unit);
+        // Neither would be more than numbers that agree without their units.
+        if self.only_agreement && if numbers { both_units } else { !same && !zero } {
+            return Ok(None);
+        }
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
@@ -331,24 +353,33 @@ impl ComparedSides<'_> {
         if literal == [false, false] {
             self.alike = with_shared_exact(self.sides);
         }
-        let mut strict = self.evaluate_both(Mode::Strict, literal, reading)?;
-        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
         let fewer = |one: &SideValue, other: &SideValue| {
             one.parts.pairs(&other.parts).all(|(a, b)| a.half_width() < b.half_width())
         };
+        // Whether the sides agree, a computed one decides by its point.
+        let unused = &mut Vec::new();
+        let mut strict = match literal {
+            [false, true] => [points[0].clone(), self.value(1, Mode::Result, reading, unused)?],
+            [true, false] => [self.value(0, Mode::Result, reading, unused)?, points[1].clone()],
+            [false, false] => points.clone(),
+            [true, true] => self.evaluate_both(Mode::Strict, literal, reading)?,
+        };
         // A quantity that is converted isn't rounded to tens before.
-        if literal == [true, true] && points.iter().all(|point| point.has_unit) {
-            let exact = self.value(0, Mode::Strict, reading, &mut Vec::new())?;
+        let mut converted = None;
+        if literal == [true, true] && both_units {
+            let exact = self.value(0, Mode::Strict, reading, unused)?;
             if fewer(&exact, &strict[0]) {
-                (strict[0], lenient[0]) = (exact.clone(), exact);
+                strict[0] = exact.clone();
+                converted = Some(exact);
             }
         }
-        let both_units = points.iter().all(|point| point.has_unit);
-        if self.noticed.contains(ReadingChoices::MINUS) {
-            for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
+        let is_minus = self.noticed.contains(ReadingChoices::MINUS);
+        let without_sign = |value: &mut SideValue| {
+            if is_minus {
                 value.parts = value.parts.map(|part| Interval::with_half_width(part.point.abs(), part.half_width()));
             }
-        }
+        };
+        points.iter_mut().chain(&mut strict).for_each(without_sign);
         let by_numbers = numbers && both_units;
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
         let exact = self.is_exact(&points, literal);
@@ -374,6 +405,20 @@ impl ComparedSides<'_> {
         if agrees {
             return Ok(fine(ChainVerdict::Consistent));
         }
+        if self.only_agreement {
+            return Ok(None);
+        }
+        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading);
+        if literal != [true, true] {
+            strict = self.evaluate_both(Mode::Strict, literal, reading)?;
+            strict.iter_mut().for_each(without_sign);
+        }
+        if let (Some(exact), Ok(lenient)) = (converted, &mut lenient) {
+            lenient[0] = exact;
+        }
+        let mut lenient = lenient.unwrap_or_else(|_| strict.clone());
+        lenient.iter_mut().for_each(without_sign);
+        let [left, right] = &strict;
         if equals_conventions::lacks_degrees(left, right)
             || equals_conventions::counts_electrons(self.sides, left, right)
         {

@@ -1,7 +1,7 @@
 //! The single edit that makes two sides agree, if one is much likelier than all others.
 
 use crate::join::chain::{ChainSide, Relation};
-use crate::judge::verdict::{ChainVerdict, PairJudgement, judge};
+use crate::judge::verdict::{ChainVerdict, PairJudgement, is_agreed};
 use crate::tell::edit::{Edit, EditKind, variants, whole_side};
 use crate::token::{Span, Token, TokenKind};
 use std::ops::ControlFlow;
@@ -300,10 +300,6 @@ impl HintSearch<'_> {
                 })
             })
     }
-}
-
-fn is_agreed(left: &[Token], right: &[Token], relation: Relation) -> bool {
-    judge(left, right, relation, None).verdict == ChainVerdict::Consistent
 }
 
 #[cfg(test)]
