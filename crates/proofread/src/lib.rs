@@ -5,6 +5,7 @@
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod decimal;
 mod effort;
 mod evaluate;
 mod join;

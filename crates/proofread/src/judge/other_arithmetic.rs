@@ -1,5 +1,6 @@
 //! Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 
+use crate::decimal::parse_decimal;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::Span;
 
@@ -53,8 +54,11 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
     };
     // A ring may be named some sentences before, with its modulus or as its group of units.
     let far = surroundings::text_before(text, span);
-    let far =
-        if ["mathbb", "GF(", "U("].iter().any(|sign| far.contains(sign)) { far.to_lowercase() } else { String::new() };
+    let far = if ["mathbb", "GF(", "U("].iter().any(|sign| far.contains(sign)) {
+        far.to_ascii_lowercase()
+    } else {
+        String::new()
+    };
     let named = |difference: f64| {
         let signs = { RINGS }.into_iter().chain(["u("]).flat_map(|sign| far.match_indices(sign));
         let moduli = signs.filter_map(|(at, sign)| {
@@ -82,7 +86,7 @@ fn number_at(text: &str) -> Option<f64> {
     let text = text.trim_start_matches(|c: char| c.is_whitespace() || "{}()$\\~,:;".contains(c));
     let length = text.chars().take_while(char::is_ascii_digit).count();
     let digits = text.get(..length).filter(|_| !text[length..].starts_with('^'))?;
-    digits.parse().ok()
+    parse_decimal(digits)
 }
 
 #[cfg(test)]

@@ -306,6 +306,7 @@ impl HintSearch<'_> {
 mod tests {
     use super::*;
     use crate::join::chain::split_chains;
+    use crate::judge::verdict::judge;
     use crate::reader::{self, TextFormat};
 
     fn hinted(tex: &str) -> Option<String> {

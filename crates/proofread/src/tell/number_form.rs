@@ -1,18 +1,19 @@
 //! Numbers as people write them.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::printed::power_of_ten;
 
 /// A number of so many significant digits, without a sign; `trims` leaves zeros at the end of its decimals out.
 pub(crate) fn significant(size: f64, digits: usize, trims: bool) -> String {
     let digits = digits.clamp(1, 15);
     if size == 0.0 || !size.is_finite() {
-        return format!("{size}");
+        return format!("{size:.0}");
     }
     let text = format!("{size:.*e}", digits - 1);
     let (_, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let places = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
-    let text = format!("{:.places$}", text.parse::<f64>().unwrap_or(size));
+    let text = format!("{:.places$}", parse_decimal(&text).unwrap_or(size));
     match trims && text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,

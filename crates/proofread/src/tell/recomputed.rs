@@ -1,5 +1,6 @@
 //! What is computed, in the form of what is printed: with as many digits, in its unit, as a fraction or as a power of ten.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::exponent::{plain_exponent, small_integer};
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::{Mode, power_of_ten};
@@ -228,7 +229,7 @@ fn is_same(one: &str, other: &str) -> bool {
 
 /// A factor to six digits: what is behind them is the error of the printed digits.
 fn rounded(factor: f64) -> f64 {
-    format!("{factor:.5e}").parse().unwrap_or(factor)
+    parse_decimal(&format!("{factor:.5e}")).unwrap_or(factor)
 }
 
 /// How far apart two values are, if a factor or a sign says more than their digits.
@@ -247,7 +248,7 @@ fn factor_in_words(size: f64) -> String {
     let power = libm::round(libm::log10(size));
     let is_power = (size / power_of_ten(power) - 1.0).abs() < 1e-3;
     match is_power {
-        true if power > 9.0 => format!("10^{power}"),
+        true if power > 9.0 => format!("10^{power:.0}"),
         true => part_thousands(&format!("{:.0}", power_of_ten(power))),
         false if size >= 1e9 => power_form(size, 3),
         false => part_thousands(&significant(size, 3, true)),
@@ -298,7 +299,7 @@ impl<'t> PrintedNumeral<'t> {
             TokenKind::Power(exponent) => plain_exponent(exponent).ok().filter(|power| power.fract() == 0.0),
             _ => None,
         };
-        let value: f64 = text.trim_end_matches('…').replace(',', "").parse().ok()?;
+        let value = parse_decimal(&text.trim_end_matches('…').replace(',', ""))?;
         let value = if is_negative { -value } else { value };
         let new = |value: f64, power: Option<f64>, end: usize| {
             let behind = &tokens[end.min(tokens.len())..];
@@ -474,11 +475,11 @@ impl<'t> PrintedFraction<'t> {
     fn with_value(&self, above: f64, below: f64) -> String {
         let size = above.abs();
         let text = if below == 1.0 {
-            format!("{size}")
+            format!("{size:.0}")
         } else if self.whole.is_some() && size > below {
-            format!("{} {}/{below}", libm::floor(size / below), size % below)
+            format!("{:.0} {:.0}/{below:.0}", libm::floor(size / below), size % below)
         } else {
-            format!("{size}/{below}")
+            format!("{size:.0}/{below:.0}")
         };
         signed(text, above < 0.0)
     }
