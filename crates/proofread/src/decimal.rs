@@ -1,6 +1,6 @@
-//! Decimal digits as the nearest binary number.
+//! Decimal digits as the nearest binary number, and the other way round.
 //!
-//! What the standard library has for this brings a table of ten kilobytes, which would be a thirtieth of the page's module.
+//! What the standard library has for both, with a table of ten kilobytes, would be a twentieth of the page's module.
 
 /// The powers of ten that are exact.
 pub(crate) const POWERS_OF_TEN: [f64; 23] = [
@@ -43,6 +43,45 @@ pub(crate) fn parse_decimal(text: &str) -> Option<f64> {
     Some(if is_negative { -size } else { size })
 }
 
+/// A number with so many decimals, as the standard library's `{:.2}` writes it.
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    let Some(number) = Decimal::of(value) else { return without_digits(value) };
+    let keep = number.power + decimals as i64;
+    let number = number.to_digits(keep);
+    let mut out = sign(value).to_owned();
+    match number.power {
+        ..=0 => out.push('0'),
+        whole => (0..whole).for_each(|at| out.push(number.digit(at))),
+    }
+    if decimals > 0 {
+        out.push('.');
+    }
+    (0..decimals as i64).for_each(|at| out.push(number.digit(number.power + at)));
+    out
+}
+
+/// A number from 1 to 10 with so many decimals and a power of ten, as the standard library's `{:.2e}` writes it.
+pub(crate) fn scientific(value: f64, decimals: usize) -> String {
+    let Some(number) = Decimal::of(value) else { return without_digits(value) };
+    let number = number.to_digits(decimals as i64 + 1);
+    let mut out = sign(value).to_owned();
+    out.push(number.digit(0));
+    if decimals > 0 {
+        out.push('.');
+    }
+    (1..=decimals as i64).for_each(|at| out.push(number.digit(at)));
+    let exponent = if number.digits.is_empty() { 0 } else { number.power - 1 };
+    out + "e" + &exponent.to_string()
+}
+
+fn sign(value: f64) -> &'static str {
+    if value.is_sign_negative() { "-" } else { "" }
+}
+
+fn without_digits(value: f64) -> String {
+    if value.is_nan() { "NaN".to_owned() } else { sign(value).to_owned() + "inf" }
+}
+
 /// Most digits that are kept. Those of a number that is half way between two others are fewer; of what is behind them counts
 /// only whether it is zero.
 const MOST_DIGITS: usize = 800;
@@ -63,6 +102,62 @@ impl Decimal {
         number.power += number.digits.len() as i64;
         number.trim();
         number
+    }
+
+    /// All digits of a number without its sign; none if it is not finite.
+    fn of(value: f64) -> Option<Self> {
+        if !value.is_finite() {
+            return None;
+        }
+        let bits = value.abs().to_bits();
+        let (biased, rest) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
+        let (mantissa, exponent) = if biased == 0 { (rest, -1074) } else { (rest | 1 << 52, biased - 1075) };
+        // Zero has no bit.
+        let even = mantissa.trailing_zeros().min(52);
+        let mut exponent = exponent + even as i32;
+        let mut number = Self::new((mantissa >> even).to_string().bytes().map(|byte| byte - b'0'), 0);
+        while exponent > 0 {
+            let times = MOST_BITS.min(exponent as u32);
+            number.double(times);
+            exponent -= times as i32;
+        }
+        while exponent < 0 {
+            let times = MOST_BITS.min(exponent.unsigned_abs());
+            number.halve(times);
+            exponent += times as i32;
+        }
+        Some(number)
+    }
+
+    /// The digit so many places behind the first one; a zero where there is none.
+    fn digit(&self, at: i64) -> char {
+        let digit = usize::try_from(at).ok().and_then(|at| self.digits.get(at));
+        char::from(b'0' + digit.copied().unwrap_or(0))
+    }
+
+    /// Rounded to so many of its digits, half way to the even one.
+    fn to_digits(mut self, keep: i64) -> Self {
+        let Ok(keep) = usize::try_from(keep) else { return Self { digits: Vec::new(), power: 0 } };
+        let is_odd = keep.checked_sub(1).and_then(|last| self.digits.get(last)).is_some_and(|last| last % 2 == 1);
+        let is_up = match self.digits.get(keep..).unwrap_or_default() {
+            [] => return self,
+            [5] => is_odd,
+            [first, ..] => *first >= 5,
+        };
+        self.digits.truncate(keep);
+        if is_up {
+            while self.digits.last() == Some(&9) {
+                self.digits.pop();
+            }
+            match self.digits.last_mut() {
+                Some(last) => *last += 1,
+                None => {
+                    self.digits.push(1);
+                    self.power += 1;
+                }
+            }
+        }
+        self
     }
 
     fn trim(&mut self) {
@@ -246,6 +341,44 @@ mod tests {
         agrees(&half);
         agrees(&(half.clone() + &"0".repeat(900)));
         agrees(&(half + &"0".repeat(900) + "1"));
+    }
+
+    #[test]
+    fn a_number_is_written_with_any_count_of_digits() {
+        let written = |value: f64, decimals: usize| {
+            assert_eq!(fixed(value, decimals), format!("{value:.decimals$}"), "{value:e} {decimals}");
+            assert_eq!(scientific(value, decimals), format!("{value:.decimals$e}"), "{value:e} {decimals}");
+        };
+        let mut random = fastrand::Rng::with_seed(6);
+        for _ in 0..5_000 {
+            let near_one = random.f64() * f64::from(10_u32.pow(random.u32(0..9)));
+            let short = f64::from(random.i32(-5000..5000)) / 16.0;
+            for value in [f64::from_bits(random.u64(..)), near_one, -near_one / 1e6, short] {
+                written(value, random.usize(0..18));
+            }
+        }
+        let edges = [
+            0.0,
+            -0.0,
+            0.5,
+            1.5,
+            2.5,
+            -0.5,
+            0.25,
+            0.05,
+            0.95,
+            9.5,
+            99.5,
+            0.995,
+            999.9,
+            1e22,
+            5e-324,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+        ];
+        for value in edges.into_iter().chain([f64::INFINITY, f64::NEG_INFINITY, f64::NAN]) {
+            (0..6).for_each(|decimals| written(value, decimals));
+        }
     }
 
     #[test]

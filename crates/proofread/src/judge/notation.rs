@@ -1,7 +1,7 @@
 //! Ways of writing that only some texts have, each tried where two sides differ: what the sides would be if they were written in one of
 //! them, and what shows that they may be.
 
-use crate::decimal::parse_decimal;
+use crate::decimal::{fixed, parse_decimal};
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::substitution::without_space;
@@ -191,7 +191,7 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         {
             let (span, unit) = (out[*a].span.join(out[*c].span), out[*b].clone());
             out.truncate(*a);
-            out.push(Token::new(TokenKind::Number(format!("{:.8}", whole + rest / parts)), span));
+            out.push(Token::new(TokenKind::Number(fixed(whole + rest / parts, 8)), span));
             out.push(unit);
             found = true;
         }

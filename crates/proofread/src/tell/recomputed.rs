@@ -1,6 +1,6 @@
 //! What is computed, in the form of what is printed: with as many digits, in its unit, as a fraction or as a power of ten.
 
-use crate::decimal::parse_decimal;
+use crate::decimal::{fixed, parse_decimal, scientific};
 use crate::evaluate::exponent::{plain_exponent, small_integer};
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::{Mode, power_of_ten};
@@ -229,7 +229,7 @@ fn is_same(one: &str, other: &str) -> bool {
 
 /// A factor to six digits: what is behind them is the error of the printed digits.
 fn rounded(factor: f64) -> f64 {
-    parse_decimal(&format!("{factor:.5e}")).unwrap_or(factor)
+    parse_decimal(&scientific(factor, 5)).unwrap_or(factor)
 }
 
 /// How far apart two values are, if a factor or a sign says more than their digits.
@@ -248,8 +248,8 @@ fn factor_in_words(size: f64) -> String {
     let power = libm::round(libm::log10(size));
     let is_power = (size / power_of_ten(power) - 1.0).abs() < 1e-3;
     match is_power {
-        true if power > 9.0 => format!("10^{power:.0}"),
-        true => part_thousands(&format!("{:.0}", power_of_ten(power))),
+        true if power > 9.0 => "10^".to_owned() + &fixed(power, 0),
+        true => part_thousands(&fixed(power_of_ten(power), 0)),
         false if size >= 1e9 => power_form(size, 3),
         false => part_thousands(&significant(size, 3, true)),
     }
@@ -411,9 +411,9 @@ impl<'t> PrintedNumeral<'t> {
         let decimals = self.text.split_once('.').map(|(_, behind)| behind.len());
         let whole = (size - libm::round(size)).abs() < 1e-9 * size.max(1.0);
         let text = match decimals {
-            None if whole => format!("{size:.0}"),
+            None if whole => fixed(size, 0),
             Some(decimals) if self.before.iter().chain(self.behind).any(is_money) && digits <= self.digits() => {
-                format!("{size:.decimals$}")
+                fixed(size, decimals)
             }
             _ => significant(size, digits, false),
         };
@@ -475,11 +475,11 @@ impl<'t> PrintedFraction<'t> {
     fn with_value(&self, above: f64, below: f64) -> String {
         let size = above.abs();
         let text = if below == 1.0 {
-            format!("{size:.0}")
+            fixed(size, 0)
         } else if self.whole.is_some() && size > below {
-            format!("{:.0} {:.0}/{below:.0}", libm::floor(size / below), size % below)
+            format!("{} {}/{}", fixed(libm::floor(size / below), 0), fixed(size % below, 0), fixed(below, 0))
         } else {
-            format!("{size:.0}/{below:.0}")
+            format!("{}/{}", fixed(size, 0), fixed(below, 0))
         };
         signed(text, above < 0.0)
     }
