@@ -16,25 +16,6 @@ pub struct Hint {
 }
 
 impl Hint {
-    /// What to write at the place instead, if the edit is of a number that stands there as the hint names it.
-    ///
-    /// ```
-    /// use proofread::{CheckOptions, TextFormat, proofread};
-    ///
-    /// let text = r"It is $\tan 31.0^\circ = 0.609$.";
-    /// let report = proofread(text, TextFormat::Markdown, CheckOptions::default())?;
-    /// let hint = report.findings[0].hint.as_ref().expect("a hint");
-    /// assert_eq!((&text[hint.at.range()], hint.replacement(text)), ("0.609", Some("0.601")));
-    /// # Ok::<(), proofread::UnreadableText>(())
-    /// ```
-    pub fn replacement(&self, text: &str) -> Option<&str> {
-        let (offered, printed) = self.words.strip_prefix('`')?.strip_suffix('`')?.split_once("` for `")?;
-        // These signs mean the same in every format.
-        let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
-        let stands_there = text.get(self.at.range()) == Some(printed);
-        (stands_there && is_number(offered) && is_number(printed)).then_some(offered)
-    }
-
     /// Whether the text has at the place already what the hint offers, so that the text was misread.
     pub(crate) fn stands_in(&self, text: &str) -> bool {
         let plain = |text: &str| text.chars().filter(|c| !c.is_whitespace() && !"{}".contains(*c)).collect::<String>();
