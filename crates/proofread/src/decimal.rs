@@ -47,7 +47,7 @@ pub(crate) fn parse_decimal(text: &str) -> Option<f64> {
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let Some(number) = Decimal::of(value) else { return without_digits(value) };
     let keep = number.power + decimals as i64;
-    let number = number.to_digits(keep);
+    let number = number.rounded_to(keep);
     let mut out = sign(value).to_owned();
     match number.power {
         ..=0 => out.push('0'),
@@ -63,7 +63,7 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
 /// A number from 1 to 10 with so many decimals and a power of ten, as the standard library's `{:.2e}` writes it.
 pub(crate) fn scientific(value: f64, decimals: usize) -> String {
     let Some(number) = Decimal::of(value) else { return without_digits(value) };
-    let number = number.to_digits(decimals as i64 + 1);
+    let number = number.rounded_to(decimals as i64 + 1);
     let mut out = sign(value).to_owned();
     out.push(number.digit(0));
     if decimals > 0 {
@@ -136,7 +136,7 @@ impl Decimal {
     }
 
     /// Rounded to so many of its digits, half way to the even one.
-    fn to_digits(mut self, keep: i64) -> Self {
+    fn rounded_to(mut self, keep: i64) -> Self {
         let Ok(keep) = usize::try_from(keep) else { return Self { digits: Vec::new(), power: 0 } };
         let is_odd = keep.checked_sub(1).and_then(|last| self.digits.get(last)).is_some_and(|last| last % 2 == 1);
         let is_up = match self.digits.get(keep..).unwrap_or_default() {

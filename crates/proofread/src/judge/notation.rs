@@ -182,7 +182,7 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         out.push(copy);
         let solid: Vec<usize> = (0..out.len()).rev().filter(|at| !out[*at].is_space()).take(4).collect();
         let [d, c, b, a] = solid.as_slice() else { continue };
-        let number = |at: usize| out[at].number().and_then(|digits| parse_decimal(digits));
+        let number = |at: usize| out[at].number().and_then(parse_decimal);
         let words = out[*b].word().zip(out[*d].word());
         let part =
             words.and_then(|(one, other)| PARTS.iter().find(|(large, small, _)| *large == one && *small == other));
@@ -263,7 +263,7 @@ pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: im
 pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
     match without_space(right).as_slice() {
         [one, times, other] => {
-            let number = one.number().and_then(|digits| parse_decimal(digits));
+            let number = one.number().and_then(parse_decimal);
             times.is_sign('×') && one.number() == other.number() && number == Some(left)
         }
         _ => false,
