@@ -5,6 +5,7 @@ pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
+mod nearness;
 mod notation;
 mod other_arithmetic;
 pub(crate) mod section;
