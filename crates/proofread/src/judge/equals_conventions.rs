@@ -1,6 +1,7 @@
 //! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
 //! between their units is rounded.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, SideValue};
@@ -220,7 +221,7 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
 pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
     match without_space(right).as_slice() {
         [one, times, other] => {
-            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
+            let number = one.number().and_then(parse_decimal);
             times.is_sign('×') && one.number() == other.number() && number == Some(left)
         }
         _ => false,

@@ -100,7 +100,7 @@ fn named_moduli(text: &str) -> Vec<f64> {
         let equal = behind.trim_start().strip_prefix('=');
         let is_value = equal.is_some_and(|equal| !equal.trim_start_matches([' ', '\\']).starts_with('{'));
         let is_name = text[..at].ends_with(|c: char| c.is_alphanumeric());
-        inside.parse().ok().filter(|_| !is_name && !is_value)
+        parse_decimal(inside).filter(|_| !is_name && !is_value)
     });
     of_rings.chain(of_groups).collect()
 }
