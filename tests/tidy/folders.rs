@@ -6,7 +6,7 @@ use super::sources::{Source, sources, sources_of};
 /// The folders of the proofreader in the order in which a text goes through them. What none of them is above comes first: tokens,
 /// units and counts.
 const PROOFREAD: &[&[&str]] = &[
-    &["effort", "named_counts", "order", "token", "unit"],
+    &["decimal", "effort", "named_counts", "order", "token", "unit"],
     &["reader"],
     &["join"],
     &["evaluate"],

@@ -5,6 +5,7 @@
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod decimal;
 mod effort;
 mod evaluate;
 mod join;
@@ -21,11 +22,11 @@ mod unit;
 pub use check::{CheckOptions, CheckReport, proofread};
 pub use effort::CheckEffort;
 pub use evaluate::binding::NamePolicy;
+pub use judge::chain_verdict::ChainVerdict;
 pub use judge::doubt::Doubt;
 pub use judge::explanation::explanation_names;
 pub use judge::section::ReportSection;
 pub use judge::unchecked::UncheckedKind;
-pub use judge::verdict::ChainVerdict;
 pub use named_counts::NamedCounts;
 pub use reader::{Definitions, TextFormat, UnreadKind, UnreadParts, UnreadableText};
 #[cfg(feature = "statistics")]

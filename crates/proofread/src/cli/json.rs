@@ -2,9 +2,9 @@
 
 use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
-use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::tell::finding::ChainFinding;

@@ -3,8 +3,8 @@
 use super::baseline::fingerprint;
 use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::section::ReportSection;
-use crate::judge::verdict::ChainVerdict;
 use crate::tell::finding::ChainFinding;
 use crate::tell::hint::Hint;
 use crate::tell::line_index::LineIndex;
@@ -47,8 +47,8 @@ fn level(finding: &ChainFinding) -> &'static str {
 }
 
 /// The edit that a hint offers, if it is known to the character.
-fn fix(uri: &str, hint: &Hint, text: &str, lines: &LineIndex<'_>) -> Option<Value> {
-    let offered = hint.replacement(text)?;
+fn fix(uri: &str, hint: &Hint, document: &Document, lines: &LineIndex<'_>) -> Option<Value> {
+    let offered = hint.replacement(&document.text, document.format)?;
     let [start, end] = lines.line_columns(hint.at);
     Some(json!({
         "description": { "text": format!("Write {}.", hint.words) },
@@ -88,7 +88,7 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
         "properties": { "printed": finding.printed, "recomputed": finding.recomputed, "factor": finding.factor },
     });
     if let Some(fix) =
-        finding.hint.as_ref().filter(|_| document.made.is_none()).and_then(|hint| fix(uri, hint, &document.text, lines))
+        finding.hint.as_ref().filter(|_| document.made.is_none()).and_then(|hint| fix(uri, hint, document, lines))
     {
         out["fixes"] = json!([fix]);
     }

@@ -1,5 +1,6 @@
 //! The numbers that a side prints, and the side with other digits in their place.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::printed::power_of_ten;
 use crate::token::{Token, TokenKind};
 
@@ -19,7 +20,7 @@ impl Numeral {
             return false;
         }
         let half = 0.5 * power_of_ten(-(fewer as f64));
-        let both: Option<(f64, f64)> = self.digits.parse().ok().zip(other.digits.parse().ok());
+        let both: Option<(f64, f64)> = parse_decimal(&self.digits).zip(parse_decimal(&other.digits));
         both.is_some_and(|(one, two)| (one - two).abs() <= half * 1.000_001)
     }
 }

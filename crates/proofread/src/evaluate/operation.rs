@@ -1,6 +1,7 @@
 //! Operations with names and signs of their own: remainders, integer parts, binomial coefficients, factorials of several kinds, lists,
 //! sums over an index, tuples and determinants.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::cursor::Cursor;
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::interval::Interval;
@@ -156,7 +157,7 @@ impl Evaluator<'_> {
         if values.len() == 1
             && let [Token { kind: TokenKind::Number(digits), .. }] = trim_space(inner)
         {
-            let numbers = digits.split(',').filter_map(|of| of.parse().ok());
+            let numbers = digits.split(',').filter_map(parse_decimal);
             values = numbers.map(|of| computed(of, 0)).collect();
         }
         let Some((first, rest)) = values.split_first().filter(|(_, rest)| !rest.is_empty()) else {

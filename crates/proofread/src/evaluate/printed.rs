@@ -1,5 +1,6 @@
 //! Printed digits, and the interval that they leave open.
 
+use crate::decimal::{POWERS_OF_TEN, parse_decimal};
 use std::borrow::Cow;
 
 /// How much a printed number leaves open.
@@ -37,7 +38,7 @@ impl PrintedNumber {
         if !plain.chars().all(allowed) || !plain.contains(|c: char| c.is_ascii_digit()) {
             return None;
         }
-        let value: f64 = plain.parse().ok().filter(|value: &f64| value.is_finite())?;
+        let value = parse_decimal(&plain).filter(|value| value.is_finite())?;
         let decimals = plain.split_once('.').map(|(_, behind)| behind.len());
         let trailing = plain.len() - plain.trim_end_matches('0').len();
         // What follows the dots is anything up to the next digit.
@@ -80,12 +81,6 @@ impl PrintedNumber {
     }
 }
 
-/// The powers of ten that are exact.
-const POWERS_OF_TEN: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-    1e21, 1e22,
-];
-
 /// Ten to a power, the same on every machine.
 pub(crate) fn power_of_ten(exponent: f64) -> f64 {
     if exponent.fract() == 0.0 && exponent.abs() <= 400.0 {
@@ -94,7 +89,7 @@ pub(crate) fn power_of_ten(exponent: f64) -> f64 {
         return match POWERS_OF_TEN.get(exponent.unsigned_abs() as usize) {
             Some(power) if exponent >= 0 => *power,
             Some(power) => 1.0 / power,
-            None => format!("1e{exponent}").parse().unwrap_or(f64::INFINITY),
+            None => parse_decimal(&format!("1e{exponent}")).unwrap_or(f64::INFINITY),
         };
     }
     libm::pow(10.0, exponent)

@@ -1,5 +1,6 @@
 //! Sums of integers with dots for the terms between: `1 + 2 + ⋯ + 10` is 55.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::interval::Interval;
 use crate::evaluate::value::{Literal, SideValue};
 use crate::token::{Token, TokenKind};
@@ -15,7 +16,7 @@ pub(crate) fn of_progression(tokens: &[Token]) -> Option<SideValue> {
     let mut solid = tokens.iter().filter(|token| !token.is_space());
     let integer = |token: Option<&Token>| {
         let digits = token?.number().filter(|digits| digits.chars().all(|c| c.is_ascii_digit()))?;
-        digits.parse::<f64>().ok()
+        parse_decimal(digits)
     };
     let mut printed = vec![integer(solid.next())?];
     loop {

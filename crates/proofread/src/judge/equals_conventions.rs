@@ -1,8 +1,11 @@
 //! What an equals sign between two quantities may mean besides that they are equal: one stands for the other, or the factor
 //! between their units is rounded.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::printed::{Mode, PrintedNumber};
+use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, SideValue};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::{UnitDimension, is_percent, unit, without_prefix};
@@ -218,7 +221,7 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
 pub(crate) fn is_size(left: f64, right: &[Token]) -> bool {
     match without_space(right).as_slice() {
         [one, times, other] => {
-            let number = one.number().and_then(|digits| digits.parse::<f64>().ok());
+            let number = one.number().and_then(parse_decimal);
             times.is_sign('×') && one.number() == other.number() && number == Some(left)
         }
         _ => false,
@@ -257,4 +260,45 @@ fn is_convertible(dimension: UnitDimension) -> bool {
     known.contains(&Some(dimension))
         || of_a_mole == Some(dimension)
         || of("m").map(|length| length.power(-1.0)) == Some(dimension)
+}
+
+/// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
+pub(super) fn angles(
+    [left, right]: &[SideValue; 2],
+    points: &[SideValue; 2],
+    reading: ReadingChoices,
+) -> Option<ChainVerdict> {
+    if reading.contains(ReadingChoices::DEGREES) {
+        for (angle, bare, point) in [(left, right, &points[1]), (right, left, &points[0])] {
+            let in_degrees = angle.scaled(180.0 / PI);
+            if point.angle.is_none() && !point.has_unit && in_degrees.meets(bare, 0.0) {
+                return Some(ChainVerdict::Units);
+            }
+        }
+    }
+    // Below or above, left or right is said in words.
+    if left.clone().negate().meets(right, 0.0) {
+        return Some(ChainVerdict::Doubtful);
+    }
+    // The other angle with the same sine or cosine.
+    let turned = left.clone().negate();
+    let other = |by: f64| SideValue { parts: turned.parts.map(|part| part.shifted(by)), ..turned.clone() };
+    if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
+        return Some(ChainVerdict::Doubtful);
+    }
+    let moved = |by: f64| SideValue { parts: left.parts.map(|part| part.shifted(by)), ..left.clone() };
+    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(ChainVerdict::Rounded)
+}
+
+/// Whether the left side may be the end of a vector that began in another formula: it lacks components that the right side
+/// has, and those that it has agree.
+pub(super) fn is_continued(left: &SideValue, right: &SideValue) -> bool {
+    let (mine, its) = (&left.parts.0[1..], &right.parts.0[1..]);
+    let lacks = mine.iter().zip(its).any(|(a, b)| a.is_none() && b.is_some());
+    let fits = mine.iter().zip(its).all(|(a, b)| match (a, b) {
+        (Some(a), Some(b)) => a.meets(*b, 0.0),
+        (Some(_), None) => false,
+        _ => true,
+    });
+    left.parts.is_vector() && lacks && fits
 }

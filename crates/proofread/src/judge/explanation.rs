@@ -3,13 +3,14 @@
 use crate::evaluate::expression::NameValues;
 use crate::evaluate::value::{DIVIDES_BY_ZERO, NEGATIVE_ROOT, Obstacle};
 use crate::join::chain::{ChainSide, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
 use crate::judge::notation;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
-use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
+use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{Span, Token, TokenKind, trim_space};
 

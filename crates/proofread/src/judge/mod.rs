@@ -1,6 +1,7 @@
 //! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
 
 mod bracket_symbols;
+pub(crate) mod chain_verdict;
 pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;

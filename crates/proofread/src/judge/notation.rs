@@ -1,11 +1,13 @@
 //! Ways of writing that only some texts have, each tried where two sides differ: what the sides would be if they were written in one of
 //! them, and what shows that they may be.
 
+use crate::decimal::{fixed, parse_decimal};
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::number_marks::{integer, touch};
 use crate::judge::substitution::without_space;
-use crate::judge::verdict::{ChainVerdict, judge};
+use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
 use crate::unit::unit;
@@ -182,7 +184,7 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         out.push(copy);
         let solid: Vec<usize> = (0..out.len()).rev().filter(|at| !out[*at].is_space()).take(4).collect();
         let [d, c, b, a] = solid.as_slice() else { continue };
-        let number = |at: usize| out[at].number().and_then(|digits| digits.parse::<f64>().ok());
+        let number = |at: usize| out[at].number().and_then(parse_decimal);
         let words = out[*b].word().zip(out[*d].word());
         let part =
             words.and_then(|(one, other)| PARTS.iter().find(|(large, small, _)| *large == one && *small == other));
@@ -191,7 +193,7 @@ fn in_one_unit(side: &[Token]) -> Option<Vec<Token>> {
         {
             let (span, unit) = (out[*a].span.join(out[*c].span), out[*b].clone());
             out.truncate(*a);
-            out.push(Token::new(TokenKind::Number(format!("{:.8}", whole + rest / parts)), span));
+            out.push(Token::new(TokenKind::Number(fixed(whole + rest / parts, 8)), span));
             out.push(unit);
             found = true;
         }

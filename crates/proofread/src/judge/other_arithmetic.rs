@@ -1,5 +1,6 @@
 //! Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 
+use crate::decimal::parse_decimal;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, show};
 
@@ -99,7 +100,7 @@ fn named_moduli(text: &str) -> Vec<f64> {
         let equal = behind.trim_start().strip_prefix('=');
         let is_value = equal.is_some_and(|equal| !equal.trim_start_matches([' ', '\\']).starts_with('{'));
         let is_name = text[..at].ends_with(|c: char| c.is_alphanumeric());
-        inside.parse().ok().filter(|_| !is_name && !is_value)
+        parse_decimal(inside).filter(|_| !is_name && !is_value)
     });
     of_rings.chain(of_groups).collect()
 }
@@ -109,7 +110,7 @@ fn number_at(text: &str) -> Option<f64> {
     let text = text.trim_start_matches(|c: char| c.is_whitespace() || "{}()$\\~,:;".contains(c));
     let length = text.chars().take_while(char::is_ascii_digit).count();
     let digits = text.get(..length).filter(|_| !text[length..].starts_with('^'))?;
-    digits.parse().ok()
+    parse_decimal(digits)
 }
 
 #[cfg(test)]

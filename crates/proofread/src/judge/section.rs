@@ -1,6 +1,6 @@
 //! The sections of a report.
 
-use crate::judge::verdict::ChainVerdict;
+use crate::judge::chain_verdict::ChainVerdict;
 
 /// The section of a report in which a finding stands. JSON calls it `list`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

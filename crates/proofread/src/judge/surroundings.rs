@@ -1,5 +1,6 @@
 //! What the text around a formula says about it.
 
+use crate::decimal::parse_decimal;
 use crate::effort;
 use crate::join::token_joining::join_tokens;
 use crate::reader::{is_noun, tokenise_text, unit_sign};
@@ -176,7 +177,7 @@ fn is_answer_to_choose(before: &str, after: &str) -> bool {
 /// Whether the text near a formula speaks of what is true or false.
 pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
-    let near = format!("{before} {after}").to_lowercase();
+    let near = format!("{before} {after}").to_ascii_lowercase();
     near.split(|c: char| !c.is_alphabetic())
         .any(|word| ["true", "false", "lie", "truth", "believe", "believes", "believed"].contains(&word))
 }
@@ -238,7 +239,7 @@ pub(crate) fn counts_before(text: &str, span: Span) -> Vec<f64> {
     let joined = ["at", "of", "for", "@", "à", "costing", "worth"].iter().find_map(|word| clause.strip_suffix(word));
     let words = joined.filter(|rest| rest.ends_with([' ', '~', '\u{a0}'])).unwrap_or_default();
     let numbers = words.split(|c: char| !(c.is_ascii_digit() || ",.".contains(c)));
-    numbers.filter_map(|number| number.trim_matches(['.', ',']).replace(',', "").parse().ok()).collect()
+    numbers.filter_map(|number| parse_decimal(&number.trim_matches(['.', ',']).replace(',', ""))).collect()
 }
 
 /// Whether the text speaks of a drawing or a map to scale, on which a length stands for another quantity.

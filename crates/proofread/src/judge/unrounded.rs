@@ -1,11 +1,13 @@
 //! Numbers that went into a calculation with other digits than are printed: results from before with the digits that they had or
 //! that were printed then, constants of nature in full, and 3.14 for π.
 
+use crate::decimal::{fixed, parse_decimal};
 use crate::evaluate::numeral::{Numeral, numeral_at, with_digits};
 use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::value::SideValue;
 use crate::join::chain::{ChainSide, Relation};
-use crate::judge::verdict::{ChainVerdict, judge};
+use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::verdict::judge;
 use crate::token::{Span, Token, TokenKind};
 
 /// Constants of nature, in units of the SI or with electronvolts: the digits, and the power of ten behind them.
@@ -121,9 +123,9 @@ impl EarlierResults {
                 .clone()
                 .find(|of| of.number == *number)
                 .or_else(|| known.find(|of| of.number.rounds_to(number)))?;
-            let value: f64 = known.number.digits.parse().ok()?;
-            let digits = format!("{:.15}", value * ratio(known));
-            (digits.parse() != number.digits.parse::<f64>()).then_some(digits)
+            let value = parse_decimal(&known.number.digits)?;
+            let digits = fixed(value * ratio(known), 15);
+            (parse_decimal(&digits) != parse_decimal(&number.digits)).then_some(digits)
         })
     }
 }
@@ -141,7 +143,7 @@ fn alone(side: &[Token]) -> Option<Numeral> {
 fn constant(number: &Numeral) -> Option<String> {
     let power: i32 = number.power.as_ref()?.parse().ok()?;
     let decimals = number.digits.split_once('.')?.1.len();
-    let rounded = |full: &str| full.parse::<f64>().is_ok_and(|of| format!("{of:.decimals$}") == number.digits);
+    let rounded = |full: &str| parse_decimal(full).is_some_and(|of| fixed(of, decimals) == number.digits);
     let known = CONSTANTS.iter().find(|(full, of)| *of == power && rounded(full))?;
     (decimals >= 1 && known.0 != number.digits).then(|| known.0.to_owned())
 }
@@ -162,7 +164,7 @@ fn with_pi(side: &[Token], digits: &str) -> Option<Vec<Token>> {
         }
         any
     }
-    let share = digits.parse::<f64>().ok()? / std::f64::consts::PI;
+    let share = parse_decimal(&digits)? / std::f64::consts::PI;
     let mut out = side.to_vec();
-    replace_pi(&mut out, &format!("{share:.17}")).then_some(out)
+    replace_pi(&mut out, &fixed(share, 17)).then_some(out)
 }

@@ -9,6 +9,7 @@ use crate::evaluate::step_rounding::{StepRounding, significant_digits};
 use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::join::chain::Relation;
 use crate::join::token_joining::has_letters;
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::lost_digits::{
     FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, has_words_of,
@@ -17,95 +18,6 @@ use crate::judge::lost_digits::{
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
 use std::f64::consts::PI;
-
-/// How two neighbouring sides compare, from the best to the worst. The best over all readings counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ChainVerdict {
-    /// The printed digits of one side give the other one to its printed digits.
-    Consistent,
-    /// The sides agree if the printed numbers had more digits than they show.
-    Rounded,
-    /// The result was cut off where it should have been rounded.
-    Truncated,
-    /// Behind `≈`, and within five per cent.
-    Approximate,
-    /// The sides agree only if integers were rounded to tens.
-    Doubtful,
-    /// The numbers agree, their units do not.
-    Units,
-    /// The last printed digit differs by one.
-    LastDigit,
-    /// The sides differ.
-    Inconsistent,
-    /// Both the numbers and the dimensions differ.
-    Dimensions,
-    /// One of the sides could not be evaluated.
-    CannotEvaluate,
-}
-
-impl ChainVerdict {
-    /// Every verdict, the best first.
-    pub const ALL: [Self; 10] = [
-        Self::Consistent,
-        Self::Rounded,
-        Self::Truncated,
-        Self::Approximate,
-        Self::Doubtful,
-        Self::Units,
-        Self::LastDigit,
-        Self::Inconsistent,
-        Self::Dimensions,
-        Self::CannotEvaluate,
-    ];
-
-    /// A name for programs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Consistent => "consistent",
-            Self::Rounded => "rounded",
-            Self::Truncated => "truncated",
-            Self::Approximate => "approximate",
-            Self::Doubtful => "doubtful",
-            Self::Units => "units",
-            Self::LastDigit => "last-digit",
-            Self::Inconsistent => "inconsistent",
-            Self::Dimensions => "dimensions",
-            Self::CannotEvaluate => "cannot-evaluate",
-        }
-    }
-
-    /// The verdict of this name.
-    ///
-    /// ```
-    /// use proofread::ChainVerdict;
-    ///
-    /// assert_eq!(ChainVerdict::from_name("last-digit"), Some(ChainVerdict::LastDigit));
-    /// assert!(ChainVerdict::ALL.iter().all(|verdict| ChainVerdict::from_name(verdict.name()) == Some(*verdict)));
-    /// ```
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|verdict| verdict.name() == name)
-    }
-
-    /// The verdict in words for a reader.
-    ///
-    /// ```
-    /// assert_eq!(proofread::ChainVerdict::LastDigit.description(), "the last digit differs");
-    /// ```
-    pub fn description(self) -> &'static str {
-        match self {
-            Self::Consistent => "the two sides agree",
-            Self::Rounded => "the two sides agree if the steps were rounded",
-            Self::Truncated => "the result is truncated, not rounded",
-            Self::Approximate => "the two sides agree approximately",
-            Self::Doubtful => "the two sides may agree",
-            Self::Units => "the numbers agree, but the units do not",
-            Self::LastDigit => "the last digit differs",
-            Self::Inconsistent => "the two sides differ",
-            Self::Dimensions => "the two sides differ in their numbers and in their dimensions",
-            Self::CannotEvaluate => "one of the two sides cannot be evaluated",
-        }
-    }
-}
 
 /// A verdict, and the values behind it.
 #[derive(Clone, Debug)]
@@ -149,91 +61,15 @@ pub(crate) fn judge(
     relation: Relation,
     bindings: Option<&NameValues>,
 ) -> PairJudgement {
-    let mut pair = ComparedSides {
-        sides: [left, right],
-        relation,
-        bindings,
-        noticed: ReadingChoices::USUAL,
-        inverse: false,
-        cancels: false,
-        cancels_decimals: false,
-        alike: None,
-    };
-    let mut best: Option<PairJudgement> = None;
-    let mut obstacle = None;
-    let mut without_value = true;
-    let mut tried: Vec<ReadingChoices> = Vec::new();
-    loop {
-        let mut open = pair.noticed;
-        // Revolutions beside radians are angles.
-        if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
-            open = ReadingChoices::USUAL.union(pair.without_choice(open, ReadingChoices::TURNS));
-        }
-        let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
-        let Some(reading) = next else { break };
-        tried.push(reading);
-        for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
-            match pair.compare(reading.union(numbers)) {
-                Ok(Some(found)) => {
-                    let better = |best: &PairJudgement| {
-                        found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
-                    };
-                    if best.as_ref().is_none_or(better) {
-                        best = Some(found);
-                    }
-                }
-                Ok(None) => {}
-                Err(why) => {
-                    without_value &= matches!(why, Obstacle::NoValue(_));
-                    obstacle = obstacle.or(Some(why));
-                }
-            }
-            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
-                break;
-            }
-        }
-        if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
-            break;
-        }
-    }
-    // Without any unit, there is none that could differ.
-    if let Some(best) = &mut best
-        && let Some((left, right)) = &best.values
-        && best.verdict == ChainVerdict::Units
-        && [left, right].into_iter().all(|side| !side.has_unit && side.angle.is_none() && !side.parts.is_vector())
-        && are_near(left, right)
-        && !pair.inverse
-    {
-        best.verdict = ChainVerdict::Inconsistent;
-    }
-    if let Some(best) = &mut best
-        && let Some(values) = &best.values
-        && best.verdict > ChainVerdict::Units
-        && equals_conventions::may_stand_for_each_other(left, right, values)
-    {
-        best.verdict = ChainVerdict::Doubtful;
-    }
-    best.unwrap_or_else(|| {
-        let verdict = match obstacle {
-            // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
-            Some(Obstacle::MixedSum) if bindings.is_none() || ![left, right].into_iter().any(has_letters) => {
-                ChainVerdict::Dimensions
-            }
-            Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
-            _ => ChainVerdict::CannotEvaluate,
-        };
-        PairJudgement {
-            verdict,
-            reading: ReadingChoices::USUAL,
-            values: None,
-            obstacle,
-            used: Vec::new(),
-            explanation: None,
-            is_ill_conditioned: false,
-        }
-    })
+    ComparedSides::new([left, right], relation, bindings).judge()
 }
 
+/// Whether two sides without names agree to the printed digits, as [`judge`] would find. It is quicker: of sides that don't, it does
+/// not find out how they differ.
+pub(crate) fn is_agreed(left: &[Token], right: &[Token], relation: Relation) -> bool {
+    let pair = ComparedSides { only_agreement: true, ..ComparedSides::new([left, right], relation, None) };
+    pair.judge().verdict == ChainVerdict::Consistent
+}
 /// Whether a side can be evaluated under some reading, and whether it is a printed number.
 pub(crate) fn evaluate_freely(side: &[Token], bindings: Option<&NameValues>) -> Evaluated<SideValue> {
     let mut first = None;
@@ -268,9 +104,102 @@ struct ComparedSides<'t> {
     cancels_decimals: bool,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
+    /// Whether nothing but their agreement is asked for.
+    only_agreement: bool,
 }
 
-impl ComparedSides<'_> {
+impl<'t> ComparedSides<'t> {
+    fn new(sides: [&'t [Token]; 2], relation: Relation, bindings: Option<&'t NameValues>) -> Self {
+        Self {
+            sides,
+            relation,
+            bindings,
+            noticed: ReadingChoices::USUAL,
+            inverse: false,
+            cancels: false,
+            cancels_decimals: false,
+            alike: None,
+            only_agreement: false,
+        }
+    }
+
+    /// The best judgement over all readings.
+    fn judge(mut self) -> PairJudgement {
+        let mut best: Option<PairJudgement> = None;
+        let mut obstacle = None;
+        let mut without_value = true;
+        let mut tried: Vec<ReadingChoices> = Vec::new();
+        loop {
+            let mut open = self.noticed;
+            // Revolutions beside radians are angles.
+            if open.contains(ReadingChoices::TURNS) && open.contains(ReadingChoices::DOSE) {
+                open = ReadingChoices::USUAL.union(self.without_choice(open, ReadingChoices::TURNS));
+            }
+            let next = open.subsets(MOST_CHOICES).into_iter().find(|reading| !tried.contains(reading));
+            let Some(reading) = next else { break };
+            tried.push(reading);
+            for numbers in [ReadingChoices::USUAL, ReadingChoices::NUMBERS] {
+                match self.compare(reading.union(numbers)) {
+                    Ok(Some(found)) => {
+                        let better = |best: &PairJudgement| {
+                            found.verdict < best.verdict || (found.verdict == best.verdict && found.is_nearer(best))
+                        };
+                        if best.as_ref().is_none_or(better) {
+                            best = Some(found);
+                        }
+                    }
+                    Ok(None) => {}
+                    Err(why) => {
+                        without_value &= matches!(why, Obstacle::NoValue(_));
+                        obstacle = obstacle.or(Some(why));
+                    }
+                }
+                if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) {
+                    break;
+                }
+            }
+            if best.as_ref().is_some_and(|best| best.verdict == ChainVerdict::Consistent) || tried.len() > 64 {
+                break;
+            }
+        }
+        // Without any unit, there is none that could differ.
+        if let Some(best) = &mut best
+            && let Some((left, right)) = &best.values
+            && best.verdict == ChainVerdict::Units
+            && [left, right].into_iter().all(|side| !side.has_unit && side.angle.is_none() && !side.parts.is_vector())
+            && are_near(left, right)
+            && !self.inverse
+        {
+            best.verdict = ChainVerdict::Inconsistent;
+        }
+        if let Some(best) = &mut best
+            && let Some(values) = &best.values
+            && best.verdict > ChainVerdict::Units
+            && equals_conventions::may_stand_for_each_other(self.sides[0], self.sides[1], values)
+        {
+            best.verdict = ChainVerdict::Doubtful;
+        }
+        best.unwrap_or_else(|| {
+            let verdict = match obstacle {
+                // A name whose value is zero, or has lost its unit, says nothing of the dimensions.
+                Some(Obstacle::MixedSum) if self.bindings.is_none() || !self.sides.into_iter().any(has_letters) => {
+                    ChainVerdict::Dimensions
+                }
+                Some(Obstacle::NoValue(_)) if without_value => ChainVerdict::Inconsistent,
+                _ => ChainVerdict::CannotEvaluate,
+            };
+            PairJudgement {
+                verdict,
+                reading: ReadingChoices::USUAL,
+                values: None,
+                obstacle,
+                used: Vec::new(),
+                explanation: None,
+                is_ill_conditioned: false,
+            }
+        })
+    }
+
     fn without_choice(&self, set: ReadingChoices, choice: ReadingChoices) -> ReadingChoices {
         set.subsets(16).into_iter().rev().find(|of| !of.contains(choice)).unwrap_or_default()
     }
@@ -333,6 +262,11 @@ impl ComparedSides<'_> {
         };
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(SideValue::is_zero_at_point);
+        let both_units = points.iter().all(|point| point.has_unit);
+        // Neither would be more than numbers that agree without their units.
+        if self.only_agreement && if numbers { both_units } else { !same && !zero } {
+            return Ok(None);
+        }
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
@@ -353,24 +287,33 @@ impl ComparedSides<'_> {
         if literal == [false, false] {
             self.alike = with_shared_exact(self.sides);
         }
-        let mut strict = self.evaluate_both(Mode::Strict, literal, reading)?;
-        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading).unwrap_or_else(|_| strict.clone());
         let fewer = |one: &SideValue, other: &SideValue| {
             one.parts.pairs(&other.parts).all(|(a, b)| a.half_width() < b.half_width())
         };
+        // Whether the sides agree, a computed one decides by its point.
+        let unused = &mut Vec::new();
+        let mut strict = match literal {
+            [false, true] => [points[0].clone(), self.value(1, Mode::Result, reading, unused)?],
+            [true, false] => [self.value(0, Mode::Result, reading, unused)?, points[1].clone()],
+            [false, false] => points.clone(),
+            [true, true] => self.evaluate_both(Mode::Strict, literal, reading)?,
+        };
         // A quantity that is converted isn't rounded to tens before.
-        if literal == [true, true] && points.iter().all(|point| point.has_unit) {
-            let exact = self.value(0, Mode::Strict, reading, &mut Vec::new())?;
+        let mut converted = None;
+        if literal == [true, true] && both_units {
+            let exact = self.value(0, Mode::Strict, reading, unused)?;
             if fewer(&exact, &strict[0]) {
-                (strict[0], lenient[0]) = (exact.clone(), exact);
+                strict[0] = exact.clone();
+                converted = Some(exact);
             }
         }
-        let both_units = points.iter().all(|point| point.has_unit);
-        if self.noticed.contains(ReadingChoices::MINUS) {
-            for value in points.iter_mut().chain(&mut strict).chain(&mut lenient) {
+        let is_minus = self.noticed.contains(ReadingChoices::MINUS);
+        let without_sign = |value: &mut SideValue| {
+            if is_minus {
                 value.parts = value.parts.map(|part| Interval::with_half_width(part.point.abs(), part.half_width()));
             }
-        }
+        };
+        points.iter_mut().chain(&mut strict).for_each(without_sign);
         let by_numbers = numbers && both_units;
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
         if self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
@@ -399,6 +342,20 @@ impl ComparedSides<'_> {
         if agrees {
             return Ok(fine(ChainVerdict::Consistent));
         }
+        if self.only_agreement {
+            return Ok(None);
+        }
+        let mut lenient = self.evaluate_both(Mode::Lenient, literal, reading);
+        if literal != [true, true] {
+            strict = self.evaluate_both(Mode::Strict, literal, reading)?;
+            strict.iter_mut().for_each(without_sign);
+        }
+        if let (Some(exact), Ok(lenient)) = (converted, &mut lenient) {
+            lenient[0] = exact;
+        }
+        let mut lenient = lenient.unwrap_or_else(|_| strict.clone());
+        lenient.iter_mut().for_each(without_sign);
+        let [left, right] = &strict;
         if equals_conventions::lacks_degrees(left, right)
             || equals_conventions::counts_electrons(self.sides, left, right)
         {
@@ -413,7 +370,9 @@ impl ComparedSides<'_> {
             [(0, [left.scaled(PI / 180.0), right.clone()]), (1, [left.clone(), right.scaled(PI / 180.0)])]
         {
             let turns = self.inverse && equals_conventions::turns_into_degrees(self.sides[which]);
-            if turns && (turned[0].meets(&turned[1], 0.0) || angles(&turned, &points, ReadingChoices::USUAL).is_some())
+            if turns
+                && (turned[0].meets(&turned[1], 0.0)
+                    || equals_conventions::angles(&turned, &points, ReadingChoices::USUAL).is_some())
             {
                 return Ok(judgement(ChainVerdict::Doubtful));
             }
@@ -423,11 +382,11 @@ impl ComparedSides<'_> {
         if loosely || equals_conventions::agree_with_rounded_charge(self.sides, left, right) {
             return Ok(fine(ChainVerdict::Rounded));
         }
-        if is_continued(left, right) {
+        if equals_conventions::is_continued(left, right) {
             return Ok(judgement(ChainVerdict::Doubtful));
         }
         if self.inverse
-            && let Some(verdict) = angles(&strict, &points, reading)
+            && let Some(verdict) = equals_conventions::angles(&strict, &points, reading)
         {
             return Ok(if verdict == ChainVerdict::Units { judgement(verdict) } else { fine(verdict) });
         }
@@ -560,40 +519,3 @@ const FULL: f64 = 1e4;
 
 /// Whole numbers below this are exact in floating point.
 const EXACT: f64 = 9.0e15;
-
-/// Angles of an inverse function agree up to half turns, and the degree sign may be missing.
-fn angles([left, right]: &[SideValue; 2], points: &[SideValue; 2], reading: ReadingChoices) -> Option<ChainVerdict> {
-    if reading.contains(ReadingChoices::DEGREES) {
-        for (angle, bare, point) in [(left, right, &points[1]), (right, left, &points[0])] {
-            let in_degrees = angle.scaled(180.0 / PI);
-            if point.angle.is_none() && !point.has_unit && in_degrees.meets(bare, 0.0) {
-                return Some(ChainVerdict::Units);
-            }
-        }
-    }
-    // Below or above, left or right is said in words.
-    if left.clone().negate().meets(right, 0.0) {
-        return Some(ChainVerdict::Doubtful);
-    }
-    // The other angle with the same sine or cosine.
-    let turned = left.clone().negate();
-    let other = |by: f64| SideValue { parts: turned.parts.map(|part| part.shifted(by)), ..turned.clone() };
-    if other(PI).meets(right, 0.0) || other(2.0 * PI).meets(right, 0.0) {
-        return Some(ChainVerdict::Doubtful);
-    }
-    let moved = |by: f64| SideValue { parts: left.parts.map(|part| part.shifted(by)), ..left.clone() };
-    [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(ChainVerdict::Rounded)
-}
-
-/// Whether the left side may be the end of a vector that began in another formula: it lacks components that the right side
-/// has, and those that it has agree.
-fn is_continued(left: &SideValue, right: &SideValue) -> bool {
-    let (mine, its) = (&left.parts.0[1..], &right.parts.0[1..]);
-    let lacks = mine.iter().zip(its).any(|(a, b)| a.is_none() && b.is_some());
-    let fits = mine.iter().zip(its).all(|(a, b)| match (a, b) {
-        (Some(a), Some(b)) => a.meets(*b, 0.0),
-        (Some(_), None) => false,
-        _ => true,
-    });
-    left.parts.is_vector() && lacks && fits
-}

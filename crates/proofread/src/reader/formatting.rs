@@ -1,5 +1,6 @@
 //! Commands of TeX that change how their arguments look, or stand for something that is not part of the formula.
 
+use crate::decimal::parse_decimal;
 use crate::token::{NamedOperation, Token, TokenKind, span_of};
 use std::sync::LazyLock;
 
@@ -70,7 +71,7 @@ pub(crate) fn formatting_command(name: &str) -> Option<FormattingCommand> {
 pub(crate) fn space_width(length: &str) -> u8 {
     let length = length.trim();
     let end = length.find(|c: char| c.is_ascii_alphabetic() || c == '\\').unwrap_or(length.len());
-    let size: f64 = length[..end].trim().parse().unwrap_or(1.0);
+    let size = parse_decimal(length[..end].trim()).unwrap_or(1.0);
     let ems = match length[end..].trim() {
         "em" => 1.0,
         "ex" => 0.43,

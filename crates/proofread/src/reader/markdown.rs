@@ -33,7 +33,8 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) -> 
     unread
 }
 
-/// Cuts before a line behind a blank one, outside fences.
+/// Cuts before a line behind a blank one, outside fences; a line that is longer than several pieces is cut between words, outside
+/// formulas and code.
 pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
     let (mut out, mut start, mut at) = (Vec::new(), 0, 0);
     let (mut fences, mut blank) = (Fences::default(), false);
@@ -41,6 +42,16 @@ pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
         if blank && fences.are_closed() && at - start >= PIECE && !line.starts_with([' ', '\t']) {
             out.push(start..at);
             start = at;
+        }
+        if line.len() > 4 * PIECE && fences.are_closed() {
+            if at > start {
+                out.push(start..at);
+            }
+            start = at;
+            while let Some(length) = cut_of_line(&text[start..at + line.len()]) {
+                out.push(start..start + length);
+                start += length;
+            }
         }
         fences.take(line);
         blank = line.trim_start().is_empty();
@@ -53,6 +64,54 @@ pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
     }
     out.push(start..text.len());
     out
+}
+
+/// Longest formula or stretch of code that a cut inside a line spares, in bytes: a mark whose partner is farther away is a plain sign.
+const LONGEST_MARKED: usize = 20_000;
+
+/// How long the first piece of a long line is; none if the line is short enough.
+///
+/// The next piece begins with a letter behind a space, which starts no list, heading or block of code.
+fn cut_of_line(line: &str) -> Option<usize> {
+    // So that the rest is no scrap.
+    if line.len() <= 2 * PIECE {
+        return None;
+    }
+    let bytes = line.as_bytes();
+    // Where formulas or code begin that were not closed yet, and what closes them.
+    let mut open: Option<(usize, &[u8])> = None;
+    let mut at = 0;
+    while at < 2 * PIECE {
+        let rest = &bytes[at..];
+        open = open.filter(|(from, _)| at - from < LONGEST_MARKED);
+        let mark = [
+            (&b"$$"[..], &b"$$"[..]),
+            (b"$", b"$"),
+            (br"\(", br"\)"),
+            (br"\[", br"\]"),
+            (b"`", b"`"),
+            (b"<math", b"</math>"),
+        ]
+        .into_iter()
+        .find(|(begins, _)| rest.starts_with(begins));
+        at += match (open, mark) {
+            (Some((_, ends)), _) if rest.starts_with(ends) => {
+                open = None;
+                ends.len()
+            }
+            (None, Some((begins, ends))) => {
+                open = Some((at, ends));
+                begins.len()
+            }
+            (None, None) if at >= PIECE && rest[0].is_ascii_alphabetic() && bytes[at - 1] == b' ' => return Some(at),
+            // The sign behind a backslash is no mark.
+            _ if rest[0] == b'\\' => 2,
+            _ => 1,
+        };
+    }
+    // There is no such place: behind any space, or anywhere.
+    let latest = (PIECE..=2 * PIECE).rev().filter(|at| line.is_char_boundary(*at));
+    latest.clone().find(|at| bytes[at - 1] == b' ').or_else(|| latest.clone().next())
 }
 
 fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut FormulaSink<'_>) {
@@ -159,4 +218,49 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
 /// Whether the words behind the mark of a fence say that a formula is in it.
 fn is_maths(info: &str) -> bool {
     matches!(info, "math" | "latex" | "tex" | "katex") || info.starts_with("{math}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_line_is_cut_outside_formulas_and_code() {
+        let words = |unit: &str| unit.repeat(6 * PIECE / unit.len());
+        for unit in [
+            "is $a = b + c$ or ",
+            "is $$a = b + c$$ or ",
+            r"is \(a = b\) or \[b = c\] or ",
+            "is `a = b or c` or ",
+            "is <math> <mi>a</mi> <mo>=</mo> </math> or ",
+            r"is \$ or $a = b or \$ c$ or ",
+        ] {
+            let text = words(unit);
+            let pieces = pieces(&text);
+            assert!(pieces.len() >= 3 && pieces.iter().all(|piece| piece.len() <= 2 * PIECE), "{unit}");
+            let ends = pieces.iter().map(|piece| piece.end).collect::<Vec<_>>();
+            assert!(pieces.iter().skip(1).map(|piece| piece.start).eq(ends.iter().take(ends.len() - 1).copied()));
+            let at_edges = |at: usize| {
+                text[at..].starts_with("or is ") || text[at..].starts_with("is ") || text[at..].starts_with("or ")
+            };
+            assert!(pieces.iter().all(|piece| at_edges(piece.start)), "{unit}");
+            // Whole units only, or the first word of one.
+            for piece in &pieces {
+                let offset = piece.start % unit.len();
+                let is_outside = unit.starts_with("is") && (offset == 0 || unit[offset..] == *"or ")
+                    || unit[offset..].starts_with("or ");
+                assert!(is_outside, "{unit} {offset}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_long_line_without_a_place_for_a_cut_is_cut_anyway() {
+        for unit in ["é", "a", "$", "`", r"\", r"\(", "$ 1", "  ", "<math ", "\u{1f600}"] {
+            let text = unit.repeat(9 * PIECE / unit.len());
+            let pieces = pieces(&text);
+            assert!(pieces.iter().all(|piece| piece.len() <= 2 * PIECE), "{unit}");
+            assert_eq!(pieces.iter().map(|piece| &text[piece.clone()]).collect::<String>(), text, "{unit}");
+        }
+    }
 }

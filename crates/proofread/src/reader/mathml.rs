@@ -2,6 +2,7 @@
 
 use super::tags::Element;
 use super::words::{number, number_length, plain_chars, span_of_chars, tokenise_words};
+use crate::decimal::parse_decimal;
 use crate::token::{MathFunction, NamedOperation, SourceChar, Token, TokenKind, trim_space};
 
 /// The tokens of an element.
@@ -139,7 +140,7 @@ fn push_tokens(of: &Element, outer: bool, out: &mut Vec<Token>) {
             }
         }
         ("mspace", _) => {
-            let em = of.attribute("width").and_then(|width| width.strip_suffix("em")?.parse::<f64>().ok());
+            let em = of.attribute("width").and_then(|width| parse_decimal(width.strip_suffix("em")?));
             let newline = of.attribute("linebreak") == Some("newline");
             let tenths = em.unwrap_or(0.2).clamp(0.0, 20.0) * 10.0;
             push(TokenKind::Space(if newline { 20 } else { tenths as u8 }));

@@ -14,9 +14,9 @@ mod test_statistic;
 mod totals;
 
 use crate::check::CheckReport;
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::doubt::Doubt;
 use crate::judge::section::ReportSection;
-use crate::judge::verdict::ChainVerdict;
 use crate::reader::{TextFormat, UnreadableText, shown_text};
 use crate::tell::finding::ChainFinding;
 use crate::tell::statistics_tally::StatisticsTally;

@@ -1,5 +1,6 @@
 //! Edits of one place: what a side may have been before a slip.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::exponent::plain_exponent;
 use crate::join::chain::ChainSide;
 use crate::token::{Span, Token, TokenKind, show};
@@ -214,7 +215,7 @@ fn without_digit(text: &str) -> Vec<(EditKind, String)> {
         (kind, [&text[..at], &text[at + 1..]].concat())
     });
     // 1.6 for 1.60 is the same number.
-    let value = |text: &str| text.replace(',', "").parse::<f64>().ok();
+    let value = |text: &str| parse_decimal(&text.replace(',', ""));
     without.filter(|(_, other)| is_number(other) && value(other) != value(text)).collect()
 }
 

@@ -1,9 +1,10 @@
 //! What was found at one place.
 
 use crate::join::chain::{Chain, ChainSide, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::doubt::Doubt;
 use crate::judge::section::ReportSection;
-use crate::judge::verdict::{ChainVerdict, PairJudgement};
+use crate::judge::verdict::PairJudgement;
 use crate::tell::hint::Hint;
 use crate::tell::recomputed::PrintedPair;
 use crate::token::{Span, show};

@@ -1,7 +1,8 @@
 //! The single edit that makes two sides agree, if one is much likelier than all others.
 
 use crate::join::chain::{ChainSide, Relation};
-use crate::judge::verdict::{ChainVerdict, PairJudgement, judge};
+use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::verdict::{PairJudgement, is_agreed};
 use crate::tell::edit::{Edit, EditKind, variants, whole_side};
 use crate::token::{Span, Token, TokenKind};
 use std::ops::ControlFlow;
@@ -16,25 +17,6 @@ pub struct Hint {
 }
 
 impl Hint {
-    /// What to write at the place instead, if the edit is of a number that stands there as the hint names it.
-    ///
-    /// ```
-    /// use proofread::{CheckOptions, TextFormat, proofread};
-    ///
-    /// let text = r"It is $\tan 31.0^\circ = 0.609$.";
-    /// let report = proofread(text, TextFormat::Markdown, CheckOptions::default())?;
-    /// let hint = report.findings[0].hint.as_ref().expect("a hint");
-    /// assert_eq!((&text[hint.at.range()], hint.replacement(text)), ("0.609", Some("0.601")));
-    /// # Ok::<(), proofread::UnreadableText>(())
-    /// ```
-    pub fn replacement(&self, text: &str) -> Option<&str> {
-        let (offered, printed) = self.words.strip_prefix('`')?.strip_suffix('`')?.split_once("` for `")?;
-        // These signs mean the same in every format.
-        let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
-        let stands_there = text.get(self.at.range()) == Some(printed);
-        (stands_there && is_number(offered) && is_number(printed)).then_some(offered)
-    }
-
     /// Whether the text has at the place already what the hint offers, so that the text was misread.
     pub(crate) fn stands_in(&self, text: &str) -> bool {
         let plain = |text: &str| text.chars().filter(|c| !c.is_whitespace() && !"{}".contains(*c)).collect::<String>();
@@ -302,14 +284,11 @@ impl HintSearch<'_> {
     }
 }
 
-fn is_agreed(left: &[Token], right: &[Token], relation: Relation) -> bool {
-    judge(left, right, relation, None).verdict == ChainVerdict::Consistent
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::join::chain::split_chains;
+    use crate::judge::verdict::judge;
     use crate::reader::{self, TextFormat};
 
     fn hinted(tex: &str) -> Option<String> {

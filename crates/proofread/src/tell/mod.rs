@@ -6,6 +6,7 @@ pub(crate) mod hint;
 pub(crate) mod line_index;
 mod number_form;
 mod recomputed;
+mod replacement;
 #[cfg(feature = "cli")]
 pub mod sarif;
 pub(crate) mod statistics_tally;

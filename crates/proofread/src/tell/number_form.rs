@@ -1,18 +1,19 @@
 //! Numbers as people write them.
 
+use crate::decimal::{fixed, parse_decimal, scientific};
 use crate::evaluate::printed::power_of_ten;
 
 /// A number of so many significant digits, without a sign; `trims` leaves zeros at the end of its decimals out.
 pub(crate) fn significant(size: f64, digits: usize, trims: bool) -> String {
     let digits = digits.clamp(1, 15);
     if size == 0.0 || !size.is_finite() {
-        return format!("{size}");
+        return fixed(size, 0);
     }
-    let text = format!("{size:.*e}", digits - 1);
+    let text = scientific(size, digits - 1);
     let (_, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let places = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
-    let text = format!("{:.places$}", text.parse::<f64>().unwrap_or(size));
+    let text = fixed(parse_decimal(&text).unwrap_or(size), places);
     match trims && text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
@@ -39,7 +40,7 @@ pub(crate) fn signed(size: String, is_negative: bool) -> String {
 
 /// A size as a number from 1 to 10 with so many digits, and a power of ten.
 pub(crate) fn power_form(size: f64, digits: usize) -> String {
-    let text = format!("{size:.*e}", digits.clamp(1, 15) - 1);
+    let text = scientific(size, digits.clamp(1, 15) - 1);
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     format!("{mantissa} × 10^{exponent}").replace("^-", "^−")
 }
@@ -50,7 +51,7 @@ pub(crate) fn sized(value: f64, digits: usize) -> String {
     let is_whole = (size - libm::round(size)).abs() < 1e-12 * size;
     let text = match () {
         () if size == 0.0 => "0".to_owned(),
-        () if is_whole && size < 1e9 => format!("{size:.0}"),
+        () if is_whole && size < 1e9 => fixed(size, 0),
         () if (1e-4..1e6).contains(&size) => significant(size, digits, false),
         () => power_form(size, digits),
     };

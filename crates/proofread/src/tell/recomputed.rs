@@ -1,13 +1,15 @@
 //! What is computed, in the form of what is printed: with as many digits, in its unit, as a fraction or as a power of ten.
 
+use crate::decimal::{fixed, parse_decimal, scientific};
 use crate::evaluate::exponent::{plain_exponent, small_integer};
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::{Mode, power_of_ten};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, Obstacle, SideValue};
 use crate::join::chain::{ChainSide, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::section::ReportSection;
-use crate::judge::verdict::{ChainVerdict, PairJudgement, evaluate_freely, judge};
+use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::tell::number_form::{part_thousands, power_form, rational, signed, significant, sized};
 use crate::token::{Span, Token, TokenKind, show, span_of};
 
@@ -228,7 +230,7 @@ fn is_same(one: &str, other: &str) -> bool {
 
 /// A factor to six digits: what is behind them is the error of the printed digits.
 fn rounded(factor: f64) -> f64 {
-    format!("{factor:.5e}").parse().unwrap_or(factor)
+    parse_decimal(&scientific(factor, 5)).unwrap_or(factor)
 }
 
 /// How far apart two values are, if a factor or a sign says more than their digits.
@@ -247,8 +249,8 @@ fn factor_in_words(size: f64) -> String {
     let power = libm::round(libm::log10(size));
     let is_power = (size / power_of_ten(power) - 1.0).abs() < 1e-3;
     match is_power {
-        true if power > 9.0 => format!("10^{power}"),
-        true => part_thousands(&format!("{:.0}", power_of_ten(power))),
+        true if power > 9.0 => "10^".to_owned() + &fixed(power, 0),
+        true => part_thousands(&fixed(power_of_ten(power), 0)),
         false if size >= 1e9 => power_form(size, 3),
         false => part_thousands(&significant(size, 3, true)),
     }
@@ -298,7 +300,7 @@ impl<'t> PrintedNumeral<'t> {
             TokenKind::Power(exponent) => plain_exponent(exponent).ok().filter(|power| power.fract() == 0.0),
             _ => None,
         };
-        let value: f64 = text.trim_end_matches('…').replace(',', "").parse().ok()?;
+        let value = parse_decimal(&text.trim_end_matches('…').replace(',', ""))?;
         let value = if is_negative { -value } else { value };
         let new = |value: f64, power: Option<f64>, end: usize| {
             let behind = &tokens[end.min(tokens.len())..];
@@ -410,9 +412,9 @@ impl<'t> PrintedNumeral<'t> {
         let decimals = self.text.split_once('.').map(|(_, behind)| behind.len());
         let whole = (size - libm::round(size)).abs() < 1e-9 * size.max(1.0);
         let text = match decimals {
-            None if whole => format!("{size:.0}"),
+            None if whole => fixed(size, 0),
             Some(decimals) if self.before.iter().chain(self.behind).any(is_money) && digits <= self.digits() => {
-                format!("{size:.decimals$}")
+                fixed(size, decimals)
             }
             _ => significant(size, digits, false),
         };
@@ -474,11 +476,11 @@ impl<'t> PrintedFraction<'t> {
     fn with_value(&self, above: f64, below: f64) -> String {
         let size = above.abs();
         let text = if below == 1.0 {
-            format!("{size}")
+            fixed(size, 0)
         } else if self.whole.is_some() && size > below {
-            format!("{} {}/{below}", libm::floor(size / below), size % below)
+            format!("{} {}/{}", fixed(libm::floor(size / below), 0), fixed(size % below, 0), fixed(below, 0))
         } else {
-            format!("{size}/{below}")
+            format!("{}/{}", fixed(size, 0), fixed(below, 0))
         };
         signed(text, above < 0.0)
     }

@@ -1,8 +1,8 @@
 //! What is said at the end of a report, for every program that shows one.
 
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
-use crate::judge::verdict::ChainVerdict;
 use crate::named_counts::NamedCounts;
 use crate::reader::{UnreadKind, UnreadParts};
 use crate::tell::number_form::part_thousands;

@@ -1,6 +1,6 @@
 //! How much of a document was checked.
 
-use crate::judge::verdict::ChainVerdict;
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::tell::statistics_tally::StatisticsTally;
 
 /// How much of a document was checked.

@@ -2,6 +2,7 @@
 
 pub(crate) mod product;
 
+use crate::decimal::fixed;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -35,7 +36,11 @@ impl UnitDimension {
         let part = |(name, sixtieths): (&str, i32)| match f64::from(sixtieths) / 60.0 {
             0.0 => None,
             1.0 => Some(name.to_owned()),
-            power => Some(format!("{name}^{power}").replace('-', "−")),
+            power => {
+                let power = fixed(power, 3);
+                let power = power.trim_end_matches('0').trim_end_matches('.');
+                Some(format!("{name}^{power}").replace('-', "−"))
+            }
         };
         BASE.into_iter().zip(self.0).filter_map(part).collect::<Vec<_>>().join("·")
     }

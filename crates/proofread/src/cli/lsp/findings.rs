@@ -3,7 +3,6 @@
 use super::super::output::printable;
 use super::super::text::notes;
 use super::checking::CheckedText;
-use super::fixes::replacement;
 use super::positions::{PositionEncoding, PositionIndex};
 use crate::judge::section::ReportSection;
 use crate::reader::TextFormat;
@@ -131,8 +130,7 @@ pub(super) fn fixes(
     let edits: Vec<_> = near
         .filter_map(|finding| {
             let hint = finding.hint.as_ref()?;
-            let source = checked.text.get(hint.at.range())?;
-            Some((finding, hint, replacement(hint, source, document.format)?))
+            Some((finding, hint, hint.replacement(&checked.text, document.format)?))
         })
         .collect();
     let is_single = edits.len() == 1;

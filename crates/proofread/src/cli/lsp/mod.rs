@@ -8,7 +8,6 @@ mod buffers;
 mod checking;
 mod debounce;
 mod findings;
-mod fixes;
 mod framing;
 mod languages;
 mod positions;

@@ -9,6 +9,7 @@ mod symbols;
 
 use super::office::MadePage;
 use super::unread::{UnreadKind, UnreadParts, note};
+use crate::decimal::parse_decimal;
 use crate::token::Span;
 use formula::{FormulaWriter, Given, Names};
 use math::Part;
@@ -265,7 +266,7 @@ impl Reading<'_> {
         let inside = at..at + value.len();
         let is_name = name.chars().all(|c| c.is_alphanumeric() || "_-".contains(c));
         let number = value.strip_prefix('-').unwrap_or(value);
-        let is_number = number.starts_with(|c: char| c.is_ascii_digit()) && number.parse::<f64>().is_ok();
+        let is_number = number.starts_with(|c: char| c.is_ascii_digit()) && parse_decimal(number).is_some();
         let is_formula = value.len() > 1 && value.starts_with('$') && value[1..].find('$') == Some(value.len() - 2);
         let given = if is_name && is_number {
             Given::Formula(math::parse(self.source, inside))

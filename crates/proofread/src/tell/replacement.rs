@@ -3,10 +3,29 @@
 use crate::reader::TextFormat;
 use crate::tell::hint::Hint;
 
-/// What replaces the stretch of a hint, of which `source` is the text; none if the hint leaves open what to write.
-///
-/// A number keeps the way in which it is written: its separators and its decimal sign.
-pub(super) fn replacement(hint: &Hint, source: &str, format: TextFormat) -> Option<String> {
+impl Hint {
+    /// What to write at the place instead, in a text of this format; none if the hint leaves it open, or is about something that is
+    /// written in another way than the hint names it.
+    ///
+    /// A number keeps the way in which it is written: its separators and its decimal sign.
+    ///
+    /// ```
+    /// use proofread::{CheckOptions, TextFormat, proofread};
+    ///
+    /// let (text, format) = (r"It is $\tan 31.0^\circ = 0{,}609$.", TextFormat::Markdown);
+    /// let report = proofread(text, format, CheckOptions::default())?;
+    /// let hint = report.findings[0].hint.as_ref().expect("a hint");
+    /// assert_eq!(&text[hint.at.range()], "0{,}609");
+    /// assert_eq!(hint.replacement(text, format).as_deref(), Some("0{,}601"));
+    /// # Ok::<(), proofread::UnreadableText>(())
+    /// ```
+    pub fn replacement(&self, text: &str, format: TextFormat) -> Option<String> {
+        replacement(self, text.get(self.at.range())?, format)
+    }
+}
+
+/// What replaces the stretch of a hint, of which `source` is the text.
+fn replacement(hint: &Hint, source: &str, format: TextFormat) -> Option<String> {
     let is_tex = matches!(format, TextFormat::Markdown | TextFormat::Latex);
     if hint.words.starts_with("the square of ") {
         return (is_tex && source.ends_with(')')).then(|| format!("{source}^2"));
