@@ -180,6 +180,8 @@ pub(crate) const TOO_DEEP: &str = "nested too deeply";
 pub(crate) const TOO_LONG: &str = "too long";
 /// What stands for the rest of a formula whose macros never end.
 pub(crate) const ENDLESS: &str = "macros without end";
+/// What stands for a comma between digits that may part decimals or numbers.
+pub(crate) const UNDECIDED_COMMA: &str = "numbers with a comma, which may be decimal commas";
 
 /// A token and its place.
 #[derive(Debug, PartialEq)]
@@ -421,6 +423,7 @@ fn show_into(tokens: &[Token], out: &mut String) {
     };
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
+            TokenKind::Unknown(text) if text == UNDECIDED_COMMA => out.push(','),
             TokenKind::Number(text) | TokenKind::Name(text) | TokenKind::Unknown(text) => out.push_str(text),
             TokenKind::Word(text) => {
                 if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {

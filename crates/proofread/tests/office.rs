@@ -398,3 +398,22 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
     }
     assert!(out.contains("9 findings: 8 on a number, 1 on a statistic or a total.\n"), "{out}");
 }
+
+#[test]
+fn decimal_commas_of_word_are_recognised_in_one_run_and_in_several() {
+    let square = |base: &str| format!("<m:sSup>{}<m:sup>{}</m:sup></m:sSup>", e(&r(base)), r("2"));
+    let area = |last: &str| formula(&format!("{}{}{}", r("A=π∙"), square("2,5"), r(&format!("={last}"))));
+    right_and_wrong(&area("19,63"), &area("19,36"), "printed 19.36, recomputed 19.63");
+    right_and_wrong(&formula(&r("A=π∙2,5²=19,63")), &formula(&r("A=π∙2,5²=19,36")), "printed 19.36, recomputed 19.63");
+    // Each sign in a run of its own, as pandoc writes it: nothing decides here, and a nought does there.
+    let runs = |text: &str| formula(&text.split(' ').map(r).collect::<String>());
+    let open = "A = 3 ∙ 6 , 25 = 19 , 63";
+    let (findings, all) = found("a.docx", &docx(&runs(open)));
+    assert!(findings.is_empty(), "{all}");
+    assert!(all.contains("Not checked: 1 chain with numbers with a comma, which may be decimal commas."), "{all}");
+    let (findings, all) = found("a.docx", &docx(&(runs("1 , 05 + 0 , 95 = 2 , 00") + &runs(open))));
+    assert_eq!(findings, ["printed 19.63, recomputed 18.75"], "{all}");
+    // A list with space is one.
+    let listed = formula(&r("x=1, 2+2=5, 3"));
+    assert_eq!(found("a.docx", &docx(&listed)).0, [""; 0]);
+}
