@@ -39,6 +39,7 @@ fn signs_among_the_letters_of_libreoffice_are_signs() {
         let (findings, all) = found("a.odt", &formula(&chain(sign, "38")));
         let said = findings.first().map(String::as_str).unwrap_or_default();
         assert!(said.starts_with(&format!("printed 38, recomputed {recomputed}")), "{sign}: {all}");
+        assert!(all.contains("a.odt, under ‘Results’, paragraph 2\n"), "{all}");
     }
     // Relations are signs as well, and letters stay letters.
     let (findings, all) = found("a.odt", &formula("<mn>12</mn><mo>+</mo><mn>3</mn><mi>≈</mi><mn>38</mn>"));

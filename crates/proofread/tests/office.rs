@@ -393,10 +393,59 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
         ("table 1, row 5, cell 2", "printed 7,135, recomputed 7035"),
         ("footnote 1", "printed 26, recomputed 25"),
     ] {
-        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
+        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(", {place}\n")));
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
     assert!(out.contains("9 findings: 8 on a number, 1 on a statistic or a total.\n"), "{out}");
+}
+
+/// A document of Word with a heading of a style by its German name, a finding below it, one in a cell, and one in a note.
+fn with_headings() -> Vec<u8> {
+    let styled =
+        |style: &str, words: &str| format!("<w:p><w:pPr><w:pStyle w:val=\"{style}\"/></w:pPr>{}</w:p>", text(words));
+    let body = styled("Titel", "A report")
+        + &paragraph(&text("Before: 1 + 1 = 3."))
+        + &styled("berschrift1", "Calculation with 2 + 2 = 5")
+        + &paragraph(&text("Then 12 + 13 = 26."))
+        + &format!("<w:tbl><w:tr><w:tc>{}</w:tc></w:tr></w:tbl>", styled("berschrift1", "30 + 12 = 43"))
+        + &styled("berschrift1", &"Long ".repeat(30))
+        + &paragraph(&text("And 7 + 8 = 16."));
+    let styles = "<w:styles><w:style w:styleId=\"berschrift1\"><w:name w:val=\"heading 1\"/></w:style>\
+        <w:style w:styleId=\"Titel\"><w:name w:val=\"Title\"/></w:style></w:styles>";
+    let notes = "<w:footnotes><w:footnote w:id=\"2\"><w:p><w:r><w:t>As 5 + 5 = 11.</w:t></w:r></w:p></w:footnote></w:footnotes>";
+    archive(&[("word/document.xml", &document(&body)), ("word/styles.xml", styles), ("word/footnotes.xml", notes)])
+}
+
+#[test]
+fn a_place_is_told_under_the_heading_above_it() {
+    let (_folder, path) = file("a.docx", &with_headings());
+    let (_, out, _) = run(&[&path]);
+    let long = format!("under ‘{}…’, paragraph 6", "Long ".repeat(12));
+    for (place, said) in [
+        ("paragraph 2", "printed 3, recomputed 2"),
+        // A heading stands under none.
+        ("paragraph 3", "printed 5, recomputed 4"),
+        ("under ‘Calculation with 2 + 2 = 5’, paragraph 4", "printed 26, recomputed 25"),
+        // What looks like a heading in a cell is none.
+        ("under ‘Calculation with 2 + 2 = 5’, table 1, row 1, cell 1", "printed 43, recomputed 42"),
+        (&long, "printed 16, recomputed 15"),
+        ("footnote 1", "printed 11, recomputed 10"),
+    ] {
+        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
+        assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
+    }
+    let (_, out, _) = run(&["--format", "json", &path]);
+    let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    crate::command::fits_schema(&whole);
+    let place = &whole["documents"][0]["findings"][2]["place"];
+    assert_eq!(place, "under ‘Calculation with 2 + 2 = 5’, paragraph 4");
+    let (_, out, _) = run(&["--format", "sarif", &path]);
+    let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    let results = &whole["runs"][0]["results"];
+    let message = |at: usize| results[at]["message"]["text"].as_str().unwrap_or_default().to_owned();
+    assert!(message(0).starts_with("In paragraph 2: "), "{results}");
+    assert!(message(2).starts_with("Under ‘Calculation with 2 + 2 = 5’, paragraph 4: 12 + 13"), "{results}");
+    assert_eq!(&results[2]["locations"][0]["logicalLocations"][0]["name"], place);
 }
 
 #[test]

@@ -74,7 +74,7 @@ impl Document {
     }
 
     /// What a line of the text is called, if it isn't called by its number.
-    pub(super) fn label(&self, line: usize) -> Option<&str> {
+    pub(super) fn label(&self, line: usize) -> Option<String> {
         self.made.as_ref()?.label(line)
     }
 

@@ -104,7 +104,7 @@ fn unchecked_text(
 /// A place behind the name of its document: its line and column, or what the line is called.
 fn place(checked: &CheckedDocument<'_>, from: LineColumn) -> String {
     match checked.document.label(from.line) {
-        Some(label) => format!(", {label}"),
+        Some(label) => format!(", {}", escaped(&label)),
         None => format!(":{}:{}", from.line, from.column),
     }
 }
