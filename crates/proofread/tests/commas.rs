@@ -165,3 +165,18 @@ fn a_comma_among_tags_that_nothing_decides_is_not_taken_for_anything() {
     let spaced = "<p><math><mn>2</mn><mo>+</mo><mn>2</mn><mo>=</mo><mn>5</mn><mo>,</mo><mspace width=\"1em\"/><mn>3</mn><mo>=</mo><mn>3</mn></math></p>";
     assert_eq!(compared(spaced, TextFormat::Html).1, ["2 + 2 | 5"]);
 }
+
+#[test]
+fn thousands_among_tags_are_no_decimals() {
+    // A number with a comma and a point has its decimals behind the point.
+    let money = "<math><mfrac><mrow><mn>2,200.50</mn></mrow><mn>2</mn></mfrac><mo>=</mo><mn>1,100.25</mn></math>";
+    for line in ["1,600+2,000=3,600", "1,050+1,050=2,100", "12,600+400=13,000"] {
+        let alone = format!("<p>{}</p>", leaf_by_leaf(line));
+        for text in [alone.clone(), format!("{alone}<p>{money}</p>")] {
+            assert_eq!(compared(&text, TextFormat::Html).1, [""; 0], "{text}");
+            assert_eq!(report(&text, TextFormat::Html).not_checked.iter().count(), 0, "{text}");
+        }
+        let wrong = leaf_by_leaf(&line.replace("=", "=9"));
+        assert_eq!(compared(&format!("<p>{wrong}</p><p>{money}</p>"), TextFormat::Html).1.len(), 1, "{line}");
+    }
+}

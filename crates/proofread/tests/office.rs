@@ -434,6 +434,11 @@ fn a_place_is_told_under_the_heading_above_it() {
         let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
+    // A heading can bring nothing that changes a terminal.
+    let hostile =
+        "<w:p><w:pPr><w:outlineLvl w:val=\"0\"/></w:pPr><w:r><w:t>A\u{202e}\u{1b}[31mB&#x9b;C</w:t></w:r></w:p>";
+    let (_, out) = found("b.docx", &docx(&(hostile.to_owned() + &paragraph(&text("12 + 13 = 26")))));
+    assert!(out.contains(", under ‘A") && !out.contains(['\u{202e}', '\u{1b}', '\u{9b}']), "{out:?}");
     let (_, out, _) = run(&["--format", "json", &path]);
     let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     crate::command::fits_schema(&whole);
@@ -463,6 +468,7 @@ fn decimal_commas_of_word_are_recognised_in_one_run_and_in_several() {
     let (findings, all) = found("a.docx", &docx(&(runs("1 , 05 + 0 , 95 = 2 , 00") + &runs(open))));
     assert_eq!(findings, ["printed 19.63, recomputed 18.75"], "{all}");
     // A list with space is one.
-    let listed = formula(&r("x=1, 2+2=5, 3"));
-    assert_eq!(found("a.docx", &docx(&listed)).0, [""; 0]);
+    let listed = |last: &str| docx(&formula(&r(&format!("x=1, 2+2={last}, 3"))));
+    assert_eq!(found("a.docx", &listed("4")).0, [""; 0]);
+    assert_eq!(found("a.docx", &listed("5")).0, ["printed 5, recomputed 4"]);
 }

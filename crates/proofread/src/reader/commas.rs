@@ -222,12 +222,17 @@ fn is_decimal_for_sure(tokens: &[Token], at: usize, [whole, decimals]: [&str; 2]
         || (whole == "0" && (operates || decimals.len() > 2))
 }
 
+/// Whether the digits around a comma may be a number with thousands.
+fn may_be_thousands(whole: &str, decimals: &str) -> bool {
+    decimals.len() == 3 && whole != "0"
+}
+
 /// Counts the comma at `at`, if it may part decimals.
 fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen: &mut SeparatorCounts) {
     let Some((whole, decimals, gap)) = parted(tokens, at, text) else { return };
     let is_loose = gap == CommaGap::Loose;
     // Among tags three digits may be thousands, too.
-    if is_loose && decimals.len() == 3 && whole != "0" {
+    if is_loose && may_be_thousands(whole, decimals) {
         (seen.either, seen.loose) = (seen.either + 1, seen.loose + 1);
         return;
     }
@@ -258,7 +263,8 @@ fn count_separators(tokens: &[Token], text: &str, is_argument: bool, seen: &mut 
             // The number of an equation.
             TokenKind::Number(_) if is_last_in_brackets(tokens, at) => {}
             TokenKind::Number(number) if number.contains('.') => {
-                let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
+                let source = text.get(token.span.range()).unwrap_or_default();
+                let braced = source.contains(',') && !number.contains(',');
                 let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
                 let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
                 let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
@@ -287,7 +293,8 @@ fn count_separators(tokens: &[Token], text: &str, is_argument: bool, seen: &mut 
 /// Puts what says so in the place of commas among tags that may part decimals or numbers.
 pub(crate) fn mark_undecided(tokens: &mut [Token], text: &str) {
     for at in 0..tokens.len() {
-        let is_open = matches!(parted(tokens, at, text), Some((_, _, CommaGap::Loose)));
+        // Three digits are taken for thousands, as everywhere in a text without decimal commas.
+        let is_open = matches!(parted(tokens, at, text), Some((whole, decimals, CommaGap::Loose)) if !may_be_thousands(whole, decimals));
         if is_open && !is_pair(tokens, at) {
             tokens[at] = Token::new(TokenKind::Unknown(UNDECIDED_COMMA.to_owned()), tokens[at].span);
         }
