@@ -304,3 +304,25 @@ impl ReportWriter for HtmlWriter {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::raised;
+
+    #[test]
+    fn exponents_are_raised_and_nothing_else_is() {
+        for (text, page) in [
+            ("6.2 × 10^−3 m", "6.2 × 10<sup>−3</sup> m"),
+            ("4^(1/2) + x^2", "4<sup>1/2</sup> + x<sup>2</sup>"),
+            ("2^(3·(1 + 1)) = 64", "2<sup>3·(1 + 1)</sup> = 64"),
+            ("e^x, and 2^3.", "e<sup>x</sup>, and 2<sup>3</sup>."),
+            ("1.5^2.5", "1.5<sup>2.5</sup>"),
+            ("2^(3 < 4", "2^(3 &lt; 4"),
+            ("2^ 3 ^ ^^−", "2^ 3 ^ ^^−"),
+            ("x^(<b>)", "x<sup>&lt;b&gt;</sup>"),
+            ("", ""),
+        ] {
+            assert_eq!(raised(text), page, "{text}");
+        }
+    }
+}
