@@ -180,6 +180,8 @@ pub(crate) const TOO_DEEP: &str = "nested too deeply";
 pub(crate) const TOO_LONG: &str = "too long";
 /// What stands for the rest of a formula whose macros never end.
 pub(crate) const ENDLESS: &str = "macros without end";
+/// What stands for a comma between digits that may part decimals or numbers.
+pub(crate) const UNDECIDED_COMMA: &str = "numbers with a comma, which may be decimal commas";
 
 /// A token and its place.
 #[derive(Debug, PartialEq)]
@@ -396,17 +398,32 @@ pub(crate) fn show(tokens: &[Token]) -> String {
     out
 }
 
+/// Whether tokens are one token of such a kind and nothing else, with or without braces.
+fn is_only(tokens: &[Token], is: fn(&TokenKind) -> bool) -> bool {
+    match tokens {
+        [Token { kind: TokenKind::Group(inner), .. }] => is_only(inner, is),
+        [only] => is(&only.kind),
+        _ => false,
+    }
+}
+
+/// Whether tokens are a fraction and nothing else, which needs brackets wherever a sign before it takes only one number.
+fn is_quotient(tokens: &[Token]) -> bool {
+    is_only(tokens, |of| matches!(of, TokenKind::Fraction(..)))
+}
+
 fn show_into(tokens: &[Token], out: &mut String) {
     effort::count_steps(tokens.len());
     let bracketed = |inner: &[Token], out: &mut String| {
         let signed = matches!(inner, [sign, Token { kind: TokenKind::Number(_) | TokenKind::Name(_), .. }] if sign.is_one_of("+-"));
-        let plain = inner.len() <= 1 || signed;
+        let plain = (inner.len() <= 1 || signed) && !(is_quotient(inner) && out.ends_with(['√', '/', '^', '_']));
         out.push_str(if plain { "" } else { "(" });
         show_into(inner, out);
         out.push_str(if plain { "" } else { ")" });
     };
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
+            TokenKind::Unknown(text) if text == UNDECIDED_COMMA => out.push(','),
             TokenKind::Number(text) | TokenKind::Name(text) | TokenKind::Unknown(text) => out.push_str(text),
             TokenKind::Word(text) => {
                 if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
@@ -441,7 +458,12 @@ fn show_into(tokens: &[Token], out: &mut String) {
                 bracketed(of, out);
             }
             TokenKind::Scripts(base, sub, sup) => {
+                // Of a root or a quotient a bare exponent would be that of its last number.
+                let is_open =
+                    !sup.is_empty() && (is_quotient(base) || is_only(base, |of| matches!(of, TokenKind::Root(..))));
+                out.push_str(if is_open { "(" } else { "" });
                 show_into(base, out);
+                out.push_str(if is_open { ")" } else { "" });
                 for (mark, script) in [('_', sub), ('^', sup)] {
                     if !script.is_empty() {
                         out.push(mark);
@@ -483,6 +505,39 @@ fn show_into(tokens: &[Token], out: &mut String) {
                 out.push('^');
                 bracketed(to, out);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reader::{self, TextFormat};
+
+    fn shown(tex: &str) -> String {
+        let mut out = String::new();
+        let text = format!("${tex}$");
+        reader::read(&text, TextFormat::Markdown, &mut |formula| out += &show(&formula.tokens)).expect("a formula");
+        out
+    }
+
+    #[test]
+    fn what_is_shown_means_what_was_read() {
+        for (tex, line) in [
+            (r"\sqrt{\frac{8}{2}}", "√(8/2)"),
+            (r"\sqrt{\frac{3.1^2+4.2^2}{2}}", "√((3.1^2 + 4.2^2)/2)"),
+            (r"\sqrt[3]{\frac{16}{2}}", "3√(16/2)"),
+            (r"\frac{\sqrt{8}}{2}", "√8/2"),
+            (r"\sqrt{8}", "√8"),
+            (r"\sqrt{8+1}", "√(8 + 1)"),
+            (r"\frac{8}{\frac{2}{3}}", "8/(2/3)"),
+            (r"\frac{\frac{8}{2}}{3}", "8/2/3"),
+            (r"4^{\frac{1}{2}}", "4^(1/2)"),
+            (r"4^{-2}", "4^−2"),
+            (r"{\sqrt{4}}^2", "(√4)^2"),
+            (r"\sqrt{4^2}", "√4^2"),
+        ] {
+            assert_eq!(shown(tex), line, "{tex}");
         }
     }
 }

@@ -22,6 +22,42 @@ fn odt(body: &str, objects: &[(&str, &str)]) -> Vec<u8> {
     archive(&entries)
 }
 
+/// A text whose paragraph is a formula.
+fn formula(inside: &str) -> Vec<u8> {
+    let frame = "<text:h text:outline-level=\"1\">Results</text:h><text:p><draw:frame><draw:object xlink:href=\"./Object 1\"/></draw:frame></text:p>";
+    odt(frame, &[("Object 1/content.xml", &format!("<math xmlns=\"m\"><mrow>{inside}</mrow></math>"))])
+}
+
+#[test]
+fn signs_among_the_letters_of_libreoffice_are_signs() {
+    let chain = |sign: &str, last: &str| format!("<mn>12</mn><mi>{sign}</mi><mn>3</mn><mo>=</mo><mn>{last}</mn>");
+    for (sign, right, recomputed) in
+        [("⋅", "36", "36"), ("×", "36", "36"), ("·", "36", "36"), ("+", "15", "15"), ("−", "9", "9"), ("÷", "4", "4")]
+    {
+        let (findings, all) = found("a.odt", &formula(&chain(sign, right)));
+        assert!(findings.is_empty() && all.contains("Checked 1 chain of 1 chain"), "{sign}: {all}");
+        let (findings, all) = found("a.odt", &formula(&chain(sign, "38")));
+        let said = findings.first().map(String::as_str).unwrap_or_default();
+        assert!(said.starts_with(&format!("printed 38, recomputed {recomputed}")), "{sign}: {all}");
+        assert!(all.contains("a.odt, under ‘Results’, paragraph 2\n"), "{all}");
+    }
+    // Relations are signs as well, and letters stay letters.
+    let (findings, all) = found("a.odt", &formula("<mn>12</mn><mo>+</mo><mn>3</mn><mi>≈</mi><mn>38</mn>"));
+    assert_eq!(findings.len(), 1, "{all}");
+    for letter in ["∞", "∂", "ℏ", "x", "′"] {
+        let (findings, all) = found("a.odt", &formula(&chain(letter, "38")));
+        assert!(findings.is_empty() && !all.contains("Checked 1 chain of"), "{letter}: {all}");
+    }
+}
+
+#[test]
+fn decimal_commas_of_libreoffice_are_recognised() {
+    let square = |number: &str| format!("<mi>π</mi><mi>⋅</mi><msup>{number}<mn>2</mn></msup><mo>=</mo>");
+    let whole = |last: &str| formula(&(square("<mn>2,5</mn>") + &format!("<mn>{last}</mn>")));
+    assert_eq!(found("a.odt", &whole("19,63")).0, [""; 0]);
+    assert_eq!(found("a.odt", &whole("19,36")).0, ["printed 19.36, recomputed 19.63"]);
+}
+
 #[test]
 fn texts_of_libreoffice_are_read() {
     let line =

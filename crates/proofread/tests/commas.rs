@@ -96,3 +96,87 @@ fn thousands_are_parted_by_narrow_space() {
     // In running text, two numbers side by side are two numbers.
     assert_eq!(wrong("In task 12 100 + 5 = 105.", TextFormat::Plain), [""; 0]);
 }
+
+/// MathML with each number, comma and sign of a line as an element of its own, as programs make it out of TeX.
+fn leaf_by_leaf(line: &str) -> String {
+    let mut out = String::from("<math>");
+    let mut digits = String::new();
+    for c in line.chars().chain([' ']) {
+        if c.is_ascii_digit() || c == '.' {
+            digits.push(c);
+            continue;
+        }
+        if !digits.is_empty() {
+            out += &format!("<mn>{}</mn>\n ", std::mem::take(&mut digits));
+        }
+        match c {
+            ' ' => {}
+            c if c.is_alphabetic() => out += &format!("<mi>{c}</mi>"),
+            c => out += &format!("<mo separator=\"true\">{c}</mo>"),
+        }
+    }
+    out + "</math>"
+}
+
+#[test]
+fn a_comma_among_tags_parts_decimals_if_the_text_says_so() {
+    let evidence = [
+        leaf_by_leaf("1,05+0,95=2,00"),
+        leaf_by_leaf("230·0,45=103,5"),
+        leaf_by_leaf("1−0,786=0,214"),
+        "<math><mfrac><mrow><mn>7</mn><mo>,</mo><mn>5</mn></mrow><mn>3</mn></mfrac><mo>=</mo><mn>2</mn><mo>,</mo><mn>5</mn></math>".to_owned(),
+        "<math><mn>2,5</mn><mo>+</mo><mn>2,5</mn><mo>=</mo><mn>5,0</mn></math>".to_owned(),
+        "2,5 · 2 = 5,0".to_owned(),
+    ];
+    let right = leaf_by_leaf("3,14·6,25=19,63");
+    for said in &evidence {
+        let text = format!("<p>{said}</p><p>{right}</p>");
+        assert_eq!(compared(&text, TextFormat::Html), (2, Vec::new()), "{text}");
+        let text = text.replace(">63<", ">36<");
+        assert_eq!(compared(&text, TextFormat::Html).1, ["3.14·6.25 | 19.36"], "{text}");
+    }
+    // The exponent of a number with a comma belongs to all of it.
+    let power = "<math><mn>3</mn><mo>,</mo><mn>14</mn><mo>·</mo><mn>2</mn><mo>,</mo><msup><mn>5</mn><mn>2</mn></msup><mo>=</mo><mn>19</mn>\
+        <mo>,</mo><mn>63</mn></math>";
+    assert_eq!(compared(&format!("<p>{}</p><p>{power}</p>", evidence[0]), TextFormat::Html), (2, Vec::new()));
+}
+
+#[test]
+fn a_comma_among_tags_that_nothing_decides_is_not_taken_for_anything() {
+    // A product of areas and the end of a list look the same.
+    for line in ["A=3·6,25=19,63", "A=3·6,25=18,75", "7=3+4,8=3+5"] {
+        let text = format!("<p>{}</p>", leaf_by_leaf(line));
+        let report = report(&text, TextFormat::Html);
+        assert_eq!((report.tally.pairs, report.findings.len()), (0, 0), "{line}");
+        let reasons: Vec<&str> = report.not_checked.iter().map(|(_, name, _)| name).collect();
+        assert_eq!(reasons, ["numbers with a comma, which may be decimal commas"], "{line}");
+        let words = proofread::summary::describe_unchecked_chains(&report.not_checked);
+        let words = words.expect("a chain");
+        assert_eq!(words, "Not checked: 1 chain with numbers with a comma, which may be decimal commas.");
+        // With decimal points elsewhere it is a list, as it always was.
+        let text = format!("{text}<p>{}</p>", leaf_by_leaf("1.5+1.5=3.0"));
+        assert!(self::report(&text, TextFormat::Html).tally.pairs > 1, "{line}");
+    }
+    // What no comma stands in is checked, and so is what a list in brackets or space tells.
+    for line in ["2+2=5", "(2+1,4)=(3,5)"] {
+        let text = format!("<p>{}</p><p>{}</p>", leaf_by_leaf("A=3·6,25=18,75"), leaf_by_leaf(line));
+        assert_eq!(compared(&text, TextFormat::Html).1.len(), 1, "{line}");
+    }
+    let spaced = "<p><math><mn>2</mn><mo>+</mo><mn>2</mn><mo>=</mo><mn>5</mn><mo>,</mo><mspace width=\"1em\"/><mn>3</mn><mo>=</mo><mn>3</mn></math></p>";
+    assert_eq!(compared(spaced, TextFormat::Html).1, ["2 + 2 | 5"]);
+}
+
+#[test]
+fn thousands_among_tags_are_no_decimals() {
+    // A number with a comma and a point has its decimals behind the point.
+    let money = "<math><mfrac><mrow><mn>2,200.50</mn></mrow><mn>2</mn></mfrac><mo>=</mo><mn>1,100.25</mn></math>";
+    for line in ["1,600+2,000=3,600", "1,050+1,050=2,100", "12,600+400=13,000"] {
+        let alone = format!("<p>{}</p>", leaf_by_leaf(line));
+        for text in [alone.clone(), format!("{alone}<p>{money}</p>")] {
+            assert_eq!(compared(&text, TextFormat::Html).1, [""; 0], "{text}");
+            assert_eq!(report(&text, TextFormat::Html).not_checked.iter().count(), 0, "{text}");
+        }
+        let wrong = leaf_by_leaf(&line.replace("=", "=9"));
+        assert_eq!(compared(&format!("<p>{wrong}</p><p>{money}</p>"), TextFormat::Html).1.len(), 1, "{line}");
+    }
+}

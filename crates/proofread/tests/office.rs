@@ -393,8 +393,82 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
         ("table 1, row 5, cell 2", "printed 7,135, recomputed 7035"),
         ("footnote 1", "printed 26, recomputed 25"),
     ] {
-        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
+        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(", {place}\n")));
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
     assert!(out.contains("9 findings: 8 on a number, 1 on a statistic or a total.\n"), "{out}");
+}
+
+/// A document of Word with a heading of a style by its German name, a finding below it, one in a cell, and one in a note.
+fn with_headings() -> Vec<u8> {
+    let styled =
+        |style: &str, words: &str| format!("<w:p><w:pPr><w:pStyle w:val=\"{style}\"/></w:pPr>{}</w:p>", text(words));
+    let body = styled("Titel", "A report")
+        + &paragraph(&text("Before: 1 + 1 = 3."))
+        + &styled("berschrift1", "Calculation with 2 + 2 = 5")
+        + &paragraph(&text("Then 12 + 13 = 26."))
+        + &format!("<w:tbl><w:tr><w:tc>{}</w:tc></w:tr></w:tbl>", styled("berschrift1", "30 + 12 = 43"))
+        + &styled("berschrift1", &"Long ".repeat(30))
+        + &paragraph(&text("And 7 + 8 = 16."));
+    let styles = "<w:styles><w:style w:styleId=\"berschrift1\"><w:name w:val=\"heading 1\"/></w:style>\
+        <w:style w:styleId=\"Titel\"><w:name w:val=\"Title\"/></w:style></w:styles>";
+    let notes = "<w:footnotes><w:footnote w:id=\"2\"><w:p><w:r><w:t>As 5 + 5 = 11.</w:t></w:r></w:p></w:footnote></w:footnotes>";
+    archive(&[("word/document.xml", &document(&body)), ("word/styles.xml", styles), ("word/footnotes.xml", notes)])
+}
+
+#[test]
+fn a_place_is_told_under_the_heading_above_it() {
+    let (_folder, path) = file("a.docx", &with_headings());
+    let (_, out, _) = run(&[&path]);
+    let long = format!("under ‘{}…’, paragraph 6", "Long ".repeat(12));
+    for (place, said) in [
+        ("paragraph 2", "printed 3, recomputed 2"),
+        // A heading stands under none.
+        ("paragraph 3", "printed 5, recomputed 4"),
+        ("under ‘Calculation with 2 + 2 = 5’, paragraph 4", "printed 26, recomputed 25"),
+        // What looks like a heading in a cell is none.
+        ("under ‘Calculation with 2 + 2 = 5’, table 1, row 1, cell 1", "printed 43, recomputed 42"),
+        (&long, "printed 16, recomputed 15"),
+        ("footnote 1", "printed 11, recomputed 10"),
+    ] {
+        let finding = out.split("\n\n").find(|finding| finding.contains(&format!(".docx, {place}\n")));
+        assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
+    }
+    // A heading can bring nothing that changes a terminal.
+    let hostile =
+        "<w:p><w:pPr><w:outlineLvl w:val=\"0\"/></w:pPr><w:r><w:t>A\u{202e}\u{1b}[31mB&#x9b;C</w:t></w:r></w:p>";
+    let (_, out) = found("b.docx", &docx(&(hostile.to_owned() + &paragraph(&text("12 + 13 = 26")))));
+    assert!(out.contains(", under ‘A") && !out.contains(['\u{202e}', '\u{1b}', '\u{9b}']), "{out:?}");
+    let (_, out, _) = run(&["--format", "json", &path]);
+    let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    crate::command::fits_schema(&whole);
+    let place = &whole["documents"][0]["findings"][2]["place"];
+    assert_eq!(place, "under ‘Calculation with 2 + 2 = 5’, paragraph 4");
+    let (_, out, _) = run(&["--format", "sarif", &path]);
+    let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    let results = &whole["runs"][0]["results"];
+    let message = |at: usize| results[at]["message"]["text"].as_str().unwrap_or_default().to_owned();
+    assert!(message(0).starts_with("In paragraph 2: "), "{results}");
+    assert!(message(2).starts_with("Under ‘Calculation with 2 + 2 = 5’, paragraph 4: 12 + 13"), "{results}");
+    assert_eq!(&results[2]["locations"][0]["logicalLocations"][0]["name"], place);
+}
+
+#[test]
+fn decimal_commas_of_word_are_recognised_in_one_run_and_in_several() {
+    let square = |base: &str| format!("<m:sSup>{}<m:sup>{}</m:sup></m:sSup>", e(&r(base)), r("2"));
+    let area = |last: &str| formula(&format!("{}{}{}", r("A=π∙"), square("2,5"), r(&format!("={last}"))));
+    right_and_wrong(&area("19,63"), &area("19,36"), "printed 19.36, recomputed 19.63");
+    right_and_wrong(&formula(&r("A=π∙2,5²=19,63")), &formula(&r("A=π∙2,5²=19,36")), "printed 19.36, recomputed 19.63");
+    // Each sign in a run of its own, as pandoc writes it: nothing decides here, and a nought does there.
+    let runs = |text: &str| formula(&text.split(' ').map(r).collect::<String>());
+    let open = "A = 3 ∙ 6 , 25 = 19 , 63";
+    let (findings, all) = found("a.docx", &docx(&runs(open)));
+    assert!(findings.is_empty(), "{all}");
+    assert!(all.contains("Not checked: 1 chain with numbers with a comma, which may be decimal commas."), "{all}");
+    let (findings, all) = found("a.docx", &docx(&(runs("1 , 05 + 0 , 95 = 2 , 00") + &runs(open))));
+    assert_eq!(findings, ["printed 19.63, recomputed 18.75"], "{all}");
+    // A list with space is one.
+    let listed = |last: &str| docx(&formula(&r(&format!("x=1, 2+2={last}, 3"))));
+    assert_eq!(found("a.docx", &listed("4")).0, [""; 0]);
+    assert_eq!(found("a.docx", &listed("5")).0, ["printed 5, recomputed 4"]);
 }

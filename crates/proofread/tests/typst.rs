@@ -162,3 +162,26 @@ fn nothing_that_is_written_ends_the_program() {
         .collect();
     found(&format!("#let nx = 1\n{doubling}$n{}x = 5$", "a".repeat(29)));
 }
+
+#[test]
+fn a_line_of_json_may_hold_typst_and_no_archive() {
+    let line = |format: &str| format!("{{\"id\": \"a\", \"format\": \"{format}\", \"text\": \"$ 7/2 = 3.6 $\"}}\n");
+    for format in ["typst", "typ"] {
+        let (_folder, path) = file("all.jsonl", line(format).as_bytes());
+        let (code, out, told) = run(&[&path]);
+        assert_eq!((code, told.as_str()), (1, ""), "{out}");
+        assert!(out.contains(" --> a:1:9\n") && out.contains("printed 3.6, recomputed 3.5"), "{out}");
+    }
+    for (format, remedy) in [
+        ("docx", "csv, typst, and a document in another one is no text: give its file to the command"),
+        ("odt", "give its file to the command"),
+        (
+            "rst",
+            "the format `rst` is not known; it is one of markdown, latex, xml, html, notebook, plain, csv, typst\n",
+        ),
+    ] {
+        let (_folder, path) = file("all.jsonl", line(format).as_bytes());
+        let (code, _, told) = run(&[&path]);
+        assert!(code == 2 && told.contains(remedy), "{format}: {told}");
+    }
+}

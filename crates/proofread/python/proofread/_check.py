@@ -9,7 +9,10 @@ from . import _program
 from ._findings import Finding, Report, read_report
 
 #: What a text may be written in.
-FORMATS: Tuple[str, ...] = ("markdown", "latex", "xml", "html", "notebook", "plain", "csv")
+FORMATS: Tuple[str, ...] = ("markdown", "latex", "xml", "html", "notebook", "plain", "csv", "typst")
+
+#: Formats of files that are archives, and no text.
+_ARCHIVES = ("docx", "docm", "odt", "epub")
 
 _BINDINGS = ("never", "once", "always")
 
@@ -21,6 +24,9 @@ def _one_of(name: str, value: str, allowed: Sequence[str]) -> str:
     if value not in allowed:
         raise ValueError(f"{name} is {value!r}; it is one of {', '.join(allowed)}")
     return value
+
+
+_GIVE_THE_FILE = "read a document of Word or LibreOffice or an e-book with the program, as in `proofread --format json thesis.docx`"
 
 
 def report(
@@ -37,15 +43,19 @@ def report(
 ) -> Report:
     """What a text gives: its findings, its counts and, with `unchecked`, the chains that were not checked.
 
-    `format` is one of `FORMATS`, and `timeout` is in seconds. The other options are those of the program: `units`, `doubts` and
-    `agreeing` add lists; `bindings` (`never`, `once` or `always`) puts values of names into formulas; `statistics` compares
-    p-values, intervals, shares and totals.
+    `format` is one of `FORMATS`: `markdown`, `latex`, `xml`, `html`, `notebook`, `plain`, `csv` or `typst`. Documents of Word and
+    LibreOffice and e-books are no text and are read by the program alone: `proofread --format json thesis.docx`. `timeout` is in seconds.
+    The other options are those of the program: `units`, `doubts` and `agreeing` add lists; `bindings` (`never`, `once` or `always`)
+    puts values of names into formulas; `statistics` compares p-values, intervals, shares and totals.
 
-    Raises `UnreadableText` if the text cannot be read in its format, `ProgramError` if the program cannot be run, and `ValueError`
-    for an option that is not known.
+    Raises `UnreadableText` if the text cannot be read in its format, `ProgramError` if the program cannot be run, `TypeError` if the
+    text is no `str`, and `ValueError` for a format or an option that is not known.
     """
     if not isinstance(text, str):
-        raise TypeError(f"text is of type {type(text).__name__}; give a str")
+        remedy = "decode it" if isinstance(text, (bytes, bytearray, memoryview)) else "read its text"
+        raise TypeError(f"text is of type {type(text).__name__}; give a str: {remedy}, or {_GIVE_THE_FILE}")
+    if format in _ARCHIVES:
+        raise ValueError(f"format is {format!r}, which is no format of a text ({', '.join(FORMATS)}); {_GIVE_THE_FILE}")
     _one_of("format", format, FORMATS)
     arguments = ["--input", "jsonl", "--format", "jsonl", f"--bindings={_one_of('bindings', bindings, _BINDINGS)}"]
     arguments.append("--statistics=" + ("always" if statistics else "never"))
@@ -76,7 +86,7 @@ def check(
     statistics: bool = True,
     timeout: Optional[float] = None,
 ) -> List[Finding]:
-    """What is found in a text; the options and errors are those of `report`."""
+    """What is found in a text; the formats, options and errors are those of `report`."""
     found = report(
         text,
         format,

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 from unittest import mock
 
 import proofread
@@ -29,6 +30,9 @@ class Checks(unittest.TestCase):
     def test_a_format_is_read_as_it_is_named(self):
         self.assertEqual(len(proofread.check("\\[ 2 + 2 = 5 \\] % $1 + 1 = 3$", "latex")), 1)
         self.assertEqual(len(proofread.check("<p>2 + 2 = 5</p>", format="html")), 1)
+        typst = "Ü: $ 7/2 = 3.6 $ and $ 7/2 = 3.5 $"
+        [finding] = proofread.check(typst, "typst")
+        self.assertEqual((finding.recomputed, typst[finding.at.start : finding.at.end]), ("3.5", "3.6"))
         for format in proofread.FORMATS:
             text = '{"cells": []}' if format == "notebook" else ""
             self.assertEqual(proofread.check(text, format), [])
@@ -56,6 +60,12 @@ class Checks(unittest.TestCase):
             proofread.check("", bindings="often")
         with self.assertRaisesRegex(TypeError, "text is of type bytes; give a str"):
             proofread.check(b"")
+        for given in [b"PK", bytearray(b"PK"), Path("thesis.docx")]:
+            with self.assertRaisesRegex(TypeError, "give a str: .*, or read a document of Word .*proofread --format json thesis.docx"):
+                proofread.check(given, "docx")
+        for format in ["docx", "odt", "epub"]:
+            with self.assertRaisesRegex(ValueError, "no format of a text .*typst.*; read a document of Word"):
+                proofread.check("", format)
         with mock.patch.dict(os.environ, {"PROOFREAD_PROGRAM": "no-such-program"}):
             with self.assertRaisesRegex(proofread.ProgramError, "PROOFREAD_PROGRAM names 'no-such-program'"):
                 proofread.check("")

@@ -74,7 +74,7 @@ impl Document {
     }
 
     /// What a line of the text is called, if it isn't called by its number.
-    pub(super) fn label(&self, line: usize) -> Option<&str> {
+    pub(super) fn label(&self, line: usize) -> Option<String> {
         self.made.as_ref()?.label(line)
     }
 
@@ -84,18 +84,20 @@ impl Document {
     }
 }
 
+/// A document in Typst.
+fn typst(name: &str, text: String) -> Document {
+    let (made, not_read) = read_typst(&text);
+    let document = Document::of_text(name.to_owned(), text, TextFormat::Plain);
+    Document { written_in: TYPST, made: Some(made), not_read, ..document }
+}
+
 /// The documents in a file with this name.
 pub(super) fn documents_in(name: &str, bytes: Vec<u8>, input: Input) -> Result<Vec<Document>, String> {
     let of_text = |format, bytes| decode_text(bytes).map(|text| vec![Document::of_text(name.to_owned(), text, format)]);
     match input {
         Input::One(format) => of_text(format, bytes),
         Input::Lines => of_text(TextFormat::Markdown, bytes),
-        Input::Typst => {
-            let text = decode_text(bytes)?;
-            let (made, not_read) = read_typst(&text);
-            let document = Document::of_text(name.to_owned(), text, TextFormat::Plain);
-            Ok(vec![Document { written_in: TYPST, made: Some(made), not_read, ..document }])
-        }
+        Input::Typst => Ok(vec![typst(name, decode_text(bytes)?)]),
         Input::Archive(format) => {
             let texts = read_archive(&bytes, format)?.into_iter().map(|text| match text {
                 ArchivedText::Page { name: inner, page } => Document {
@@ -392,10 +394,17 @@ fn record(line: &str, number: usize) -> Result<Document, String> {
     };
     let format = match &value["format"] {
         Value::Null => TextFormat::Markdown,
+        Value::String(format) if [TYPST, "typ"].contains(&format.as_str()) => return Ok(typst(&name, text)),
         Value::String(format) => {
             TextFormat::from_name(format).or_else(|| TextFormat::from_extension(format)).ok_or_else(|| {
-                let known: Vec<&str> = TextFormat::ALL.iter().map(|(name, _)| *name).collect();
-                format!("the format `{}` is not known; it is one of {}", escape_and_shorten(format), known.join(", "))
+                let known = TextFormat::ALL.iter().map(|(name, _)| *name).chain([TYPST]);
+                let known = known.collect::<Vec<_>>().join(", ");
+                let mut told =
+                    format!("the format `{}` is not known; it is one of {known}", escape_and_shorten(format));
+                if ArchiveFormat::from_extension(format).is_some() {
+                    told += ", and a document in another one is no text: give its file to the command";
+                }
+                told
             })?
         }
         _ => return Err("`format` must be a string".to_owned()),

@@ -1,5 +1,6 @@
 //! Findings on a page for people: one file without a script, which loads nothing.
 
+use super::documents::Document;
 use super::output::printable;
 use super::text::{findings_sentence, summary_sentences};
 use super::{CheckedDocument, ReportWriter, RunTotals};
@@ -56,12 +57,80 @@ fn plain(text: &str) -> String {
     out
 }
 
-/// Words in which formulas stand between backticks.
-fn with_code(words: &str) -> String {
+/// The exponent at the start of what is behind `^`, and how many bytes it and its brackets take; none if nothing there is one.
+fn exponent(behind: &str) -> Option<(&str, usize)> {
+    if let Some(inside) = behind.strip_prefix('(') {
+        let mut open = 1usize;
+        let close = inside.char_indices().find(|(_, c)| {
+            open = open + usize::from(*c == '(') - usize::from(*c == ')');
+            open == 0
+        })?;
+        return Some((&inside[..close.0], close.0 + 2));
+    }
+    let sign = behind.chars().next().filter(|c| "+-−".contains(*c)).map_or(0, char::len_utf8);
+    let rest = &behind[sign..];
+    let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
+    // A full stop behind a number ends the sentence.
+    let digits = rest[..digits].trim_end_matches('.').len();
+    let letter = rest.chars().next().filter(|c| c.is_alphabetic()).map_or(0, char::len_utf8);
+    let length = sign + digits.max(letter);
+    (length > sign).then(|| (&behind[..length], length))
+}
+
+/// [`plain`] text of a formula on one line, with its exponents raised.
+fn raised(text: &str) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some((before, behind)) = rest.split_once('^') {
+        out += &plain(before);
+        match exponent(behind) {
+            Some((exponent, length)) => {
+                // What is raised in an exponent stays as it is written.
+                out += &format!("<sup>{}</sup>", plain(exponent));
+                rest = &behind[length..];
+            }
+            None => {
+                out.push('^');
+                rest = behind;
+            }
+        }
+    }
+    out + &plain(rest)
+}
+
+/// Words in which formulas stand between backticks, and how text is shown.
+fn with_code(words: &str, shown: fn(&str) -> String) -> String {
     let pieces = words.split('`').enumerate();
     pieces.fold(String::new(), |text, (at, piece)| {
-        text + ["", "<code>", "</code>"][if at == 0 { 0 } else { 2 - at % 2 }] + &plain(piece)
+        text + ["", "<code>", "</code>"][if at == 0 { 0 } else { 2 - at % 2 }] + &shown(piece)
     })
+}
+
+/// A document as its places are shown.
+struct ShownDocument<'d> {
+    document: &'d Document,
+    lines: LineIndex<'d>,
+    /// The last line with text.
+    last: usize,
+}
+
+impl ShownDocument<'_> {
+    /// Whether its lines are those of a page that was made, with formulas on one line.
+    fn is_made(&self) -> bool {
+        self.document.label(1).is_some()
+    }
+
+    /// How formulas are shown that are not in the notation of the text.
+    fn formula(&self) -> fn(&str) -> String {
+        // In the source of a text an exponent may be written in other ways than `^`.
+        if self.is_made() || self.document.is_markup() { raised } else { plain }
+    }
+
+    /// What a place is called.
+    fn place(&self, span: Span) -> String {
+        let [from, _] = self.lines.line_columns(span);
+        let named = self.document.label(from.line);
+        named.unwrap_or_else(|| format!("line {}, column {}", from.line, from.column))
+    }
 }
 
 /// A part of a line of at most [`LONGEST`] characters around a place in it, or the start of a line without one.
@@ -77,7 +146,8 @@ fn cut(text: &str, place: &Range<usize>) -> Range<usize> {
 }
 
 /// A line with its number, and the part of it that is marked.
-fn row(lines: &LineIndex<'_>, number: usize, span: Span, out: &mut String) {
+fn row(of: &ShownDocument<'_>, number: usize, span: Span, out: &mut String) {
+    let lines = &of.lines;
     let (text, start) = (lines.line(number), lines.line_start(number));
     let inside = |at: u32| {
         let at = (at as usize).saturating_sub(start).min(text.len());
@@ -91,7 +161,12 @@ fn row(lines: &LineIndex<'_>, number: usize, span: Span, out: &mut String) {
     let within = |at: usize| at.clamp(shown.start, shown.end);
     let pieces =
         [shown.start..within(marked.start), within(marked.start)..within(marked.end), within(marked.end)..shown.end];
-    let [before, place, behind] = pieces.map(|piece| plain(text.get(piece).unwrap_or_default()));
+    let [before, place, behind] = pieces.map(|piece| {
+        let piece = text.get(piece).unwrap_or_default();
+        if of.is_made() { raised(piece) } else { plain(piece) }
+    });
+    // A paragraph has no number that a person could look up.
+    let number = if of.is_made() { String::new() } else { number.to_string() };
     let place = if place.is_empty() { place } else { format!("<mark>{place}</mark>") };
     let dots = [shown.start > 0, shown.end < text.len()].map(|is_cut| if is_cut { "…" } else { "" });
     let _ = write!(
@@ -102,33 +177,32 @@ fn row(lines: &LineIndex<'_>, number: usize, span: Span, out: &mut String) {
 }
 
 /// The lines around a place.
-fn excerpt(lines: &LineIndex<'_>, last: usize, span: Span) -> String {
+fn excerpt(of: &ShownDocument<'_>, span: Span) -> String {
+    let ShownDocument { lines, last, .. } = of;
     let [from, to] = lines.line_columns(span);
     let to = to.line.min(from.line + MOST_LINES);
     let mut out = "<pre>".to_owned();
     let is_blank = |number: &usize| lines.line(*number).trim().is_empty();
     let before = (from.line.saturating_sub(AROUND).max(1)..from.line).skip_while(is_blank);
-    let behind = (to + 1..=(to + AROUND).min(last)).rev().skip_while(is_blank).collect::<Vec<_>>();
+    let behind = (to + 1..=(to + AROUND).min(*last)).rev().skip_while(is_blank).collect::<Vec<_>>();
     for number in before.chain(from.line..=to).chain(behind.into_iter().rev()) {
-        row(lines, number, span, &mut out);
+        row(of, number, span, &mut out);
     }
     out + "</pre>\n"
 }
 
-fn article(finding: &ChainFinding, id: &str, lines: &LineIndex<'_>, last: usize) -> String {
+fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
     let is_wrong = matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics);
     let (kind, colour) = if is_wrong { ("", "wrong") } else { (" class=\"other-list\"", "other") };
-    let [from, _] = lines.line_columns(finding.at);
     let mut out = format!(
         "<article id=\"{id}\"{kind} aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><span class=\"{colour}\">{}</span> \
-         <a href=\"#{id}\">line {}, column {}</a></h3>\n",
+         <span class=\"place\">{}</span></h3>\n",
         plain(&capitalised(finding.verdict.description())),
-        from.line,
-        from.column
+        plain(&of.place(finding.at))
     );
-    out += &excerpt(lines, last, finding.at);
+    out += &excerpt(of, finding.at);
     out += "<dl>\n";
-    let piece = |range: Range<usize>| plain(finding.chain.get(range).unwrap_or_default());
+    let piece = |range: Range<usize>| raised(finding.chain.get(range).unwrap_or_default());
     let marked = &finding.marked;
     let place = match piece(marked.clone()) {
         place if place.is_empty() => place,
@@ -141,11 +215,11 @@ fn article(finding: &ChainFinding, id: &str, lines: &LineIndex<'_>, last: usize)
             let _ = writeln!(out, "<dt>{label}</dt><dd>{words}</dd>");
         }
     };
-    fact("Printed", Some(plain(&finding.printed)));
-    fact("Recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()).as_deref().map(plain));
-    fact("Hint", finding.hint.as_ref().map(|hint| with_code(&hint.words) + " would agree"));
+    fact("Printed", Some(raised(&finding.printed)));
+    fact("Recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()).as_deref().map(raised));
+    fact("Hint", finding.hint.as_ref().map(|hint| with_code(&hint.words, of.formula()) + " would agree"));
     fact("Set aside", finding.doubt.map(|doubt| plain(doubt.reason())));
-    fact("Why", finding.why.as_deref().map(with_code));
+    fact("Why", finding.why.as_deref().map(|why| with_code(why, plain)));
     let listed = |words: String| (!words.is_empty()).then(|| plain(&words));
     fact("Nearest reading", listed(finding.reading.join(", ")));
     fact("With values from elsewhere", listed(finding.names.join(", ")));
@@ -158,18 +232,19 @@ fn capitalised(text: &str) -> String {
 }
 
 /// The chains that were not checked, as a list.
-fn unchecked_list(chains: &[UncheckedChain], lines: &LineIndex<'_>) -> String {
+fn unchecked_list(chains: &[UncheckedChain], of: &ShownDocument<'_>) -> String {
     if chains.is_empty() {
         return String::new();
     }
     let item = |chain: &UncheckedChain| {
-        let [from, _] = lines.line_columns(chain.span);
+        let [from, _] = of.lines.line_columns(chain.span);
+        let place = of.document.label(from.line).unwrap_or_else(|| format!("line {}", from.line));
         let what = if chain.partly { "checked in part" } else { "not checked" };
         format!(
-            "<li>Line {}, {what}, {}: <code>{}</code></li>\n",
-            from.line,
-            with_code(&chain.reason()),
-            plain(&chain.chain)
+            "<li>{}, {what}, {}: <code>{}</code></li>\n",
+            plain(&capitalised(&place)),
+            with_code(&chain.reason(), plain),
+            of.formula()(&chain.chain)
         )
     };
     format!("<h3>Chains that were not checked</h3>\n<ul>\n{}</ul>\n", chains.iter().map(item).collect::<String>())
@@ -184,10 +259,11 @@ impl ReportWriter for HtmlWriter {
         let text = &checked.document.text;
         let lines = LineIndex::new(text);
         let last = lines.line_column(text.trim_end().len()).line;
+        let of = ShownDocument { document: checked.document, lines, last };
         let number = self.documents.len() + 1;
         let articles = checked.findings.iter().enumerate();
-        let articles = articles.map(|(at, finding)| article(finding, &format!("f{number}-{}", at + 1), &lines, last));
-        let body = articles.collect::<String>() + &unchecked_list(unchecked, &lines);
+        let articles = articles.map(|(at, finding)| article(finding, &format!("f{number}-{}", at + 1), &of));
+        let body = articles.collect::<String>() + &unchecked_list(unchecked, &of);
         let count = describe_count(checked.findings.len(), "finding");
         self.documents.push(DocumentPart { name: plain(&escaped(&checked.document.name)), count, body });
         String::new()
@@ -198,7 +274,7 @@ impl ReportWriter for HtmlWriter {
         let colour = if found.is_some() { "wrong" } else { "right" };
         let found = found.unwrap_or_else(|| "Nothing found.".to_owned());
         let sentences: String =
-            summary_sentences(sum).iter().map(|said| format!("<li>{}</li>\n", with_code(said))).collect();
+            summary_sentences(sum).iter().map(|said| format!("<li>{}</li>\n", with_code(said, plain))).collect();
         let mut page = format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
@@ -226,5 +302,27 @@ impl ReportWriter for HtmlWriter {
             "</main>\n<footer>Written by proofread {}.</footer>\n</body>\n</html>\n",
             env!("CARGO_PKG_VERSION")
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::raised;
+
+    #[test]
+    fn exponents_are_raised_and_nothing_else_is() {
+        for (text, page) in [
+            ("6.2 × 10^−3 m", "6.2 × 10<sup>−3</sup> m"),
+            ("4^(1/2) + x^2", "4<sup>1/2</sup> + x<sup>2</sup>"),
+            ("2^(3·(1 + 1)) = 64", "2<sup>3·(1 + 1)</sup> = 64"),
+            ("e^x, and 2^3.", "e<sup>x</sup>, and 2<sup>3</sup>."),
+            ("1.5^2.5", "1.5<sup>2.5</sup>"),
+            ("2^(3 < 4", "2^(3 &lt; 4"),
+            ("2^ 3 ^ ^^−", "2^ 3 ^ ^^−"),
+            ("x^(<b>)", "x<sup>&lt;b&gt;</sup>"),
+            ("", ""),
+        ] {
+            assert_eq!(raised(text), page, "{text}");
+        }
     }
 }

@@ -73,9 +73,13 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
     let mut place = location(uri, start, end);
     // A chapter of a book is no file of its own.
     let chapter = document.path.as_ref().and_then(|path| document.name.strip_prefix(&format!("{}/", path.display())));
-    if let Some(label) = document.label(start.line).or(chapter) {
+    if let Some(label) = document.label(start.line).or(chapter.map(str::to_owned)) {
         place["logicalLocations"] = json!([{ "name": label }]);
-        message = format!("In {label}: {message}");
+        message = if label.starts_with("under ") {
+            format!("{}: {message}", capitalised(&label))
+        } else {
+            format!("In {label}: {message}")
+        };
     }
     let level = level(finding);
     let mut out = json!({

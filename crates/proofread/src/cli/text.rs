@@ -30,7 +30,7 @@ impl ReportWriter for TextWriter {
     }
 
     fn end(&mut self, sum: &RunTotals) -> String {
-        let [checked, left] = [checked_sentences(sum), left_out_sentences(sum)];
+        let [checked, left] = [checked_sentences(sum, true), left_out_sentences(sum, true)];
         let mut text = checked.into_iter().map(|said| said + "\n").collect::<String>();
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
@@ -48,13 +48,13 @@ pub(super) fn findings_sentence(sum: &RunTotals) -> Option<String> {
     summary::describe_findings(|list| sum.found[list as usize]).map(|said| said + ".")
 }
 
-/// All that is said of a run beside [`findings_sentence`].
+/// All that is said of a run beside [`findings_sentence`], to somebody who did not start it and has no options to set.
 pub(super) fn summary_sentences(sum: &RunTotals) -> Vec<String> {
-    [checked_sentences(sum), left_out_sentences(sum)].concat()
+    [checked_sentences(sum, false), left_out_sentences(sum, false)].concat()
 }
 
-/// What was checked, and what was not and why.
-fn checked_sentences(sum: &RunTotals) -> Vec<String> {
+/// What was checked, and what was not and why; `with_options` names the options that tell more.
+fn checked_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     let tally = &sum.tally;
     let mut said = vec![format!(
         "Checked {} of {} that arithmetic can check, in {} and {}.",
@@ -64,7 +64,7 @@ fn checked_sentences(sum: &RunTotals) -> Vec<String> {
         describe_count(sum.documents, "document"),
     )];
     said.extend(summary::describe_statistics(tally));
-    let hint = if sum.unchecked_listed { "" } else { " --unchecked lists them." };
+    let hint = if sum.unchecked_listed || !with_options { "" } else { " --unchecked lists them." };
     said.extend(summary::describe_unchecked_chains(&sum.not_checked).map(|said| said + hint));
     said.extend(summary::describe_partly_checked_chains(tally));
     said.extend(summary::describe_unread_formulas(tally));
@@ -73,13 +73,14 @@ fn checked_sentences(sum: &RunTotals) -> Vec<String> {
 }
 
 /// What was found and is not listed.
-fn left_out_sentences(sum: &RunTotals) -> Vec<String> {
+fn left_out_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     let units = summary::describe_unit_differences(&sum.tally).filter(|_| !sum.units_listed);
     let doubts = summary::describe_doubts(&sum.tally).filter(|_| !sum.doubts_listed);
     let accepted =
         (sum.accepted > 0).then(|| format!("{} left out as accepted.", describe_count(sum.accepted, "case")));
-    let units = units.map(|said| said + "; --units lists them.");
-    let doubts = doubts.map(|said| said + "; --doubts lists them.");
+    let end = |option: &str| if with_options { format!("; {option} lists them.") } else { ".".to_owned() };
+    let units = units.map(|said| said + &end("--units"));
+    let doubts = doubts.map(|said| said + &end("--doubts"));
     [units, doubts, accepted].into_iter().flatten().collect()
 }
 
@@ -104,7 +105,7 @@ fn unchecked_text(
 /// A place behind the name of its document: its line and column, or what the line is called.
 fn place(checked: &CheckedDocument<'_>, from: LineColumn) -> String {
     match checked.document.label(from.line) {
-        Some(label) => format!(", {label}"),
+        Some(label) => format!(", {}", escaped(&label)),
         None => format!(":{}:{}", from.line, from.column),
     }
 }

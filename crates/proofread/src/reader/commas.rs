@@ -2,9 +2,13 @@
 //!
 //! In one that is, `3,5` is three and a half and `1.000` a thousand, unless it has decimal points, too; in any other, `3,5`
 //! are two numbers and `1,000` is a thousand.
+//!
+//! In MathML the parts of a number are often elements of their own, and programs that make it out of TeX leave out the space of a list:
+//! `3,5` and `3, 5` are both `<mn>3</mn><mo>,</mo><mn>5</mn>`. Such commas part decimals only if something else says so: one
+//! without tags around it, or one that no list of integers has, as in `3,06`.
 
 use super::{Definitions, RunningText, TextFormat, formulas};
-use crate::token::{Token, TokenKind};
+use crate::token::{Token, TokenKind, UNDECIDED_COMMA};
 
 /// How the numbers of a text are written.
 #[derive(Debug, Default)]
@@ -19,6 +23,10 @@ struct SeparatorCounts {
     decimal_points: usize,
     /// With points before groups of three and a comma behind them.
     thousands: usize,
+    /// With a comma among tags.
+    loose: usize,
+    /// With a comma that says by itself that it parts decimals: among tags, one of which no list has the like.
+    sure: usize,
 }
 
 /// What a point is in a text in which commas part the decimals.
@@ -30,37 +38,111 @@ pub(crate) enum DecimalPoints {
     Decimals,
 }
 
+/// What a comma between digits is in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CommaMeaning {
+    /// It parts decimals, and points mean this.
+    Decimal(DecimalPoints),
+    /// It parts numbers.
+    Separator,
+    /// Among tags it may be either, and elsewhere it parts numbers.
+    Undecided,
+}
+
 /// Whether commas part the decimals in a text, and what its points do then.
-pub(crate) fn decimal_points(
+pub(crate) fn comma_meaning(
     text: &str,
     format: TextFormat,
     elsewhere: Option<&Definitions>,
     lines: &RunningText,
-) -> Option<DecimalPoints> {
+) -> CommaMeaning {
     if !may_be(text) {
-        return None;
+        return CommaMeaning::Separator;
     }
     let mut seen = SeparatorCounts::default();
     // A text that cannot be read says so when it is read.
-    let _ = formulas(text, format, elsewhere, &mut |formula| count_separators(&formula.tokens, text, &mut seen));
-    lines.read(&mut |formula| count_separators(&formula.tokens, &lines.text, &mut seen));
+    let _ = formulas(text, format, elsewhere, &mut |formula| {
+        count_separators(&formula.tokens, text, false, &mut seen);
+    });
+    lines.read(&mut |formula| count_separators(&formula.tokens, &lines.text, false, &mut seen));
     let both = seen.decimal_points > 0 && seen.thousands == 0;
     let points = if both { DecimalPoints::Decimals } else { DecimalPoints::Thousands };
-    (seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either).then_some(points)
+    match seen.commas > 3 * seen.points && 2 * seen.commas >= seen.either {
+        true if seen.sure > 0 => CommaMeaning::Decimal(points),
+        _ if seen.loose > 0 && seen.points == 0 => CommaMeaning::Undecided,
+        _ => CommaMeaning::Separator,
+    }
+}
+
+/// Longest stretch of tags between the parts of a number, in bytes.
+const LONGEST_TAGS: usize = 400;
+
+/// What is between two numbers of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum CommaGap {
+    /// A comma, or one in braces, or one that is said to be no separator.
+    Tight,
+    /// A comma among tags.
+    Loose,
+}
+
+/// What is between these bytes of a text, if it is a comma and nothing else that is printed.
+fn gap(text: &str, start: u32, end: u32) -> Option<CommaGap> {
+    let length = end.saturating_sub(start) as usize;
+    if length <= 3 {
+        return Some(CommaGap::Tight);
+    }
+    let mut rest = text.get(start as usize..end as usize).filter(|gap| gap.len() <= LONGEST_TAGS)?;
+    let mut printed = String::new();
+    // MathML has a name for it.
+    let is_no_separator = rest.contains("separator=\"false\"");
+    while let Some((before, tag)) = rest.split_once('<') {
+        printed += before.trim();
+        rest = tag.split_once('>')?.1;
+    }
+    printed += rest.trim();
+    matches!(printed.as_str(), "," | "&#44;" | "&#x2c;" | "&#x2C;" | "&comma;").then_some(if is_no_separator {
+        CommaGap::Tight
+    } else {
+        CommaGap::Loose
+    })
 }
 
 /// Whether a digit, a comma and a digit that are no thousands follow each other anywhere.
 fn may_be(text: &str) -> bool {
     let bytes = text.as_bytes();
-    text.match_indices(',').any(|(at, _)| {
-        let braced = at > 1 && bytes[at - 1] == b'{' && bytes.get(at + 1) == Some(&b'}');
-        let (before, behind) = if braced { (at - 2, at + 2) } else { (at.wrapping_sub(1), at + 1) };
-        bytes.get(before).is_some_and(u8::is_ascii_digit) && {
-            let zero = bytes[before] == b'0' && !bytes.get(before.wrapping_sub(1)).is_some_and(u8::is_ascii_digit);
-            let digits = bytes[behind.min(bytes.len())..].iter().take_while(|c| c.is_ascii_digit()).count();
-            digits > 0 && (digits != 3 || zero)
-        }
-    })
+    let entities = ["&#44;", "&#x2c;", "&#x2C;", "&comma;"];
+    entities.iter().any(|entity| text.contains(entity))
+        || text.match_indices(',').any(|(at, _)| {
+            let is_edge =
+                |at: usize, sign: u8| bytes.get(at).is_some_and(|byte| *byte == sign || byte.is_ascii_whitespace());
+            if is_edge(at.wrapping_sub(1), b'>') && is_edge(at + 1, b'<') {
+                return is_between_leaves(bytes, at);
+            }
+            let braced = at > 1 && bytes[at - 1] == b'{' && bytes.get(at + 1) == Some(&b'}');
+            let (before, behind) = if braced { (at - 2, at + 2) } else { (at.wrapping_sub(1), at + 1) };
+            bytes.get(before).is_some_and(u8::is_ascii_digit) && {
+                let zero = bytes[before] == b'0' && !bytes.get(before.wrapping_sub(1)).is_some_and(u8::is_ascii_digit);
+                let digits = bytes[behind.min(bytes.len())..].iter().take_while(|c| c.is_ascii_digit()).count();
+                digits > 0 && (digits != 3 || zero)
+            }
+        })
+}
+
+/// Whether the comma at this byte is all of an element, and digits end and begin those around it.
+fn is_between_leaves(bytes: &[u8], at: usize) -> bool {
+    let printed = |mut bytes: &mut dyn Iterator<Item = &u8>, [opens, closes]: [u8; 2]| {
+        let mut in_tag = false;
+        (&mut bytes)
+            .take(LONGEST_TAGS)
+            .find(|byte| {
+                let is_printed = !in_tag && **byte != opens && !byte.is_ascii_whitespace();
+                in_tag = (in_tag || **byte == opens) && **byte != closes;
+                is_printed
+            })
+            .is_some_and(u8::is_ascii_digit)
+    };
+    printed(&mut bytes[..at].iter().rev(), [b'>', b'<']) && printed(&mut bytes[at + 1..].iter(), [b'<', b'>'])
 }
 
 /// The digits of a number, which may have an exponent or a degree sign behind it.
@@ -74,12 +156,10 @@ fn digits(token: &Token) -> Option<&str> {
     }
 }
 
-/// The two numbers around the comma at `at`, if they touch it.
-fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
+/// The two numbers around the comma at `at`, if nothing else is between them, and how it stands there.
+fn parted<'t>(tokens: &'t [Token], at: usize, text: &str) -> Option<(&'t str, &'t str, CommaGap)> {
     let (before, behind) = (tokens.get(at.checked_sub(1)?)?, tokens.get(at + 1)?);
     let (whole, decimals) = (before.number()?, digits(behind)?);
-    // Between them is no more than a comma, or one in braces.
-    let near = behind.span.start.saturating_sub(before.span.end) <= 3;
     let follows = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is_sign(','));
     let number = |at: usize| {
         let signed = tokens.get(at).is_some_and(|token| token.is_sign('-'));
@@ -92,8 +172,9 @@ fn parted(tokens: &[Token], at: usize) -> Option<(&str, &str)> {
     let listed = follows(comma) && comma.and_then(|comma| comma.checked_sub(1)).is_some_and(number)
         || follows(Some(at + 2)) && number(at + 3);
     let plain = |text: &str| text.chars().all(|c| c.is_ascii_digit());
-    (tokens[at].is_sign(',') && near && !listed && plain(decimals) && thousands(whole).is_some())
-        .then_some((whole, decimals))
+    let fits = tokens[at].is_sign(',') && !listed && plain(decimals) && thousands(whole).is_some();
+    let gap = fits.then(|| gap(text, before.span.end, behind.span.start)).flatten()?;
+    Some((whole, decimals, gap))
 }
 
 /// The digits of a whole number with or without points between its thousands.
@@ -132,33 +213,65 @@ fn is_pair(tokens: &[Token], at: usize) -> bool {
         && relation(behind[close + 1..].iter().find(solid))
 }
 
-fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
+/// Whether a comma among tags parts decimals for sure: what is between the bars of a fraction or under a root is no list, no
+/// integer begins with a nought, and one is seldom added or multiplied.
+fn is_decimal_for_sure(tokens: &[Token], at: usize, [whole, decimals]: [&str; 2], is_argument: bool) -> bool {
+    let operates = at > 1 && tokens[at - 2].is_one_of("+-·×/");
+    is_argument
+        || (decimals.len() > 1 && decimals.starts_with('0'))
+        || (whole == "0" && (operates || decimals.len() > 2))
+}
+
+/// Whether the digits around a comma may be a number with thousands.
+fn may_be_thousands(whole: &str, decimals: &str) -> bool {
+    decimals.len() == 3 && whole != "0"
+}
+
+/// Counts the comma at `at`, if it may part decimals.
+fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen: &mut SeparatorCounts) {
+    let Some((whole, decimals, gap)) = parted(tokens, at, text) else { return };
+    let is_loose = gap == CommaGap::Loose;
+    // Among tags three digits may be thousands, too.
+    if is_loose && may_be_thousands(whole, decimals) {
+        (seen.either, seen.loose) = (seen.either + 1, seen.loose + 1);
+        return;
+    }
+    let of_macro = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name.starts_with('\\'));
+    let signed = usize::from(at > 2 && tokens[at - 2].is_one_of("-+"));
+    let opens = at > 1 + signed && {
+        let open = &tokens[at - 2 - signed];
+        open.is_one_of("([{⟨") || of_macro(open)
+    };
+    let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
+    // A pair in brackets may be a point of the plane.
+    if !(opens && closes || is_pair(tokens, at)) {
+        let is_sure = !is_loose || is_decimal_for_sure(tokens, at, [whole, decimals], is_argument);
+        seen.commas += 1;
+        seen.loose += usize::from(is_loose);
+        seen.sure += usize::from(is_sure);
+    }
+    seen.thousands += usize::from(whole.contains('.'));
+}
+
+/// Counts how the numbers are written; `is_argument` says that the tokens are all of what is in a fraction or under a root.
+fn count_separators(tokens: &[Token], text: &str, is_argument: bool, seen: &mut SeparatorCounts) {
+    let is_argument =
+        is_argument && !tokens.iter().any(|token| token.is_one_of("([{;=") || token.kind == TokenKind::Line);
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
-            TokenKind::Operator(',') if parted(tokens, at).is_some() => {
-                let of_macro =
-                    |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name.starts_with('\\'));
-                let signed = usize::from(at > 2 && tokens[at - 2].is_one_of("-+"));
-                let opens = at > 1 + signed && {
-                    let open = &tokens[at - 2 - signed];
-                    open.is_one_of("([{⟨") || of_macro(open)
-                };
-                let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
-                // A pair in brackets may be a point of the plane.
-                seen.commas += usize::from(!(opens && closes || is_pair(tokens, at)));
-                seen.thousands += usize::from(tokens[at - 1].number().is_some_and(|whole| whole.contains('.')));
-            }
+            TokenKind::Operator(',') => count_comma(tokens, at, text, is_argument, seen),
             // The number of an equation.
             TokenKind::Number(_) if is_last_in_brackets(tokens, at) => {}
             TokenKind::Number(number) if number.contains('.') => {
-                let braced = text.get(token.span.range()).is_some_and(|source| source.contains(','));
+                let source = text.get(token.span.range()).unwrap_or_default();
+                let braced = source.contains(',') && !number.contains(',');
                 let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
                 let mut behind = tokens[at + 1..].iter().filter(|token| !token.is_space());
                 let is_mantissa = behind.next().is_some_and(|token| token.is_one_of("×·"))
                     && behind.next().is_some_and(|token| digits(token) == Some("10"));
                 let is_decimal = thousands(number).is_none() || is_mantissa;
                 if braced {
-                    seen.commas += 1;
+                    (seen.commas, seen.sure) = (seen.commas + 1, seen.sure + 1);
                 } else {
                     // What may be a thousand in a text with decimal commas says less.
                     seen.points += usize::from(is_decimal);
@@ -167,18 +280,33 @@ fn count_separators(tokens: &[Token], text: &str, seen: &mut SeparatorCounts) {
             }
             TokenKind::Number(number) if number.matches(',').count() == 1 => seen.either += 1,
             TokenKind::Scripts(base, _, power) => {
-                [base, power].into_iter().for_each(|part| count_separators(part, text, seen))
+                [base, power].into_iter().for_each(|part| count_separators(part, text, false, seen))
             }
-            _ => token.inner().for_each(|inner| count_separators(inner, text, seen)),
+            TokenKind::Fraction(..) | TokenKind::Root(..) => {
+                token.inner().for_each(|inner| count_separators(inner, text, true, seen))
+            }
+            _ => token.inner().for_each(|inner| count_separators(inner, text, false, seen)),
         }
     }
 }
 
+/// Puts what says so in the place of commas among tags that may part decimals or numbers.
+pub(crate) fn mark_undecided(tokens: &mut [Token], text: &str) {
+    for at in 0..tokens.len() {
+        // Three digits are taken for thousands, as everywhere in a text without decimal commas.
+        let is_open = matches!(parted(tokens, at, text), Some((whole, decimals, CommaGap::Loose)) if !may_be_thousands(whole, decimals));
+        if is_open && !is_pair(tokens, at) {
+            tokens[at] = Token::new(TokenKind::Unknown(UNDECIDED_COMMA.to_owned()), tokens[at].span);
+        }
+        tokens[at].kind.lists().into_iter().for_each(|inner| mark_undecided(inner, text));
+    }
+}
+
 /// Makes decimals of what is behind commas.
-pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, points: DecimalPoints) {
+pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: DecimalPoints) {
     let mut at = 0;
     while at < tokens.len() {
-        if let Some((whole, decimals)) = parted(tokens, at)
+        if let Some((whole, decimals, _)) = parted(tokens, at, text)
             && let Some(whole) = thousands(whole)
         {
             let number = TokenKind::Number(format!("{whole}.{decimals}"));
@@ -205,7 +333,7 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, points: DecimalPoints)
                     *number = whole;
                 }
             }
-            kind => kind.lists().into_iter().for_each(|inner| apply_decimal_sign(inner, points)),
+            kind => kind.lists().into_iter().for_each(|inner| apply_decimal_sign(inner, text, points)),
         }
         at += 1;
     }

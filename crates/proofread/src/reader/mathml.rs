@@ -217,7 +217,9 @@ fn identifier(text: &[SourceChar], upright: bool, out: &mut Vec<Token>) {
         }
         [one] if "%°$".contains(one.c) => out.push(Token::new(TokenKind::Word(name), span)),
         // Some programs take a sign for a letter.
-        [one] if one.c.is_ascii_punctuation() => out.push(Token::new(TokenKind::Operator(one.c), span)),
+        [one] if one.c.is_ascii_punctuation() || "·×±∓≈≠≤≥≡∼≃≅→⇒∝".contains(one.c) => {
+            out.push(Token::new(TokenKind::Operator(one.c), span))
+        }
         [one] if !one.c.is_ascii_digit() && !upright => {
             out.push(Token::new(TokenKind::Name(name), span));
         }

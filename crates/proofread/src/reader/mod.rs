@@ -34,6 +34,7 @@ mod unread;
 mod upright;
 mod words;
 
+use self::commas::CommaMeaning;
 use crate::order::sort_by_place;
 use crate::token::{Span, Token};
 
@@ -231,10 +232,13 @@ pub(crate) fn read_with(
     if text.len() > LONGEST {
         return Err(UnreadableText::TooLong);
     }
-    let points = commas::decimal_points(text, format, elsewhere, lines);
+    let meaning = commas::comma_meaning(text, format, elsewhere, lines);
     let mut understood = |mut formula: Formula, from| {
-        if let Some(points) = points {
-            commas::apply_decimal_sign(&mut formula.tokens, points);
+        let source = if from == SpanSource::Lines { &lines.text } else { text };
+        match meaning {
+            CommaMeaning::Decimal(points) => commas::apply_decimal_sign(&mut formula.tokens, source, points),
+            CommaMeaning::Undecided => commas::mark_undecided(&mut formula.tokens, source),
+            CommaMeaning::Separator => {}
         }
         each(formula, from);
     };

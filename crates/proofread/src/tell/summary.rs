@@ -95,7 +95,7 @@ const MOST_NAMED: usize = 8;
 pub fn describe_unchecked_chains(counts: &NamedCounts<UncheckedKind>) -> Option<String> {
     let (mut named, mut others) = (Vec::new(), Vec::new());
     for (kind, name, times) in counts.iter() {
-        let is_phrase = ["a ", "an ", "two ", "the ", "dots"].iter().any(|start| name.starts_with(start));
+        let is_phrase = ["a ", "an ", "two ", "the ", "numbers ", "dots"].iter().any(|start| name.starts_with(start));
         let words = match kind {
             UncheckedKind::Letter => "with letters",
             UncheckedKind::Definition => "that only give a letter a value",

@@ -2,6 +2,10 @@
 
 use super::super::unread::UnreadParts;
 use super::page::MadePage;
+use std::sync::Arc;
+
+/// Longest part of a heading that is told, in characters.
+const LONGEST_HEADING: usize = 60;
 
 /// Where the text that comes stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +38,10 @@ pub(super) struct BlockWriter {
     table: Option<OpenTable>,
     /// How long page and text were at the start of the paragraph that is open.
     open: Option<[usize; 2]>,
+    /// Whether the paragraph that is open is a heading.
+    is_heading: bool,
+    /// The last heading.
+    heading: Option<Arc<str>>,
 }
 
 impl BlockWriter {
@@ -53,6 +61,17 @@ impl BlockWriter {
             _ => self.page.tags("<p>"),
         }
         self.open = Some([self.page.page.len(), self.page.text.len()]);
+        self.is_heading = false;
+    }
+
+    /// Makes a heading of the paragraph that is open, unless it is in a table.
+    pub(super) fn mark_heading(&mut self) {
+        self.is_heading = self.in_paragraph() && !self.in_table();
+    }
+
+    /// Says that what comes has another place in the document than behind the last heading.
+    pub(super) fn leave_headings(&mut self) {
+        self.heading = None;
     }
 
     /// Ends a paragraph. One without text is none.
@@ -78,7 +97,14 @@ impl BlockWriter {
             (None, BlockPlace::Box) => format!("text box {}", self.boxes),
             (None, BlockPlace::Note(kind, number)) => format!("{kind} {number}"),
         };
-        self.page.end_line(label);
+        let above = if self.is_heading { None } else { self.heading.clone() };
+        if self.is_heading {
+            let text = self.page.text.get(start..).unwrap_or_default().trim();
+            let mut told: String = text.chars().take(LONGEST_HEADING).collect();
+            told += if told.len() < text.len() { "…" } else { "" };
+            self.heading = Some(told.into());
+        }
+        self.page.end_line(label, above);
     }
 
     /// Begins the next box of text.

@@ -58,6 +58,8 @@ pub(super) fn leaves(text: &str, letters: Letters) -> Vec<Leaf> {
             ("mi", 2)
         } else if c.is_alphabetic() || "°%".contains(c) {
             ("mi", 1)
+        } else if c == ',' && parts_digits(&chars, at) {
+            (DECIMAL_COMMA, 1)
         } else {
             ("mo", 1)
         };
@@ -65,6 +67,20 @@ pub(super) fn leaves(text: &str, letters: Letters) -> Vec<Leaf> {
         at += length;
     }
     out
+}
+
+/// A comma that touches digits on both sides, which is no separator of a list with space.
+const DECIMAL_COMMA: &str = "mo separator=\"false\"";
+
+/// Whether the comma at `at` has a digit on either side.
+fn parts_digits(chars: &[char], at: usize) -> bool {
+    let digit = |at: Option<usize>| at.and_then(|at| chars.get(at)).is_some_and(char::is_ascii_digit);
+    digit(at.checked_sub(1)) && digit(Some(at + 1))
+}
+
+/// The tag that closes an element with these attributes.
+fn closing(element: &str) -> String {
+    format!("</{}>", element.split(' ').next().unwrap_or_default())
 }
 
 /// Adds a leaf to a formula.
@@ -93,7 +109,7 @@ pub(super) fn add_at(page: &mut MadePage, of: &[Leaf], mut at: usize) {
     for leaf in of {
         page.tags(&format!("<{}>", leaf.element));
         page.characters_at(&leaf.text, at);
-        page.tags(&format!("</{}>", leaf.element));
+        page.tags(&closing(leaf.element));
         at += leaf.text.len();
     }
 }
@@ -107,7 +123,7 @@ pub(super) fn is_space(leaf: &Leaf) -> bool {
 pub(super) fn element(page: &mut MadePage, name: &str, text: &str) {
     page.tags(&format!("<{name}>"));
     page.characters(text);
-    page.tags(&format!("</{name}>"));
+    page.tags(&closing(name));
 }
 
 /// Adds an element with text in it that the line shows otherwise, or not at all.

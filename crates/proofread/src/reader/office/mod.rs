@@ -10,6 +10,7 @@ mod omml;
 mod page;
 mod presentation;
 mod word;
+mod word_styles;
 
 use super::unread::UnreadParts;
 use archive::Archive;

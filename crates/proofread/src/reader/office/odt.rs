@@ -102,7 +102,12 @@ impl OdtReading<'_, '_> {
                 ("table-row", true) => self.writer.end_row(place),
                 ("table", true) => self.writer.end_table(place),
                 (_, true) => {}
-                ("p" | "h", _) if !tag.empty => self.writer.begin_paragraph(place),
+                ("p" | "h", _) if !tag.empty => {
+                    self.writer.begin_paragraph(place);
+                    if tag.name == "h" && place == BlockPlace::Body {
+                        self.writer.mark_heading();
+                    }
+                }
                 ("span", _) if !tag.empty => {
                     let outer = spans.last().copied().unwrap_or_default();
                     let own = tag.attribute("style-name").and_then(|name| self.styles.get(name)).copied();
@@ -162,6 +167,7 @@ impl OdtReading<'_, '_> {
             self.writer.end_table(place);
         }
         self.writer.end_paragraph(place);
+        self.writer.leave_headings();
         for (range, place) in later {
             if depth >= DEEPEST {
                 let text = plain_text(&xml[range]);

@@ -5,6 +5,16 @@
 
 use super::super::LONGEST;
 use crate::token::Span;
+use std::sync::Arc;
+
+/// What a line of the text is in the document.
+#[derive(Debug)]
+struct LineLabel {
+    /// Such as `paragraph 12`.
+    name: String,
+    /// The heading above it.
+    heading: Option<Arc<str>>,
+}
 
 /// A stretch of the page and the stretch of the text that it shows, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,8 +30,8 @@ pub(crate) struct MadePage {
     pub page: String,
     /// The text as its author sees it.
     pub text: String,
-    /// What each line of the text is in the document, such as `paragraph 12`; none if the lines are those of the file.
-    pub labels: Vec<String>,
+    /// What each line of the text is in the document; none if the lines are those of the file.
+    labels: Vec<LineLabel>,
     places: Vec<ShownPlace>,
 }
 
@@ -115,11 +125,11 @@ impl MadePage {
         }
     }
 
-    /// Ends a line of the text, which is called so.
-    pub(in crate::reader) fn end_line(&mut self, label: String) {
+    /// Ends a line of the text, which is called so and stands under a heading.
+    pub(in crate::reader) fn end_line(&mut self, name: String, heading: Option<Arc<str>>) {
         if !self.is_full() {
             self.text.push('\n');
-            self.labels.push(label);
+            self.labels.push(LineLabel { name, heading });
         }
     }
 
@@ -141,9 +151,11 @@ impl MadePage {
         }
     }
 
-    /// What the line with this number, from 1, is called in the document.
-    pub(crate) fn label(&self, line: usize) -> Option<&str> {
-        self.labels.get(line.checked_sub(1)?).map(String::as_str)
+    /// What the line with this number, from 1, is called in the document: `under ‘Results’, paragraph 12`, or `paragraph 12` without a
+    /// heading above it.
+    pub(crate) fn label(&self, line: usize) -> Option<String> {
+        let LineLabel { name, heading } = self.labels.get(line.checked_sub(1)?)?;
+        Some(heading.as_ref().map_or_else(|| name.clone(), |heading| format!("under ‘{heading}’, {name}")))
     }
 }
 
@@ -163,7 +175,7 @@ mod tests {
         made.tags("<mn>");
         made.characters("4");
         made.tags("</mn></mfrac></math></p>");
-        made.end_line("paragraph 1".to_owned());
+        made.end_line("paragraph 1".to_owned(), None);
         assert_eq!(made.text, "a < b: 10/4\n");
         let shown = |part: &str| {
             let at = made.page.find(part).expect("a part of the page");
@@ -173,8 +185,10 @@ mod tests {
         assert_eq!(shown("<mfrac><mn>10</mn><mn>4</mn></mfrac>"), "10/4");
         assert_eq!(shown("<mn>4</mn>"), "4");
         assert_eq!(shown("0"), "0");
-        assert_eq!(made.label(1), Some("paragraph 1"));
+        assert_eq!(made.label(1).as_deref(), Some("paragraph 1"));
         assert_eq!((made.label(0), made.label(2)), (None, None));
+        made.end_line("table 1, row 2, cell 3".to_owned(), Some("Results".into()));
+        assert_eq!(made.label(2).as_deref(), Some("under ‘Results’, table 1, row 2, cell 3"));
         assert_eq!(MadePage::default().span_in_text(Span::new(3, 4)), Span::default());
     }
 }

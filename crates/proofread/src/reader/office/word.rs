@@ -8,6 +8,7 @@ use super::formula::symbol;
 use super::nodes::{decoded, end_of, parse, plain_text};
 use super::omml;
 use super::page::MadePage;
+use super::word_styles::HeadingStyles;
 use std::ops::Range;
 
 /// What a document of Word is called in errors.
@@ -21,8 +22,10 @@ pub(super) fn read(mut archive: Archive<'_>) -> Result<(MadePage, UnreadParts), 
     let document = archive.needed(&main, CALLED)?;
     let folder = main.rsplit_once('/').map_or("", |(folder, _)| folder);
     let beside = |name: &str| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
+    let headings =
+        archive.text(&beside("styles.xml"))?.map_or_else(HeadingStyles::default, |xml| HeadingStyles::read(&xml));
     let mut writer = BlockWriter::default();
-    blocks(&document, 0..document.len(), &mut writer, BlockPlace::Body, 0);
+    blocks(&document, 0..document.len(), &mut writer, &headings, BlockPlace::Body, 0);
     drop(document);
     for (part, element, kind) in [("footnotes.xml", "footnote", "footnote"), ("endnotes.xml", "endnote", "endnote")] {
         if let Some(notes) = archive.text(&beside(part))? {
@@ -81,14 +84,13 @@ fn read_notes(xml: &str, element: &str, kind: &'static str, writer: &mut BlockWr
         // Of these types are the lines between text and notes.
         if tag.attribute("type").is_none_or(|kind| kind == "normal") {
             number += 1;
-            blocks(xml, inside, writer, BlockPlace::Note(kind, number), 0);
+            blocks(xml, inside, writer, &HeadingStyles::default(), BlockPlace::Note(kind, number), 0);
         }
     });
 }
 
 /// Elements that hold settings, or what is told elsewhere.
-const SKIPPED: [&str; 13] = [
-    "ppr",
+const SKIPPED: [&str; 12] = [
     "sectpr",
     "tblpr",
     "tblgrid",
@@ -104,7 +106,14 @@ const SKIPPED: [&str; 13] = [
 ];
 
 /// Reads paragraphs and tables.
-fn blocks(xml: &str, range: Range<usize>, writer: &mut BlockWriter, place: BlockPlace, depth: usize) {
+fn blocks(
+    xml: &str,
+    range: Range<usize>,
+    writer: &mut BlockWriter,
+    headings: &HeadingStyles,
+    place: BlockPlace,
+    depth: usize,
+) {
     let mut later: Vec<(Range<usize>, BlockPlace)> = Vec::new();
     let mut run = RunPrint::default();
     let mut at = range.start;
@@ -136,6 +145,12 @@ fn blocks(xml: &str, range: Range<usize>, writer: &mut BlockWriter, place: Block
             "tc" if !tag.empty => {
                 let columns = properties(xml, tag.end, "tcpr", "gridspan").and_then(|count| count.parse().ok());
                 writer.begin_cell(columns.unwrap_or(1), 1);
+            }
+            "ppr" if !tag.empty => {
+                at = end_of(xml, &tag);
+                if place == BlockPlace::Body && headings.has(&xml[tag.end..at]) {
+                    writer.mark_heading();
+                }
             }
             "tcpr" if !tag.empty => at = end_of(xml, &tag),
             "txbxcontent" if !tag.empty => {
@@ -181,6 +196,7 @@ fn blocks(xml: &str, range: Range<usize>, writer: &mut BlockWriter, place: Block
         writer.end_table(place);
     }
     writer.end_paragraph(place);
+    writer.leave_headings();
     for (range, place) in later {
         if depth >= DEEPEST {
             note(&mut writer.unread, UnreadKind::Element, "nested too deeply", &plain_text(&xml[range]));
@@ -189,7 +205,7 @@ fn blocks(xml: &str, range: Range<usize>, writer: &mut BlockWriter, place: Block
         if place == BlockPlace::Box {
             writer.begin_box();
         }
-        blocks(xml, range, writer, place, depth + 1);
+        blocks(xml, range, writer, headings, place, depth + 1);
     }
 }
 
