@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
 const TARGET: &str = "wasm32-wasip1";
-const PROFILE: &str = "live";
+pub(crate) const PROFILE: &str = "live";
 /// The settings of that profile, as a workspace must have them: on a page, size counts.
 pub(crate) const PROFILE_SETTINGS: &str = "[profile.live]\ninherits = \"release\"\nopt-level = \"z\"\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = true\n";
 /// What asks a module, in a thread of its own: the first part of every script that has one.
@@ -91,7 +91,8 @@ fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
         return Err(format!("{} does not hold their program", root.display()));
     }
     let target = target_directory(root, root);
-    let of = Compilation { workspace: root, folder: root, package: Some(module.package), target: &target };
+    let of =
+        Compilation { workspace: root, folder: root, package: Some(module.package), target: &target, profile: PROFILE };
     of.module(module.package)
 }
 
@@ -110,6 +111,8 @@ pub(crate) struct Compilation<'a> {
     pub(crate) package: Option<&'a str>,
     /// The target directory.
     pub(crate) target: &'a Path,
+    /// The profile.
+    pub(crate) profile: &'static str,
 }
 
 impl Compilation<'_> {
@@ -118,7 +121,7 @@ impl Compilation<'_> {
         // Where the target cannot be added, Cargo's own reason is the one that counts: there may be no Cargo at all.
         compile(self).or_else(|first| if is_target_added(self.folder) { compile(self) } else { Err(first) })?;
         let file = format!("{}.wasm", name.replace('-', "_"));
-        let path = self.target.join(TARGET).join(PROFILE).join(file);
+        let path = self.target.join(TARGET).join(self.profile).join(file);
         fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
     }
 }
@@ -138,12 +141,12 @@ fn flags(workspace: &Path) -> String {
 
 /// Lets Cargo compile it, or gives Cargo's reason.
 fn compile(of: &Compilation<'_>) -> Result<(), String> {
-    let Compilation { workspace, folder, package, target } = of;
+    let Compilation { workspace, folder, package, target, profile } = of;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.current_dir(folder).args(["rustc", "--quiet", "--lib", "--crate-type", "cdylib"]);
     command.args(package.iter().flat_map(|package| ["--package", *package]));
-    command.args(["--target", TARGET, "--profile", PROFILE]).stdin(Stdio::null());
+    command.args(["--target", TARGET, "--profile", *profile]).stdin(Stdio::null());
     // Addresses in as many bytes as they need, not in five each: the module is a twentieth smaller.
     command.args(["--", "-C", "link-arg=--compress-relocations"]);
     // What is set for tests or documentation of the machine at hand is not for this.

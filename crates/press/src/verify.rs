@@ -72,11 +72,13 @@ fn compiled(of: &LedgerCrate, root: &Path) -> anyhow::Result<Vec<u8>> {
     let workspace = workspace.with_context(|| format!("no {LOCK} in {} or above it", folder.display()))?;
     let target = modules::target_directory(workspace, root);
     let own = made(of, &folder, workspace, &target)?;
-    let compilation = Compilation { workspace, folder: &own, package: None, target: &target };
+    let compilation = Compilation { workspace, folder: &own, package: None, target: &target, profile: PROFILE };
     compilation.module(&crate_name(of)).map_err(anyhow::Error::msg)
 }
 
 const LOCK: &str = "Cargo.lock";
+/// The profile of a crate that is made. What a workspace sets for single packages in the profile of its figures is not meant for it.
+const PROFILE: &str = "verify";
 /// The folder below the target directory in which crates are made.
 const MADE: &str = "verify";
 
@@ -96,7 +98,7 @@ fn made(of: &LedgerCrate, folder: &Path, workspace: &Path, target: &Path) -> any
          [dependencies]\nledger = {{ package = {:?}, path = {path:?} }}\n\n[workspace]\n\n{}",
         crate_name(of),
         of.package,
-        modules::PROFILE_SETTINGS
+        modules::PROFILE_SETTINGS.replace(modules::PROFILE, PROFILE)
     );
     for (name, text) in LIBRARY {
         write_if_other(&source.join(name), text)?;

@@ -23,11 +23,11 @@ pub(super) fn textbooks() -> anyhow::Result<Table> {
 }
 
 /// The misprints in a textbook, one row for each fault.
-fn of_book(name: &str) -> anyhow::Result<Table> {
+fn of_book(name: &str, kinds: &[MisprintKind]) -> anyhow::Result<Table> {
     let or_none = |text: &str| if text.is_empty() { Ok("–".to_owned()) } else { words(text) };
     let misprints = misprints()?;
     let those: Vec<Misprint> =
-        faults(&misprints).into_iter().filter(|misprint| misprint.book == name).cloned().collect();
+        faults(&misprints).into_iter().filter(|of| of.book == name && kinds.contains(&of.kind)).cloned().collect();
     anyhow::ensure!(!those.is_empty(), "there is no misprint of `{name}` on record");
     Table::with_rows(Cells::Wide, those)
         .column("Place", place)
@@ -37,11 +37,18 @@ fn of_book(name: &str) -> anyhow::Result<Table> {
         .finish()
 }
 
-/// The file, the line and the element or section of a misprint.
+/// All kinds of misprints.
+const ALL: &[MisprintKind] = &[MisprintKind::Number, MisprintKind::Statistics, MisprintKind::Unit];
+
+/// The file, the line and the element of a misprint. A line breaks behind the marks in a name, and a long name or a heading is left out.
 fn place(misprint: &Misprint) -> String {
+    const LONGEST: usize = 24;
     let file = misprint.file.strip_suffix("/index.cnxml").unwrap_or(&misprint.file);
     let file = file.rsplit('/').next().unwrap_or(file);
-    format!("<code>{}</code>, line {} <small>{}</small>", escape(file), misprint.line, escape(&misprint.element))
+    let breakable = |name: &str| escape(name).replace('_', "_<wbr>").replace('-', "-<wbr>");
+    let is_name = misprint.element.len() <= LONGEST && !misprint.element.contains([' ', '$']);
+    let element = if is_name { format!(" <small>{}</small>", breakable(&misprint.element)) } else { String::new() };
+    format!("<code>{}</code>, line {}{element}", breakable(file), misprint.line)
 }
 
 /// How often the program was right at first contact, by what was measured and the kind of text.
@@ -65,11 +72,11 @@ pub(super) fn measured() -> anyhow::Result<Table> {
 }
 
 macro_rules! books {
-    ($($function:ident: $name:literal,)*) => {
+    ($($function:ident: $name:literal $kinds:expr,)*) => {
         $(
             #[doc = concat!("The misprints in *", $name, "*.")]
             pub(super) fn $function() -> anyhow::Result<Table> {
-                of_book($name)
+                of_book($name, $kinds)
             }
         )*
 
@@ -79,17 +86,18 @@ macro_rules! books {
 }
 
 books! {
-    university_physics: "University Physics",
-    college_physics: "College Physics",
-    introductory_statistics: "Introductory Statistics",
-    calculus: "Calculus",
-    prealgebra: "Prealgebra",
-    finance: "Principles of Finance",
-    chemistry: "Chemistry",
-    openintro: "OpenIntro Statistics",
-    orcca: "ORCCA",
-    apex: "APEX Calculus",
-    biostatistics: "OpenIntro Biostatistics",
+    university_physics: "University Physics" &[MisprintKind::Number, MisprintKind::Statistics],
+    university_physics_units: "University Physics" &[MisprintKind::Unit],
+    college_physics: "College Physics" ALL,
+    introductory_statistics: "Introductory Statistics" ALL,
+    calculus: "Calculus" ALL,
+    prealgebra: "Prealgebra" ALL,
+    finance: "Principles of Finance" ALL,
+    chemistry: "Chemistry" ALL,
+    openintro: "OpenIntro Statistics" ALL,
+    orcca: "ORCCA" ALL,
+    apex: "APEX Calculus" ALL,
+    biostatistics: "OpenIntro Biostatistics" ALL,
 }
 
 #[cfg(test)]

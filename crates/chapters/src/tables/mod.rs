@@ -47,6 +47,7 @@ pub const TABLES: &[(&str, MakeTable)] = &[
     ("timer-mean-speed", timer::mean_speed),
     ("found-books", found::textbooks),
     ("found-university-physics", found::university_physics),
+    ("found-university-physics-units", found::university_physics_units),
     ("found-college-physics", found::college_physics),
     ("found-statistics", found::introductory_statistics),
     ("found-calculus", found::calculus),
