@@ -119,9 +119,10 @@ fn the_page_finds_the_same_characters_as_the_library() {
             let [from, to] = ["from", "to"].map(|end| finding[end].as_u64().expect("a place") as usize);
             let units: Vec<u16> = text.encode_utf16().collect();
             let marked = String::from_utf16(units.get(from..to).expect("inside")).expect("whole characters");
-            let is_plain = !marked.contains(['\\', '<']);
+            // A power of ten behind an `e` is shown as one.
+            let is_plain = !marked.contains(['\\', '<']) && !marked.contains("e-");
             assert!(!is_plain || finding["chain"][1] == json!(marked), "{text}: {marked}, {finding}");
-            assert!(is_plain || format != "markdown", "{text}: {marked}");
+            assert!(is_plain || format != "markdown" || marked.contains("e-"), "{text}: {marked}");
         }
     }
 }

@@ -34,7 +34,6 @@ mod unread;
 mod upright;
 mod words;
 
-use self::commas::CommaMeaning;
 use crate::order::sort_by_place;
 use crate::token::{Span, Token};
 
@@ -236,9 +235,9 @@ pub(crate) fn read_with(
     let mut understood = |mut formula: Formula, from| {
         let source = if from == SpanSource::Lines { &lines.text } else { text };
         match meaning {
-            CommaMeaning::Decimal(points) => commas::apply_decimal_sign(&mut formula.tokens, source, points),
-            CommaMeaning::Undecided => commas::mark_undecided(&mut formula.tokens, source),
-            CommaMeaning::Separator => {}
+            commas::CommaMeaning::Decimal(points) => commas::apply_decimal_sign(&mut formula.tokens, source, points),
+            commas::CommaMeaning::Undecided => commas::mark_undecided(&mut formula.tokens, source),
+            commas::CommaMeaning::Separator => {}
         }
         each(formula, from);
     };
