@@ -135,6 +135,17 @@ impl SideValue {
         self.operations == 0
     }
 
+    /// Whether one of two values has a unit and the other one has none, so that it was left out there. Angles have one without a sign.
+    pub(crate) fn is_one_a_quantity(values: &[Self; 2]) -> bool {
+        values[0].has_unit != values[1].has_unit
+            && values.iter().all(|value| value.angle.is_none() && !value.parts.is_vector())
+    }
+
+    /// Makes a bare number of the value, as it is written.
+    pub(crate) fn drop_unit(&mut self) {
+        (self.has_unit, self.dimension, self.factor) = (false, UnitDimension::NONE, 1.0);
+    }
+
     pub(crate) fn negate(self) -> Self {
         Self { parts: self.parts.map(|part| -part), ..self }
     }

@@ -333,13 +333,14 @@ impl ComparedSides<'_> {
         };
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(SideValue::is_zero_at_point);
+        let lacks_unit = SideValue::is_one_a_quantity(&points);
         if !same && !numbers && !zero {
             // A factor without its unit leaves the number in base units of the SI.
             let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
             let computed = self.sides[usize::from(literal[0])];
             let agree = match literal {
-                [false, true] if is_plain_sum(computed) => points[0].meets(&right, 0.0),
-                [true, false] if is_plain_sum(computed) => left.meets(&points[1], 0.0),
+                [false, true] if is_plain_sum(computed) || lacks_unit => points[0].meets(&right, 0.0),
+                [true, false] if is_plain_sum(computed) || lacks_unit => left.meets(&points[1], 0.0),
                 _ => left.meets(&right, 0.0),
             };
             let agree = agree
@@ -364,6 +365,10 @@ impl ComparedSides<'_> {
             if fewer(&exact, &strict[0]) {
                 (strict[0], lenient[0]) = (exact.clone(), exact);
             }
+        }
+        // Without a unit on one side, the numbers are compared as if neither had one.
+        if numbers && lacks_unit {
+            points.iter_mut().chain(&mut strict).chain(&mut lenient).for_each(SideValue::drop_unit);
         }
         let both_units = points.iter().all(|point| point.has_unit);
         if self.noticed.contains(ReadingChoices::MINUS) {
