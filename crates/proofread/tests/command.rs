@@ -338,6 +338,70 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
     assert!(code == 2 && out.contains("2 findings:"), "{out}");
 }
 
+/// The summary of the program, run in a folder.
+fn run_in(folder: &Path, line: &[&str]) -> (Option<i32>, String) {
+    let out = Command::new(env!("CARGO_BIN_EXE_proofread")).args(line).current_dir(folder).output().expect("it runs");
+    (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned())
+}
+
+#[test]
+fn accepted_cases_hold_from_every_folder() {
+    let (folder, _file) = folder();
+    let top = folder.path();
+    fs::create_dir_all(top.join("book/src")).expect("made");
+    fs::rename(top.join("a.md"), top.join("book/src/a.md")).expect("moved");
+    assert_eq!(run_in(top, &["--accept", "book/cases.jsonl", "book"]).0, Some(0));
+    let cases = fs::read_to_string(top.join("book/cases.jsonl")).expect("written");
+    assert!(cases.lines().count() == 2 && cases.lines().all(|line| line.contains("\"file\":\"src/a.md\"")), "{cases}");
+    for (from, cases, file) in [
+        ("", "book/cases.jsonl", "book/src"),
+        ("book", "cases.jsonl", "src/a.md"),
+        ("book/src", "../cases.jsonl", "a.md"),
+        ("book/src", "../cases.jsonl", "../../book"),
+    ] {
+        let (code, out) = run_in(&top.join(from), &["--baseline", cases, file]);
+        assert_eq!((code, out.contains("2 cases left out as accepted.")), (Some(0), true), "{from}: {out}");
+        assert!(!out.contains("accepted case"), "{out}");
+        assert_eq!(run_in(&top.join(from), &["--accept", cases, file]).0, Some(0));
+    }
+    assert_eq!(fs::read_to_string(top.join("book/cases.jsonl")).expect("written"), cases, "accepted once");
+    // Another file that is called so from another folder is another one.
+    fs::write(top.join("book/a.md"), TEXT).expect("written");
+    fs::write(top.join("book/src/cases.jsonl"), cases.replace("src/a.md", "a.md")).expect("written");
+    assert_eq!(run_in(&top.join("book"), &["--baseline", "src/cases.jsonl", "src/a.md"]).0, Some(0));
+    assert_eq!(run_in(&top.join("book"), &["--baseline", "src/cases.jsonl", "a.md"]).0, Some(1));
+    // A file that names the texts from where the command was run still holds there.
+    fs::create_dir(top.join("made")).expect("made");
+    fs::write(top.join("made/cases.jsonl"), cases.replace("src/a.md", "book/src/a.md")).expect("written");
+    assert_eq!(run_in(top, &["--baseline", "made/cases.jsonl", "book/src"]).0, Some(0));
+}
+
+#[test]
+fn accepted_cases_that_leave_nothing_out_are_told() {
+    let (folder, file) = folder();
+    let at = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let cases = at("cases.jsonl");
+    fs::write(at("b.md"), "It is $2 + 2 = 5$, and *t*(28) = 2.20, *p* = .36. $12 \\cdot 5.0 = 60\\,$m\n")
+        .expect("written");
+    assert_eq!(run(&["--accept", &cases, &file, &at("b.md")]).0, 0);
+    let summary = |line: &[&str]| run(&[&["--baseline", &cases], line].concat()).1;
+    assert!(!summary(&[&file, &at("b.md")]).contains("accepted case"));
+    let out = summary(&[&file]);
+    assert!(out.contains("2 accepted cases belong to a file that was not read: b.md."), "{out}");
+    // A list that is not asked for says nothing, nor does a run that looks for what is new.
+    assert!(!summary(&["--statistics=never", &file, &at("b.md")]).contains("any more"));
+    fs::write(&file, TEXT.replace("0.609", "0.601")).expect("written");
+    let out = summary(&[&file, &at("b.md")]);
+    assert!(out.contains("1 accepted case is not found any more.") && !out.contains("not read"), "{out}");
+    let sum: Value = serde_json::from_str(&summary(&["--format", "json", &file])).expect("JSON");
+    assert_eq!((&sum["sum"]["accepted_gone"], &sum["sum"]["accepted_unread"]), (&1.into(), &2.into()));
+    // A case of a list that is not shown is still there.
+    fs::write(&file, "It is $3.0\\,\\mathrm{m} \\cdot 2.0\\,\\mathrm{m} = 6.0\\,\\mathrm{m}$.\n").expect("written");
+    assert_eq!(run(&["--units", "--accept", &at("units.jsonl"), &file]).0, 0);
+    let (code, out, _) = run(&["--baseline", &at("units.jsonl"), &file]);
+    assert_eq!((code, out.contains("any more")), (0, false), "{out}");
+}
+
 #[test]
 fn accepted_cases_are_written_whole_or_not_at_all() {
     let (folder, file) = folder();

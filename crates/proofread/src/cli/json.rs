@@ -125,6 +125,8 @@ fn sum(of: &RunTotals) -> Value {
         "documents": of.documents,
         "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
         "accepted": of.accepted,
+        "accepted_gone": of.idle_cases.gone,
+        "accepted_unread": of.idle_cases.unread,
         "tally": tally(&of.tally),
         "not_checked": counts(&of.not_checked, UncheckedKind::name),
         "not_read": counts(&of.not_read, UnreadKind::name),

@@ -20,6 +20,7 @@ pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
 use crate::check::{CheckOptions, CheckReport, proofread};
+use crate::evaluate::binding::NamePolicy;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
@@ -29,7 +30,7 @@ use crate::tell::finding::ChainFinding;
 use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
-use baseline::Baseline;
+use baseline::{Baseline, IdleCases};
 use documents::{Document, Source};
 use geneva_host::files::{NewFile, OutputOption};
 use geneva_host::printable::shown_path;
@@ -132,6 +133,8 @@ struct RunTotals {
     /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
     found: [usize; 6],
     accepted: usize,
+    /// The accepted cases that left nothing out; none where only what is new was looked at.
+    idle_cases: IdleCases,
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
     units_listed: bool,
@@ -144,6 +147,7 @@ impl<'a> CommandRun<'a> {
         let baseline = match (&arguments.baseline, &arguments.accept) {
             (Some(path), _) => Baseline::read(path)?,
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
+            (None, Some(path)) => Baseline::beside(path),
             _ => Baseline::default(),
         };
         if let Some(why) = arguments.accept.as_deref().and_then(|path| nearest::missing_folder(path, "--accept")) {
@@ -217,6 +221,7 @@ impl<'a> CommandRun<'a> {
             documents: self.documents,
             found: self.found,
             accepted: self.baseline.accepted_count(),
+            idle_cases: self.idle_cases(),
             not_checked: std::mem::take(&mut self.not_checked),
             not_read: std::mem::take(&mut self.not_read),
             units_listed: arguments.units,
@@ -243,6 +248,20 @@ impl<'a> CommandRun<'a> {
         })
     }
 
+    /// The accepted cases that left nothing out. What is new alone says nothing about them.
+    fn idle_cases(&self) -> IdleCases {
+        let ProofreadArguments { since, staged, baseline, name_policy, agreeing, statistics, .. } = self.arguments;
+        if since.is_some() || *staged || baseline.is_none() || self.failed {
+            return IdleCases::default();
+        }
+        self.baseline.idle_cases(|list| match list {
+            ReportSection::Statistics => *statistics,
+            ReportSection::Bindings => *name_policy != NamePolicy::Never,
+            ReportSection::Agreeing => *agreeing,
+            ReportSection::Numbers | ReportSection::Units | ReportSection::Doubts => true,
+        })
+    }
+
     fn complain(&mut self, message: &str) {
         self.failed = true;
         self.streams.print_error(&output::format_error(message));
@@ -266,16 +285,20 @@ impl<'a> CommandRun<'a> {
             .report(document, document.path.is_none(), definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
         let mut findings = std::mem::take(&mut report.findings);
-        let before: Vec<Vec<ChainFinding>> = before
+        self.baseline.note(document, &findings);
+        self.retain_listed(&mut findings);
+        let mut before: Vec<Vec<ChainFinding>> = before
             .iter()
             .filter_map(|before| self.report(before, false, definitions.as_deref()).ok())
             .map(|report| report.findings)
             .collect();
+        before.iter_mut().for_each(|findings| self.retain_listed(findings));
         since::remove_known(&mut findings, &before);
         if self.arguments.accept.is_some() {
-            findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
+            findings.iter().for_each(|finding| self.baseline.accept(document, finding));
         } else {
-            findings.retain(|finding| !self.baseline.is_accepted(&document.name, finding));
+            let path = document.path.as_deref();
+            findings.retain(|finding| !self.baseline.is_accepted(&document.name, path, finding));
         }
         self.sum.add(&report.tally);
         self.not_checked.add(&report.not_checked);
@@ -295,7 +318,7 @@ impl<'a> CommandRun<'a> {
         Ok(())
     }
 
-    /// The findings that were asked for.
+    /// What a document has, on all lists.
     fn report(
         &mut self,
         document: &Document,
@@ -326,14 +349,18 @@ impl<'a> CommandRun<'a> {
             report.findings.iter_mut().for_each(|of| of.map_spans(&|span| made.span_in_text(span)));
             report.unchecked.iter_mut().for_each(|of| of.span = made.span_in_text(of.span));
         }
-        report.findings.retain(|finding| match finding.section {
+        Ok(report)
+    }
+
+    /// Keeps the findings on the lists that were asked for.
+    fn retain_listed(&self, findings: &mut Vec<ChainFinding>) {
+        findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,
             ReportSection::Doubts => self.arguments.doubts,
             ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
                 true
             }
         });
-        Ok(report)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Findings for people.
 
+use super::baseline::IdleCases;
 use super::output::{TextLayout, bold_style, printable};
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
@@ -9,7 +10,7 @@ use crate::tell::summary::{self, describe_count};
 use crate::tell::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
-use geneva_host::printable::escaped;
+use geneva_host::printable::{escape_and_shorten, escaped};
 use std::ops::Range;
 
 /// Least of a text's line that is shown around a place, in characters.
@@ -80,7 +81,36 @@ fn left_out_sentences(sum: &RunTotals) -> Vec<String> {
         (sum.accepted > 0).then(|| format!("{} left out as accepted.", describe_count(sum.accepted, "case")));
     let units = units.map(|said| said + "; --units lists them.");
     let doubts = doubts.map(|said| said + "; --doubts lists them.");
-    [units, doubts, accepted].into_iter().flatten().collect()
+    let idle = idle_case_sentences(&sum.idle_cases);
+    [units, doubts, accepted].into_iter().flatten().chain(idle).collect()
+}
+
+/// Most files that a sentence names.
+const MOST_NAMED: usize = 3;
+
+/// Files by their names, and how many others there are.
+fn in_short(files: &[String]) -> String {
+    let (named, others) = files.split_at(files.len().min(MOST_NAMED));
+    let mut words: Vec<String> = named.iter().map(|file| escape_and_shorten(file)).collect();
+    words.extend((!others.is_empty()).then(|| format!("{} more", others.len())));
+    words.join(", ")
+}
+
+/// The accepted cases that left nothing out, and why.
+fn idle_case_sentences(of: &IdleCases) -> impl Iterator<Item = String> {
+    let is = if of.gone == 1 { "is" } else { "are" };
+    let gone = (of.gone > 0).then(|| format!("{} {is} not found any more.", describe_count(of.gone, "accepted case")));
+    let unread = (of.unread > 0).then(|| {
+        let belongs = if of.unread == 1 { "belongs" } else { "belong" };
+        let files = if of.unread_files.len() == 1 { "a file" } else { "files" };
+        let was = if of.unread_files.len() == 1 { "was" } else { "were" };
+        format!(
+            "{} {belongs} to {files} that {was} not read: {}.",
+            describe_count(of.unread, "accepted case"),
+            in_short(&of.unread_files)
+        )
+    });
+    [gone, unread].into_iter().flatten()
 }
 
 /// A chain that was not checked, with its place and the reason.
