@@ -120,6 +120,9 @@ fn document(checked: &CheckedDocument<'_>) -> Value {
 }
 
 fn sum(of: &RunTotals) -> Value {
+    let parts = of.unchecked_parts.iter();
+    let parts: Vec<Value> =
+        parts.map(|of| json!({ "file": of.file.display().to_string(), "count": of.count })).collect();
     let [numbers, units, bindings, _, doubts, statistics] = of.found;
     json!({
         "documents": of.documents,
@@ -130,6 +133,7 @@ fn sum(of: &RunTotals) -> Value {
         "tally": tally(&of.tally),
         "not_checked": counts(&of.not_checked, UncheckedKind::name),
         "not_read": counts(&of.not_read, UnreadKind::name),
+        "only_macros": parts,
     })
 }
 

@@ -35,10 +35,10 @@ use documents::{Document, Source};
 use geneva_host::files::{NewFile, OutputOption};
 use geneva_host::printable::shown_path;
 use output::RunStatus;
-use project::Project;
+use project::{Project, UncheckedParts};
 use since::{EarlierText, Since};
 use staged::Staging;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tree::FileTree;
 
 /// What a document gave, ready to be written.
@@ -135,6 +135,8 @@ struct RunTotals {
     accepted: usize,
     /// The accepted cases that left nothing out; none where only what is new was looked at.
     idle_cases: IdleCases,
+    /// The files that include others which were read for their definitions alone.
+    unchecked_parts: Vec<UncheckedParts>,
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
     units_listed: bool,
@@ -194,6 +196,10 @@ impl<'a> CommandRun<'a> {
         for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
+        // What is new alone is looked at with the files that have changed.
+        let is_all = revision.is_none() && !arguments.staged;
+        let files = sources.iter().flatten().filter_map(Source::file_of_project).filter(|_| is_all);
+        let files: Vec<PathBuf> = files.map(|(file, _)| file.to_owned()).collect();
         for source in sources {
             let source: Source = match source {
                 Ok(source) => source,
@@ -222,6 +228,7 @@ impl<'a> CommandRun<'a> {
             found: self.found,
             accepted: self.baseline.accepted_count(),
             idle_cases: self.idle_cases(),
+            unchecked_parts: self.project.unchecked_parts(&files),
             not_checked: std::mem::take(&mut self.not_checked),
             not_read: std::mem::take(&mut self.not_read),
             units_listed: arguments.units,

@@ -2,6 +2,7 @@
 
 use super::baseline::IdleCases;
 use super::output::{TextLayout, bold_style, printable};
+use super::project::UncheckedParts;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
 use crate::tell::finding::ChainFinding;
@@ -10,7 +11,7 @@ use crate::tell::summary::{self, describe_count};
 use crate::tell::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
-use geneva_host::printable::{escape_and_shorten, escaped};
+use geneva_host::printable::{escape_and_shorten, escaped, shown_path};
 use std::ops::Range;
 
 /// Least of a text's line that is shown around a place, in characters.
@@ -70,7 +71,21 @@ fn checked_sentences(sum: &RunTotals) -> Vec<String> {
     said.extend(summary::describe_partly_checked_chains(tally));
     said.extend(summary::describe_unread_formulas(tally));
     said.extend(summary::describe_unread_parts(&sum.not_read));
+    said.extend(unchecked_parts_sentence(&sum.unchecked_parts));
     said
+}
+
+/// The files that were read for their macros alone, and how to have them checked.
+fn unchecked_parts_sentence(of: &[UncheckedParts]) -> Option<String> {
+    let count = of.iter().map(|of| of.count).sum();
+    let who = match of {
+        [] => return None,
+        [one] => format!("{} includes", shown_path(&one.file)),
+        some => format!("{} include", describe_count(some.len(), "document")),
+    };
+    let (were, them) = if count == 1 { ("was only read for its", "it") } else { ("were only read for their", "them") };
+    let files = describe_count(count, "file");
+    Some(format!("{who} {files} that {were} macros; give {them}, or the folder, to check {them} too."))
 }
 
 /// What was found and is not listed.
