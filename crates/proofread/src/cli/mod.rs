@@ -142,6 +142,8 @@ struct RunTotals {
     units_listed: bool,
     doubts_listed: bool,
     unchecked_listed: bool,
+    /// How to go on, if a commit is stopped.
+    ways_out: Option<String>,
 }
 
 impl<'a> CommandRun<'a> {
@@ -234,6 +236,7 @@ impl<'a> CommandRun<'a> {
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
             unchecked_listed: arguments.unchecked,
+            ways_out: self.ways_out(),
         };
         if let (Some(path), Some(file)) = (&arguments.accept, self.accepted.take()) {
             self.baseline.write(file)?;
@@ -252,6 +255,27 @@ impl<'a> CommandRun<'a> {
             (true, _) => RunStatus::Failed,
             (false, true) => RunStatus::Found,
             (false, false) => RunStatus::Clean,
+        })
+    }
+
+    /// How to go on after a commit was stopped.
+    fn ways_out(&self) -> Option<String> {
+        let agreeing = self.found[ReportSection::Agreeing as usize];
+        if !self.arguments.staged || self.found.iter().sum::<usize>() <= agreeing {
+            return None;
+        }
+        Some(match &self.arguments.baseline {
+            Some(path) => {
+                let file = shown_path(path);
+                format!(
+                    "To go on, correct this and add it, or accept it with `proofread --staged --accept {file}` and add {file}."
+                )
+            }
+            None => {
+                "To go on, correct this and add it, or accept it with `proofread --staged --accept accepted.jsonl` and \
+                     have the hook run `proofread --staged --baseline accepted.jsonl`."
+                    .to_owned()
+            }
         })
     }
 

@@ -40,7 +40,7 @@ impl ReportWriter for TextWriter {
             Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}\n"),
             _ => text += &format!("{green}Nothing found.{green:#}\n"),
         }
-        text.extend(left.into_iter().map(|said| said + "\n"));
+        text.extend(left.into_iter().chain(sum.ways_out.clone()).map(|said| said + "\n"));
         self.0.folded(&text)
     }
 }
