@@ -312,7 +312,7 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
         (format!("{file}/"), format!("{file}/ is no folder; give the file as {file}")),
         (
             at("a.pdf"),
-            "a.pdf: the name tells no format (md, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl); say --input"
+            "a.pdf: the name tells no format (md, qmd, Rmd, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl); say --input"
                 .to_owned(),
         ),
         (at("none"), "no file in this folder has a name that tells a format".to_owned()),
@@ -336,6 +336,23 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
     // What is right beside it is read all the same.
     let (code, out, _) = run(&[&at("nofile.md"), &file]);
     assert!(code == 2 && out.contains("2 findings:"), "{out}");
+}
+
+#[test]
+fn what_a_program_has_made_of_the_texts_is_counted_and_not_read() {
+    let (folder, _file) = folder();
+    for name in ["_site", "parts/_book", "_build/html", "_drafts"] {
+        fs::create_dir_all(folder.path().join(name)).expect("made");
+        fs::write(folder.path().join(name).join("a.md"), TEXT).expect("written");
+    }
+    let top = folder.path().to_str().expect("UTF-8");
+    let (_, out, told) = run(&[top]);
+    assert!(out.contains("and 2 documents.") && told.is_empty(), "{out}{told}");
+    for name in ["_site", "_book", "_build"] {
+        assert!(out.contains(&format!("1 folder of output `{name}`")), "{out}");
+    }
+    // Whoever asks for one gets it.
+    assert_eq!(run(&[&format!("{top}/_site")]).0, 1);
 }
 
 /// The summary of the program, run in a folder.

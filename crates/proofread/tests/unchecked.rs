@@ -116,3 +116,13 @@ fn parts_that_are_not_read_are_counted_by_name() {
     // What is read is not among them.
     assert_eq!(counts("```{note}\n$1 + 1 = 2$\n```\n\n```math\n1 + 1 = 2\n```", TextFormat::Markdown), []);
 }
+
+#[test]
+fn one_chain_and_several_are_told_apart() {
+    let said = |text: &str| {
+        let report = crate::report(text, TextFormat::Latex);
+        proofread::summary::describe_unchecked_chains(&report.not_checked).unwrap_or_default()
+    };
+    assert_eq!(said("$x = 4$"), "Not checked: 1 chain that only gives a letter a value.");
+    assert_eq!(said("$x = 4$ and $y = 5$"), "Not checked: 2 chains that only give a letter a value.");
+}

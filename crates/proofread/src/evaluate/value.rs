@@ -117,7 +117,7 @@ impl SideValue {
     /// The one number that it is.
     pub(crate) fn number(&self) -> Evaluated<Interval> {
         if self.parts.is_vector() {
-            return Err(Obstacle::Unclear("a vector stands where a number is needed"));
+            return Err(Obstacle::Unclear("a vector that stands where a number is needed"));
         }
         Ok(self.parts.0[0].unwrap_or_default())
     }

@@ -96,7 +96,7 @@ const MOST_FINDINGS: usize = 1000;
 /// let report = find_statistics(text, TextFormat::Markdown)?;
 /// assert_eq!(report.tally.count(), 2);
 /// assert_eq!(report.findings[0].chain, "t(28) = 2.20, p = .36");
-/// assert_eq!(report.findings[0].recomputed.as_deref(), Some("p = 0.04 (two-sided)"));
+/// assert_eq!(report.findings[0].recomputed.as_deref(), Some("p = 0.036 (two-sided)"));
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn find_statistics(text: &str, format: TextFormat) -> Result<StatisticsReport, UnreadableText> {
