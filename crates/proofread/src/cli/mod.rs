@@ -362,18 +362,21 @@ impl<'a> CommandRun<'a> {
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
         }
+        let statistics = self.arguments.statistics.then(|| find_statistics(text, format)).transpose();
+        let statistics = statistics.map_err(|why| why.to_string())?;
+        // What is compared as a statistic is no unchecked chain, which is known from the list of these.
+        options.unchecked |= statistics.as_ref().is_some_and(|found| !found.compared.is_empty());
         let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
+        }
+        if let Some(statistics) = statistics {
+            statistics.add_to(&mut report);
         }
         if unchecked {
             let aside = report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
             report.unchecked.extend(aside);
             report.unchecked.sort_by_key(|chain| chain.span);
-        }
-        if self.arguments.statistics {
-            let statistics = find_statistics(text, format).map_err(|why| why.to_string())?;
-            statistics.add_to(&mut report);
         }
         if let Some(made) = &document.made {
             report.tally.bytes = document.text.len();

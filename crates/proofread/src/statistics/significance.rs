@@ -88,10 +88,10 @@ fn has_directed_hypothesis(text: &str) -> bool {
     })
 }
 
-/// Checks each p-value that stands behind a statistic.
-pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
+/// Checks each p-value that stands behind a statistic; the answer is where those are that were compared, each with its statistic.
+pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> Vec<Range<usize>> {
     let context = TestContext::of(plain);
-    let (mut at, mut checked) = (0, 0);
+    let (mut at, mut checked) = (0, Vec::new());
     while at < plain.chars.len() {
         let found = "tFzZrQχXxcC".contains(plain.chars[at]).then(|| test_statistic(&plain.chars, at)).flatten();
         let Some(mut test) = found else {
@@ -104,7 +104,7 @@ pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
         if !test.is_complete() || p.number.value > 1.0 {
             continue;
         }
-        checked += 1;
+        checked.push(start..p.range.end);
         if let Some(judged) = judge(&test, &p, &context, &plain.chars, start) {
             out.push(judged);
         }
