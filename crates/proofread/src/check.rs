@@ -95,7 +95,7 @@ impl CheckReport {
         let not_checked = &mut self.not_checked;
         self.unchecked.retain(|chain| {
             let is_within = !chain.partly && stretch.start <= chain.span.start && chain.span.end <= stretch.end;
-            let is_counted = !matches!(chain.kind, UncheckedKind::Unread | UncheckedKind::Doubt);
+            let is_counted = !matches!(chain.kind, UncheckedKind::Unread | UncheckedKind::Doubt | UncheckedKind::Fence);
             if is_within && is_counted {
                 not_checked.discount(chain.kind, if chain.kind.has_names() { &chain.name } else { "" });
             }

@@ -355,6 +355,24 @@ fn what_a_program_has_made_of_the_texts_is_counted_and_not_read() {
     assert_eq!(run(&[&format!("{top}/_site")]).0, 1);
 }
 
+#[test]
+fn fences_that_are_not_read_are_listed_with_their_places() {
+    let (_folder, file) = folder();
+    let text =
+        "Text.\n\n```python\n# a\nx = 2 + 3\n```\n\n```\n1 + 1 = 2\n```\n\n```sh\nls\n```\n\n```math\n1 + 1 = 2\n```\n";
+    fs::write(&file, text).expect("written");
+    let (code, out, _) = run(&["--unchecked", &file]);
+    assert_eq!(code, 0);
+    for (line, why, shown) in [
+        (3, "a fence of `python` is not read", "x = 2 + 3"),
+        (8, "a fence without a language is not read", "1 + 1 = 2"),
+    ] {
+        assert!(out.contains(&format!("not checked: {why}\n --> {file}:{line}:1\n  = {shown}\n")), "{out}");
+    }
+    assert_eq!(out.matches("not checked: ").count(), 2, "{out}");
+    assert!(!run(&[&file]).1.contains("not checked: "));
+}
+
 /// The summary of the program, run in a folder.
 fn run_in(folder: &Path, line: &[&str]) -> (Option<i32>, String) {
     let out = Command::new(env!("CARGO_BIN_EXE_proofread")).args(line).current_dir(folder).output().expect("it runs");

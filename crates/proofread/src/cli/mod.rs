@@ -24,7 +24,7 @@ use crate::evaluate::binding::NamePolicy;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
-use crate::reader::{Definitions, TextFormat, UnreadParts};
+use crate::reader::{Definitions, TextFormat, UnreadParts, unread_fences};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
 use crate::tell::tally::CheckTally;
@@ -376,6 +376,10 @@ impl<'a> CommandRun<'a> {
         if unchecked {
             let aside = report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
             report.unchecked.extend(aside);
+            if format == TextFormat::Markdown {
+                let fences = unread_fences(text).into_iter();
+                report.unchecked.extend(fences.map(|(span, name)| UncheckedChain::in_fence(text, span, name)));
+            }
             report.unchecked.sort_by_key(|chain| chain.span);
         }
         if let Some(made) = &document.made {
