@@ -40,6 +40,7 @@ impl<K: Copy + Ord> NamedCounts<K> {
     }
 
     /// Counts one less, if there is one.
+    #[cfg(feature = "cli")]
     pub(crate) fn discount(&mut self, kind: K, name: &str) {
         let name = name.char_indices().nth(LONGEST_NAME).map_or(name, |(end, _)| &name[..end]);
         let at = |name: &str| self.0.iter().position(|(its, of, _)| *its == kind && of == name);
