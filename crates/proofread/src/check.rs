@@ -89,6 +89,22 @@ pub struct CheckReport {
     pub effort: CheckEffort,
 }
 
+#[cfg(feature = "cli")]
+impl CheckReport {
+    /// Takes the chains that were not checked at all in a stretch of the text from the list of these and from their counts.
+    pub(crate) fn remove_unchecked_within(&mut self, stretch: Span) {
+        let not_checked = &mut self.not_checked;
+        self.unchecked.retain(|chain| {
+            let is_within = !chain.partly && stretch.start <= chain.span.start && chain.span.end <= stretch.end;
+            let is_counted = !matches!(chain.kind, UncheckedKind::Unread | UncheckedKind::Doubt | UncheckedKind::Fence);
+            if is_within && is_counted {
+                not_checked.discount(chain.kind, if chain.kind.has_names() { &chain.name } else { "" });
+            }
+            !(is_within && is_counted)
+        });
+    }
+}
+
 /// Most findings that are kept of one document; the tally counts all.
 const MOST_FINDINGS: usize = 10_000;
 

@@ -39,6 +39,17 @@ impl<K: Copy + Ord> NamedCounts<K> {
         }
     }
 
+    /// Counts one less, if there is one.
+    #[cfg(feature = "cli")]
+    pub(crate) fn discount(&mut self, kind: K, name: &str) {
+        let name = name.char_indices().nth(LONGEST_NAME).map_or(name, |(end, _)| &name[..end]);
+        let at = |name: &str| self.0.iter().position(|(its, of, _)| *its == kind && of == name);
+        if let Some(at) = at(name).or_else(|| at(OTHERS)) {
+            self.0[at].2 -= 1;
+            self.0.retain(|(.., times)| *times > 0);
+        }
+    }
+
     /// Adds other counts.
     pub fn add(&mut self, other: &Self) {
         other.iter().for_each(|(kind, name, times)| self.count(kind, name, times));

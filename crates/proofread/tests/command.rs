@@ -312,7 +312,7 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
         (format!("{file}/"), format!("{file}/ is no folder; give the file as {file}")),
         (
             at("a.pdf"),
-            "a.pdf: the name tells no format (md, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl); say --input"
+            "a.pdf: the name tells no format (md, qmd, Rmd, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl); say --input"
                 .to_owned(),
         ),
         (at("none"), "no file in this folder has a name that tells a format".to_owned()),
@@ -336,6 +336,105 @@ fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
     // What is right beside it is read all the same.
     let (code, out, _) = run(&[&at("nofile.md"), &file]);
     assert!(code == 2 && out.contains("2 findings:"), "{out}");
+}
+
+#[test]
+fn what_a_program_has_made_of_the_texts_is_counted_and_not_read() {
+    let (folder, _file) = folder();
+    for name in ["_site", "parts/_book", "_build/html", "_drafts"] {
+        fs::create_dir_all(folder.path().join(name)).expect("made");
+        fs::write(folder.path().join(name).join("a.md"), TEXT).expect("written");
+    }
+    let top = folder.path().to_str().expect("UTF-8");
+    let (_, out, told) = run(&[top]);
+    assert!(out.contains("and 2 documents.") && told.is_empty(), "{out}{told}");
+    for name in ["_site", "_book", "_build"] {
+        assert!(out.contains(&format!("1 folder of output `{name}`")), "{out}");
+    }
+    // Whoever asks for one gets it.
+    assert_eq!(run(&[&format!("{top}/_site")]).0, 1);
+}
+
+#[test]
+fn fences_that_are_not_read_are_listed_with_their_places() {
+    let (_folder, file) = folder();
+    let text =
+        "Text.\n\n```python\n# a\nx = 2 + 3\n```\n\n```\n1 + 1 = 2\n```\n\n```sh\nls\n```\n\n```math\n1 + 1 = 2\n```\n";
+    fs::write(&file, text).expect("written");
+    let (code, out, _) = run(&["--unchecked", &file]);
+    assert_eq!(code, 0);
+    for (line, why, shown) in [
+        (3, "a fence of `python` is not read", "x = 2 + 3"),
+        (8, "a fence without a language is not read", "1 + 1 = 2"),
+    ] {
+        assert!(out.contains(&format!("not checked: {why}\n --> {file}:{line}:1\n  = {shown}\n")), "{out}");
+    }
+    assert_eq!(out.matches("not checked: ").count(), 2, "{out}");
+    assert!(!run(&[&file]).1.contains("not checked: "));
+}
+
+/// The summary of the program, run in a folder.
+fn run_in(folder: &Path, line: &[&str]) -> (Option<i32>, String) {
+    let out = Command::new(env!("CARGO_BIN_EXE_proofread")).args(line).current_dir(folder).output().expect("it runs");
+    (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned())
+}
+
+#[test]
+fn accepted_cases_hold_from_every_folder() {
+    let (folder, _file) = folder();
+    let top = folder.path();
+    fs::create_dir_all(top.join("book/src")).expect("made");
+    fs::rename(top.join("a.md"), top.join("book/src/a.md")).expect("moved");
+    assert_eq!(run_in(top, &["--accept", "book/cases.jsonl", "book"]).0, Some(0));
+    let cases = fs::read_to_string(top.join("book/cases.jsonl")).expect("written");
+    assert!(cases.lines().count() == 2 && cases.lines().all(|line| line.contains("\"file\":\"src/a.md\"")), "{cases}");
+    for (from, cases, file) in [
+        ("", "book/cases.jsonl", "book/src"),
+        ("book", "cases.jsonl", "src/a.md"),
+        ("book/src", "../cases.jsonl", "a.md"),
+        ("book/src", "../cases.jsonl", "../../book"),
+    ] {
+        let (code, out) = run_in(&top.join(from), &["--baseline", cases, file]);
+        assert_eq!((code, out.contains("2 cases left out as accepted.")), (Some(0), true), "{from}: {out}");
+        assert!(!out.contains("accepted case"), "{out}");
+        assert_eq!(run_in(&top.join(from), &["--accept", cases, file]).0, Some(0));
+    }
+    assert_eq!(fs::read_to_string(top.join("book/cases.jsonl")).expect("written"), cases, "accepted once");
+    // Another file that is called so from another folder is another one.
+    fs::write(top.join("book/a.md"), TEXT).expect("written");
+    fs::write(top.join("book/src/cases.jsonl"), cases.replace("src/a.md", "a.md")).expect("written");
+    assert_eq!(run_in(&top.join("book"), &["--baseline", "src/cases.jsonl", "src/a.md"]).0, Some(0));
+    assert_eq!(run_in(&top.join("book"), &["--baseline", "src/cases.jsonl", "a.md"]).0, Some(1));
+    // A file that names the texts from where the command was run still holds there.
+    fs::create_dir(top.join("made")).expect("made");
+    fs::write(top.join("made/cases.jsonl"), cases.replace("src/a.md", "book/src/a.md")).expect("written");
+    assert_eq!(run_in(top, &["--baseline", "made/cases.jsonl", "book/src"]).0, Some(0));
+}
+
+#[test]
+fn accepted_cases_that_leave_nothing_out_are_told() {
+    let (folder, file) = folder();
+    let at = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let cases = at("cases.jsonl");
+    fs::write(at("b.md"), "It is $2 + 2 = 5$, and *t*(28) = 2.20, *p* = .36. $12 \\cdot 5.0 = 60\\,$m\n")
+        .expect("written");
+    assert_eq!(run(&["--accept", &cases, &file, &at("b.md")]).0, 0);
+    let summary = |line: &[&str]| run(&[&["--baseline", &cases], line].concat()).1;
+    assert!(!summary(&[&file, &at("b.md")]).contains("accepted case"));
+    let out = summary(&[&file]);
+    assert!(out.contains("2 accepted cases belong to a file that was not read: b.md."), "{out}");
+    // A list that is not asked for says nothing, nor does a run that looks for what is new.
+    assert!(!summary(&["--statistics=never", &file, &at("b.md")]).contains("any more"));
+    fs::write(&file, TEXT.replace("0.609", "0.601")).expect("written");
+    let out = summary(&[&file, &at("b.md")]);
+    assert!(out.contains("1 accepted case is not found any more.") && !out.contains("not read"), "{out}");
+    let sum: Value = serde_json::from_str(&summary(&["--format", "json", &file])).expect("JSON");
+    assert_eq!((&sum["sum"]["accepted_gone"], &sum["sum"]["accepted_unread"]), (&1.into(), &2.into()));
+    // A case of a list that is not shown is still there.
+    fs::write(&file, "It is $3.0\\,\\mathrm{m} \\cdot 2.0\\,\\mathrm{m} = 6.0\\,\\mathrm{m}$.\n").expect("written");
+    assert_eq!(run(&["--units", "--accept", &at("units.jsonl"), &file]).0, 0);
+    let (code, out, _) = run(&["--baseline", &at("units.jsonl"), &file]);
+    assert_eq!((code, out.contains("any more")), (0, false), "{out}");
 }
 
 #[test]

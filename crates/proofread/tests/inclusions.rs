@@ -257,3 +257,36 @@ fn the_macros_of_a_book_in_pretext_hold_in_its_files() {
     let folder = folder(&[("main.ptx", &main.replace("one", "two")), ("ch/one.ptx", CHAPTER)]);
     assert_eq!(found(folder.path(), &["ch"]), [""; 0]);
 }
+
+#[test]
+fn files_that_are_read_for_their_macros_alone_are_told() {
+    let body = "\\input{macros}\n\\begin{document}\n\\include{ch/one}\n\\input{ch/two}\n\\end{document}\n";
+    let two = "So $1 + 1 = 2$. \\input{ch/none} \\input{ch/words}\n";
+    let folder = folder(&[
+        ("main.tex", body),
+        ("macros.tex", &format!("{MACROS} % = 1\n")),
+        ("ch/one.tex", CHAPTER),
+        ("ch/two.tex", two),
+        ("ch/words.tex", "Words alone.\n"),
+    ]);
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let summary = |names: &[&str]| {
+        let files: Vec<String> = names.iter().map(|name| at(name)).collect();
+        run(&files.iter().map(String::as_str).collect::<Vec<_>>()).1
+    };
+    let main = at("main.tex");
+    let told =
+        format!("{main} includes 2 files that were only read for their macros; give them, or the folder, to check");
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words(&summary(&["main.tex"])).contains(&told), "{}", summary(&["main.tex"]));
+    let one = summary(&["main.tex", "ch/one.tex"]);
+    assert!(
+        words(&one).contains("includes 1 file that was only read for its macros; give it, or the folder, to"),
+        "{one}"
+    );
+    for given in [&["main.tex", "ch/one.tex", "ch/two.tex"][..], &["."], &["ch/one.tex"]] {
+        assert!(!summary(given).contains("only read for"), "{given:?}");
+    }
+    let sum: serde_json::Value = serde_json::from_str(&run(&["--format", "json", &main]).1).expect("JSON");
+    assert_eq!(sum["sum"]["only_macros"], serde_json::json!([{ "file": main, "count": 2 }]));
+}

@@ -235,3 +235,30 @@ fn names_are_shown_from_the_working_directory() {
         assert!(out.contains("1 finding:"), "{out}");
     }
 }
+
+#[test]
+fn a_stopped_commit_is_told_both_ways_out() {
+    let Some(folder) = repository() else { return };
+    let folder = folder.path();
+    write(folder, "a.md", WRONG);
+    assert!(git(folder, &["add", "--all"]));
+    let words = |out: &str| out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (code, out, _) = staged(folder, &["."]);
+    assert_eq!(code, 1);
+    assert!(words(&out).contains("correct this and add it, or accept it with `proofread --staged --accept"), "{out}");
+    assert!(words(&out).contains("`proofread --staged --baseline accepted.jsonl`"), "{out}");
+    // The second way leads out.
+    let [cases, top] = ["cases.jsonl", "."].map(|name| folder.join(name).to_string_lossy().into_owned());
+    assert_eq!(run(&["--staged", "--accept", &cases, &top]).0, 0);
+    assert_eq!(run(&["--staged", "--baseline", &cases, &top]).0, 0);
+    write(folder, "b.md", WRONG);
+    assert!(git(folder, &["add", "--all"]));
+    let (code, out, _) = run(&["--staged", "--baseline", &cases, &top]);
+    assert!(code == 1 && words(&out).contains(&format!("--accept {cases}` and add {cases}.")), "{out}");
+    // Without a commit, and where nothing is found, nothing is stopped.
+    assert!(!run(&[&top]).1.contains("To go on"));
+    write(folder, "a.md", RIGHT);
+    write(folder, "b.md", RIGHT);
+    assert!(git(folder, &["add", "--all"]));
+    assert!(!staged(folder, &["."]).1.contains("To go on"));
+}

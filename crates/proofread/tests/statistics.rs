@@ -401,3 +401,19 @@ fn long_texts_are_read_to_their_end() {
         assert!(report.is_ok(), "{name}");
     }
 }
+
+#[test]
+fn a_recomputed_p_value_has_the_digits_that_tell_it_from_the_printed_one() {
+    let recomputed = |text: &str| {
+        let report = find_statistics(text, TextFormat::Markdown).expect("it can be read");
+        report.findings.into_iter().filter_map(|finding| finding.recomputed).collect::<Vec<_>>()
+    };
+    for (text, p) in [
+        ("t(28) = 2.20, p = .36", "p = 0.036 (two-sided)"),
+        ("t(28) = 2.20, p = .3", "p = 0.036 (two-sided)"),
+        ("t(28) = 0.50, p = .36", "p = 0.62 (two-sided)"),
+        ("t(28) = 2.200, p < .036", "p = 0.0362, or half of it on one side"),
+    ] {
+        assert_eq!(recomputed(text), [p], "{text}");
+    }
+}

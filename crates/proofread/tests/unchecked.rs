@@ -116,3 +116,30 @@ fn parts_that_are_not_read_are_counted_by_name() {
     // What is read is not among them.
     assert_eq!(counts("```{note}\n$1 + 1 = 2$\n```\n\n```math\n1 + 1 = 2\n```", TextFormat::Markdown), []);
 }
+
+#[test]
+fn one_chain_and_several_are_told_apart() {
+    let said = |text: &str| {
+        let report = crate::report(text, TextFormat::Latex);
+        summary::describe_unchecked_chains(&report.not_checked).unwrap_or_default()
+    };
+    assert_eq!(said("$x = 4$"), "Not checked: 1 chain that only gives a letter a value.");
+    assert_eq!(said("$x = 4$ and $y = 5$"), "Not checked: 2 chains that only give a letter a value.");
+}
+
+#[test]
+fn what_is_compared_as_a_statistic_is_not_unchecked() {
+    let said = |text: &str| {
+        let mut report = report(text, TextFormat::Latex);
+        proofread::find_statistics(text, TextFormat::Latex).expect("a text").add_to(&mut report);
+        let chains: Vec<String> = report.unchecked.into_iter().map(|chain| chain.chain).collect();
+        (chains, summary::describe_unchecked_chains(&report.not_checked))
+    };
+    assert_eq!(said("It is $t(28) = 2.20$, $p = .36$."), (vec![], None));
+    assert_eq!(said("It is $t(28) = 2.20$, $p = .036$ for men."), (vec![], None));
+    // What stands beside it is unchecked as before.
+    let (chains, told) = said("It is $t(28) = 2.20$, $p = .36$, and $x = 4$.");
+    assert_eq!(chains, ["x = 4"]);
+    assert_eq!(told.as_deref(), Some("Not checked: 1 chain that only gives a letter a value."));
+    assert_eq!(said("It is $t(28) = 2.20$ in all.").0.len(), 1);
+}

@@ -96,3 +96,30 @@ fn letters_stay_letters() {
         assert_eq!(verdicts(tex), [""; 0], "{tex}");
     }
 }
+
+#[test]
+fn a_unit_behind_the_result_alone_hides_no_wrong_number() {
+    for [left, right, wrong_one] in
+        [["3.2 \\cdot 2.2", "7.04", "7.24"], ["10.0/2.5", "4.00", "4.30"], ["12 \\cdot 5", "60", "61"]]
+    {
+        for unit in ["", r"\,\mathrm{W}", r"\,\text{kg}", r"\,\mathrm{m/s}", r"\,\mathrm{km}"] {
+            let of = |result: &str| verdicts(&format!("{left} = {result}{unit}"));
+            assert_eq!(of(right), ["consistent"], "{left} = {right}{unit}");
+            assert_eq!(of(wrong_one), ["inconsistent"], "{left} = {wrong_one}{unit}");
+        }
+        for behind in [" W.", " watts.", " kilograms.", r"\,kg."] {
+            assert_eq!(wrong(&format!("It is ${left} = {right}${behind}"), TextFormat::Latex), [""; 0]);
+            let lists: Vec<_> = report(&format!("It is ${left} = {wrong_one}${behind}"), TextFormat::Latex).findings;
+            assert_eq!(lists.len(), 1, "{left} = {wrong_one}{behind}");
+            assert_eq!(lists[0].section, ReportSection::Numbers, "{left} = {wrong_one}{behind}");
+        }
+    }
+}
+
+#[test]
+fn a_result_may_be_in_another_multiple_of_the_unit_that_was_left_out() {
+    // The left side is in metres.
+    let of = |text: &str| report(text, TextFormat::Latex).findings.iter().map(|of| of.section).collect::<Vec<_>>();
+    assert_eq!(of(r"$125 \cdot 16.0 = 2.00\,\mathrm{km}$"), [ReportSection::Units]);
+    assert_eq!(of(r"$125 \cdot 16.0 = 2.30\,\mathrm{km}$"), [ReportSection::Numbers]);
+}

@@ -104,6 +104,7 @@ Options of the editor, as initializationOptions or in workspace/didChangeConfigu
   doubts      true or false   also list differences that are set aside
   bindings    never, once or always
   statistics  true or false
+  baseline    the path of a file that --accept wrote, from the folder of the editor
 
 A file that is named lsp is given as ./lsp.
 

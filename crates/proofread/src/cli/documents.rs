@@ -161,6 +161,8 @@ impl Source {
 
 /// Folders that hold no texts of the author.
 const SKIPPED: [&str; 3] = ["target", "node_modules", "__pycache__"];
+/// Folders into which Quarto, Jupyter Book, Sphinx and Jekyll write what they make out of the author's texts.
+const OUTPUT: [&str; 3] = ["_book", "_site", "_build"];
 /// Deepest folder that is searched.
 const DEEPEST: usize = 64;
 
@@ -205,7 +207,7 @@ pub(crate) fn sources(
 }
 
 /// Endings of names that tell a format, for errors.
-const KNOWN: &str = "md, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
+const KNOWN: &str = "md, qmd, Rmd, tex, typ, docx, odt, epub, xml, cnxml, ptx, html, ipynb, txt, csv or jsonl";
 
 fn unknown_format(path: &Path) -> String {
     format!("{}: the name tells no format ({KNOWN}); say --input", shown_path(path))
@@ -222,7 +224,7 @@ pub(super) fn is_searched(below: &Path) -> bool {
     folders.len() <= DEEPEST
         && below.components().all(|part| matches!(part, Component::Normal(_)))
         && !names.iter().any(|name| is_hidden(name))
-        && !folders.iter().any(|name| SKIPPED.contains(&name.as_str()))
+        && !folders.iter().any(|name| SKIPPED.contains(&name.as_str()) || OUTPUT.contains(&name.as_str()))
 }
 
 /// Whether a file that is staged somewhere in a folder is read. Lines of JSON have no earlier revision, and tables are mostly data.
@@ -267,7 +269,9 @@ fn folder(
         if is_hidden(&name) {
             continue;
         }
-        if kind.is_dir() && depth < DEEPEST && !SKIPPED.contains(&name.as_str()) {
+        if kind.is_dir() && OUTPUT.contains(&name.as_str()) {
+            unread.count(UnreadKind::Folder, &name, 1);
+        } else if kind.is_dir() && depth < DEEPEST && !SKIPPED.contains(&name.as_str()) {
             folder(&entry.path(), input, depth + 1, out, unread);
         } else if kind.is_symlink() && file(&entry.path(), None).is_some() {
             // A link may lead anywhere, and around in circles.

@@ -120,14 +120,20 @@ fn document(checked: &CheckedDocument<'_>) -> Value {
 }
 
 fn sum(of: &RunTotals) -> Value {
+    let parts = of.unchecked_parts.iter();
+    let parts: Vec<Value> =
+        parts.map(|of| json!({ "file": of.file.display().to_string(), "count": of.count })).collect();
     let [numbers, units, bindings, _, doubts, statistics] = of.found;
     json!({
         "documents": of.documents,
         "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
         "accepted": of.accepted,
+        "accepted_gone": of.idle_cases.gone,
+        "accepted_unread": of.idle_cases.unread,
         "tally": tally(&of.tally),
         "not_checked": counts(&of.not_checked, UncheckedKind::name),
         "not_read": counts(&of.not_read, UnreadKind::name),
+        "only_macros": parts,
     })
 }
 

@@ -20,24 +20,25 @@ pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
 use crate::check::{CheckOptions, CheckReport, proofread};
+use crate::evaluate::binding::NamePolicy;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
-use crate::reader::{Definitions, TextFormat, UnreadParts};
+use crate::reader::{Definitions, TextFormat, UnreadParts, unread_fences};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
 use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
-use baseline::Baseline;
+use baseline::{Baseline, IdleCases};
 use documents::{Document, Source};
 use geneva_host::files::{NewFile, OutputOption};
 use geneva_host::printable::shown_path;
 use output::RunStatus;
-use project::Project;
+use project::{Project, UncheckedParts};
 use since::{EarlierText, Since};
 use staged::Staging;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tree::FileTree;
 
 /// What a document gave, ready to be written.
@@ -132,11 +133,17 @@ struct RunTotals {
     /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
     found: [usize; 6],
     accepted: usize,
+    /// The accepted cases that left nothing out; none where only what is new was looked at.
+    idle_cases: IdleCases,
+    /// The files that include others which were read for their definitions alone.
+    unchecked_parts: Vec<UncheckedParts>,
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
     units_listed: bool,
     doubts_listed: bool,
     unchecked_listed: bool,
+    /// How to go on, if a commit is stopped.
+    ways_out: Option<String>,
 }
 
 impl<'a> CommandRun<'a> {
@@ -144,6 +151,7 @@ impl<'a> CommandRun<'a> {
         let baseline = match (&arguments.baseline, &arguments.accept) {
             (Some(path), _) => Baseline::read(path)?,
             (None, Some(path)) if path.exists() => Baseline::read(path)?,
+            (None, Some(path)) => Baseline::beside(path),
             _ => Baseline::default(),
         };
         if let Some(why) = arguments.accept.as_deref().and_then(|path| nearest::missing_folder(path, "--accept")) {
@@ -190,6 +198,10 @@ impl<'a> CommandRun<'a> {
         for (file, folder) in sources.iter().flatten().filter_map(Source::file_of_project) {
             self.project.add(file, folder);
         }
+        // What is new alone is looked at with the files that have changed.
+        let is_all = revision.is_none() && !arguments.staged;
+        let files = sources.iter().flatten().filter_map(Source::file_of_project).filter(|_| is_all);
+        let files: Vec<PathBuf> = files.map(|(file, _)| file.to_owned()).collect();
         for source in sources {
             let source: Source = match source {
                 Ok(source) => source,
@@ -217,11 +229,14 @@ impl<'a> CommandRun<'a> {
             documents: self.documents,
             found: self.found,
             accepted: self.baseline.accepted_count(),
+            idle_cases: self.idle_cases(),
+            unchecked_parts: self.project.unchecked_parts(&files),
             not_checked: std::mem::take(&mut self.not_checked),
             not_read: std::mem::take(&mut self.not_read),
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
             unchecked_listed: arguments.unchecked,
+            ways_out: self.ways_out(),
         };
         if let (Some(path), Some(file)) = (&arguments.accept, self.accepted.take()) {
             self.baseline.write(file)?;
@@ -240,6 +255,41 @@ impl<'a> CommandRun<'a> {
             (true, _) => RunStatus::Failed,
             (false, true) => RunStatus::Found,
             (false, false) => RunStatus::Clean,
+        })
+    }
+
+    /// How to go on after a commit was stopped.
+    fn ways_out(&self) -> Option<String> {
+        let agreeing = self.found[ReportSection::Agreeing as usize];
+        if !self.arguments.staged || self.found.iter().sum::<usize>() <= agreeing {
+            return None;
+        }
+        Some(match &self.arguments.baseline {
+            Some(path) => {
+                let file = shown_path(path);
+                format!(
+                    "To go on, correct this and add it, or accept it with `proofread --staged --accept {file}` and add {file}."
+                )
+            }
+            None => {
+                "To go on, correct this and add it, or accept it with `proofread --staged --accept accepted.jsonl` and \
+                     have the hook run `proofread --staged --baseline accepted.jsonl`."
+                    .to_owned()
+            }
+        })
+    }
+
+    /// The accepted cases that left nothing out. What is new alone says nothing about them.
+    fn idle_cases(&self) -> IdleCases {
+        let ProofreadArguments { since, staged, baseline, name_policy, agreeing, statistics, .. } = self.arguments;
+        if since.is_some() || *staged || baseline.is_none() || self.failed {
+            return IdleCases::default();
+        }
+        self.baseline.idle_cases(|list| match list {
+            ReportSection::Statistics => *statistics,
+            ReportSection::Bindings => *name_policy != NamePolicy::Never,
+            ReportSection::Agreeing => *agreeing,
+            ReportSection::Numbers | ReportSection::Units | ReportSection::Doubts => true,
         })
     }
 
@@ -266,16 +316,20 @@ impl<'a> CommandRun<'a> {
             .report(document, document.path.is_none(), definitions.as_deref())
             .map_err(|why| format!("{}: {why}", shown_path(Path::new(&document.name))))?;
         let mut findings = std::mem::take(&mut report.findings);
-        let before: Vec<Vec<ChainFinding>> = before
+        self.baseline.note(document, &findings);
+        self.retain_listed(&mut findings);
+        let mut before: Vec<Vec<ChainFinding>> = before
             .iter()
             .filter_map(|before| self.report(before, false, definitions.as_deref()).ok())
             .map(|report| report.findings)
             .collect();
+        before.iter_mut().for_each(|findings| self.retain_listed(findings));
         since::remove_known(&mut findings, &before);
         if self.arguments.accept.is_some() {
-            findings.iter().for_each(|finding| self.baseline.accept(&document.name, finding));
+            findings.iter().for_each(|finding| self.baseline.accept(document, finding));
         } else {
-            findings.retain(|finding| !self.baseline.is_accepted(&document.name, finding));
+            let path = document.path.as_deref();
+            findings.retain(|finding| !self.baseline.is_accepted(&document.name, path, finding));
         }
         self.sum.add(&report.tally);
         self.not_checked.add(&report.not_checked);
@@ -295,7 +349,7 @@ impl<'a> CommandRun<'a> {
         Ok(())
     }
 
-    /// The findings that were asked for.
+    /// What a document has, on all lists.
     fn report(
         &mut self,
         document: &Document,
@@ -308,32 +362,43 @@ impl<'a> CommandRun<'a> {
         if is_line {
             options.hint_effort = options.hint_effort.min(self.hint_effort);
         }
+        let statistics = self.arguments.statistics.then(|| find_statistics(text, format)).transpose();
+        let statistics = statistics.map_err(|why| why.to_string())?;
+        // What is compared as a statistic is no unchecked chain, which is known from the list of these.
+        options.unchecked |= statistics.as_ref().is_some_and(|found| !found.compared.is_empty());
         let mut report = proofread(text, format, options).map_err(|why| why.to_string())?;
         if is_line {
             self.hint_effort -= report.effort.hints;
         }
+        if let Some(statistics) = statistics {
+            statistics.add_to(&mut report);
+        }
         if unchecked {
             let aside = report.findings.iter().filter_map(|of| Some(UncheckedChain::set_aside(of, of.doubt?)));
             report.unchecked.extend(aside);
+            if format == TextFormat::Markdown {
+                let fences = unread_fences(text).into_iter();
+                report.unchecked.extend(fences.map(|(span, name)| UncheckedChain::in_fence(text, span, name)));
+            }
             report.unchecked.sort_by_key(|chain| chain.span);
-        }
-        if self.arguments.statistics {
-            let statistics = find_statistics(text, format).map_err(|why| why.to_string())?;
-            statistics.add_to(&mut report);
         }
         if let Some(made) = &document.made {
             report.tally.bytes = document.text.len();
             report.findings.iter_mut().for_each(|of| of.map_spans(&|span| made.span_in_text(span)));
             report.unchecked.iter_mut().for_each(|of| of.span = made.span_in_text(of.span));
         }
-        report.findings.retain(|finding| match finding.section {
+        Ok(report)
+    }
+
+    /// Keeps the findings on the lists that were asked for.
+    fn retain_listed(&self, findings: &mut Vec<ChainFinding>) {
+        findings.retain(|finding| match finding.section {
             ReportSection::Units => self.arguments.units,
             ReportSection::Doubts => self.arguments.doubts,
             ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
                 true
             }
         });
-        Ok(report)
     }
 }
 

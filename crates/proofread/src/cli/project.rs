@@ -51,6 +51,17 @@ struct Contents {
     main: Option<String>,
     /// Whether it is a document by itself.
     is_main: bool,
+    /// Whether a chain may be in it, since it has an equals sign and a digit.
+    may_have_chains: bool,
+}
+
+/// A file that is proofread, and files that it includes which are not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct UncheckedParts {
+    /// The file, as it was given.
+    pub file: PathBuf,
+    /// How many files it includes that are read for their definitions alone although a chain may be in them.
+    pub count: usize,
 }
 
 /// A file that is read before the document begins, or in it.
@@ -224,6 +235,36 @@ impl Project {
         }
     }
 
+    /// The files that others include in their text and that are not among those that are proofread. Each counts for one file.
+    pub(super) fn unchecked_parts(&mut self, files: &[PathBuf]) -> Vec<UncheckedParts> {
+        let mut known: HashSet<PathBuf> = files.iter().filter_map(|file| self.tree.file(file)).collect();
+        let mut out = Vec::new();
+        for given in files {
+            let Some(file) = self.tree.file(given) else { continue };
+            let Some(top) = self.tops.get(&file).cloned() else { continue };
+            let main = file.parent().map(Path::to_owned);
+            let (mut open, mut count) = (vec![file], 0);
+            while let Some(file) = open.pop() {
+                let Some(contents) = self.read(&file) else { continue };
+                // What a document reads before it begins has definitions.
+                for of in contents.inclusions.iter().filter(|of| is_xml(&file) || !(contents.is_main && of.early)) {
+                    let beside = if is_xml(&file) { [file.parent(), None] } else { [main.as_deref(), file.parent()] };
+                    let part = self.tree.find(&of.name, beside, &top).filter(|part| is_xml(part) || is_text(part));
+                    let Some(part) = part.filter(|part| known.len() < MOST_FILES && !known.contains(part)) else {
+                        continue;
+                    };
+                    count += usize::from(self.read(&part).is_some_and(|contents| contents.may_have_chains));
+                    known.insert(part.clone());
+                    open.push(part);
+                }
+            }
+            if count > 0 {
+                out.push(UncheckedParts { file: given.clone(), count });
+            }
+        }
+        out
+    }
+
     fn gather(&mut self, file: &Path, at: (Option<&Path>, &Path), early: bool, out: &mut Gathered) {
         self.visit(file, at, early, DEEPEST, out, &mut |out, of, early| {
             if early { out.take(of) } else { out.take_part(of) }
@@ -285,6 +326,15 @@ fn has_extension(file: &Path, extension: &str) -> bool {
     file.extension().is_some_and(|of| of.eq_ignore_ascii_case(extension))
 }
 
+/// Whether a file is a text in LaTeX, and no package or class.
+fn is_text(file: &Path) -> bool {
+    ["tex", "ltx", "latex"].iter().any(|extension| has_extension(file, extension))
+}
+
+fn may_have_chains(text: &str) -> bool {
+    text.contains(['=', '≈']) && text.bytes().any(|byte| byte.is_ascii_digit())
+}
+
 /// The folder in which everything must be that is read for a file: its repository, or else the folder that was asked for, or a
 /// few above the file.
 fn top(file: &Path, folder: Option<&Path>) -> PathBuf {
@@ -319,6 +369,7 @@ fn contents_of_xml(text: &str) -> Contents {
     let mut out = Contents {
         preamble: Definitions::from_latex(&macros_text(text)),
         is_main: ["<pretext", "<mathbook"].iter().any(|root| text.contains(root)),
+        may_have_chains: may_have_chains(text),
         ..Contents::default()
     };
     for (at, _) in text.match_indices("include") {
@@ -338,7 +389,7 @@ fn contents_of_xml(text: &str) -> Contents {
 
 /// What a text in LaTeX says about itself and other files.
 fn contents(text: &str) -> Contents {
-    let mut out = Contents::default();
+    let mut out = Contents { may_have_chains: may_have_chains(text), ..Contents::default() };
     let (mut begins, mut ends) = (text.len(), text.len());
     let mut at = 0;
     while let Some(found) = text.as_bytes()[at..].iter().position(|byte| b"\\%".contains(byte)).map(|found| at + found)

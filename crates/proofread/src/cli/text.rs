@@ -1,6 +1,8 @@
 //! Findings for people.
 
+use super::baseline::IdleCases;
 use super::output::{TextLayout, bold_style, printable};
+use super::project::UncheckedParts;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
 use crate::tell::finding::ChainFinding;
@@ -9,7 +11,7 @@ use crate::tell::summary::{self, describe_count};
 use crate::tell::unchecked_chain::UncheckedChain;
 use clap::builder::styling::AnsiColor;
 use geneva_host::layout::{columns, first_columns};
-use geneva_host::printable::escaped;
+use geneva_host::printable::{escape_and_shorten, escaped, shown_path};
 use std::ops::Range;
 
 /// Least of a text's line that is shown around a place, in characters.
@@ -38,7 +40,7 @@ impl ReportWriter for TextWriter {
             Some(Some((number, lists))) => text += &format!("{red}{number}{red:#}:{lists}\n"),
             _ => text += &format!("{green}Nothing found.{green:#}\n"),
         }
-        text.extend(left.into_iter().map(|said| said + "\n"));
+        text.extend(left.into_iter().chain(sum.ways_out.clone()).map(|said| said + "\n"));
         self.0.folded(&text)
     }
 }
@@ -69,7 +71,21 @@ fn checked_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     said.extend(summary::describe_partly_checked_chains(tally));
     said.extend(summary::describe_unread_formulas(tally));
     said.extend(summary::describe_unread_parts(&sum.not_read));
+    said.extend(unchecked_parts_sentence(&sum.unchecked_parts));
     said
+}
+
+/// The files that were read for their macros alone, and how to have them checked.
+fn unchecked_parts_sentence(of: &[UncheckedParts]) -> Option<String> {
+    let count = of.iter().map(|of| of.count).sum();
+    let who = match of {
+        [] => return None,
+        [one] => format!("{} includes", shown_path(&one.file)),
+        some => format!("{} include", describe_count(some.len(), "document")),
+    };
+    let (were, them) = if count == 1 { ("was only read for its", "it") } else { ("were only read for their", "them") };
+    let files = describe_count(count, "file");
+    Some(format!("{who} {files} that {were} macros; give {them}, or the folder, to check {them} too."))
 }
 
 /// What was found and is not listed.
@@ -81,7 +97,36 @@ fn left_out_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     let end = |option: &str| if with_options { format!("; {option} lists them.") } else { ".".to_owned() };
     let units = units.map(|said| said + &end("--units"));
     let doubts = doubts.map(|said| said + &end("--doubts"));
-    [units, doubts, accepted].into_iter().flatten().collect()
+    let idle = idle_case_sentences(&sum.idle_cases);
+    [units, doubts, accepted].into_iter().flatten().chain(idle).collect()
+}
+
+/// Most files that a sentence names.
+const MOST_NAMED: usize = 3;
+
+/// Files by their names, and how many others there are.
+fn in_short(files: &[String]) -> String {
+    let (named, others) = files.split_at(files.len().min(MOST_NAMED));
+    let mut words: Vec<String> = named.iter().map(|file| escape_and_shorten(file)).collect();
+    words.extend((!others.is_empty()).then(|| format!("{} more", others.len())));
+    words.join(", ")
+}
+
+/// The accepted cases that left nothing out, and why.
+fn idle_case_sentences(of: &IdleCases) -> impl Iterator<Item = String> {
+    let is = if of.gone == 1 { "is" } else { "are" };
+    let gone = (of.gone > 0).then(|| format!("{} {is} not found any more.", describe_count(of.gone, "accepted case")));
+    let unread = (of.unread > 0).then(|| {
+        let belongs = if of.unread == 1 { "belongs" } else { "belong" };
+        let files = if of.unread_files.len() == 1 { "a file" } else { "files" };
+        let was = if of.unread_files.len() == 1 { "was" } else { "were" };
+        format!(
+            "{} {belongs} to {files} that {was} not read: {}.",
+            describe_count(of.unread, "accepted case"),
+            in_short(&of.unread_files)
+        )
+    });
+    [gone, unread].into_iter().flatten()
 }
 
 /// A chain that was not checked, with its place and the reason.

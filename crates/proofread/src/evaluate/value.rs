@@ -117,7 +117,7 @@ impl SideValue {
     /// The one number that it is.
     pub(crate) fn number(&self) -> Evaluated<Interval> {
         if self.parts.is_vector() {
-            return Err(Obstacle::Unclear("a vector stands where a number is needed"));
+            return Err(Obstacle::Unclear("a vector that stands where a number is needed"));
         }
         Ok(self.parts.0[0].unwrap_or_default())
     }
@@ -133,6 +133,17 @@ impl SideValue {
     /// Whether it is printed as one number and not computed.
     pub(crate) fn is_literal(&self) -> bool {
         self.operations == 0
+    }
+
+    /// Whether one of two values has a unit and the other one has none, so that it was left out there. Angles have one without a sign.
+    pub(crate) fn is_one_a_quantity(values: &[Self; 2]) -> bool {
+        values[0].has_unit != values[1].has_unit
+            && values.iter().all(|value| value.angle.is_none() && !value.parts.is_vector())
+    }
+
+    /// Makes a bare number of the value, as it is written.
+    pub(crate) fn drop_unit(&mut self) {
+        (self.has_unit, self.dimension, self.factor) = (false, UnitDimension::NONE, 1.0);
     }
 
     pub(crate) fn negate(self) -> Self {

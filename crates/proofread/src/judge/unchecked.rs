@@ -32,6 +32,9 @@ pub enum UncheckedKind {
     /// Two of its sides differ, and the difference is set aside. Only the command lists this among the chains that were not checked;
     /// the library has it among the findings.
     Doubt,
+    /// It may be in a fence of code, which is not read. Only the command lists this among the chains that were not checked; the library
+    /// counts it among the parts that were not read.
+    Fence,
 }
 
 impl UncheckedKind {
@@ -53,6 +56,7 @@ impl UncheckedKind {
             Self::Denied => "denied",
             Self::Unread => "unread",
             Self::Doubt => "doubt",
+            Self::Fence => "fence",
         }
     }
 

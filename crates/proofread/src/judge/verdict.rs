@@ -262,6 +262,7 @@ impl<'t> ComparedSides<'t> {
         };
         let same = points[0].dimension == points[1].dimension;
         let zero = points.iter().any(SideValue::is_zero_at_point);
+        let lacks_unit = SideValue::is_one_a_quantity(&points);
         let both_units = points.iter().all(|point| point.has_unit);
         // Neither would be more than numbers that agree without their units.
         if self.only_agreement && if numbers { both_units } else { !same && !zero } {
@@ -272,8 +273,8 @@ impl<'t> ComparedSides<'t> {
             let [left, right] = self.evaluate_both(Mode::Strict, literal, reading)?;
             let computed = self.sides[usize::from(literal[0])];
             let agree = match literal {
-                [false, true] if is_plain_sum(computed) => points[0].meets(&right, 0.0),
-                [true, false] if is_plain_sum(computed) => left.meets(&points[1], 0.0),
+                [false, true] if is_plain_sum(computed) || lacks_unit => points[0].meets(&right, 0.0),
+                [true, false] if is_plain_sum(computed) || lacks_unit => left.meets(&points[1], 0.0),
                 _ => left.meets(&right, 0.0),
             };
             let agree = agree
@@ -307,8 +308,13 @@ impl<'t> ComparedSides<'t> {
                 converted = Some(exact);
             }
         }
+        // Without a unit on one side, the numbers are compared as if neither had one.
+        let drops_unit = numbers && lacks_unit;
         let is_minus = self.noticed.contains(ReadingChoices::MINUS);
         let without_sign = |value: &mut SideValue| {
+            if drops_unit {
+                value.drop_unit();
+            }
             if is_minus {
                 value.parts = value.parts.map(|part| Interval::with_half_width(part.point.abs(), part.half_width()));
             }

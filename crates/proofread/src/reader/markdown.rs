@@ -33,6 +33,22 @@ pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) -> 
     unread
 }
 
+/// The fences of code in which a chain may be, with their languages.
+#[cfg(feature = "cli")]
+pub(crate) fn unread_fences(text: &str) -> Vec<(Span, String)> {
+    let mut out = Vec::new();
+    for piece in pieces(text) {
+        code(&text[piece.clone()], &mut |kind, name, range| {
+            let mut alone = UnreadParts::default();
+            note(&mut alone, kind, name, &text[piece.start + range.start..piece.start + range.end]);
+            if kind == UnreadKind::Fence && alone.total() > 0 {
+                out.push((Span::new(piece.start + range.start, piece.start + range.end), name.to_owned()));
+            }
+        });
+    }
+    out
+}
+
 /// Cuts before a line behind a blank one, outside fences; a line that is longer than several pieces is cut between words, outside
 /// formulas and code.
 pub(super) fn pieces(text: &str) -> Vec<Range<usize>> {
@@ -115,7 +131,7 @@ fn cut_of_line(line: &str) -> Option<usize> {
 }
 
 fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut FormulaSink<'_>) {
-    let (skip, fences) = code(text, unread);
+    let (skip, fences) = code(text, &mut |kind, name, range| note(unread, kind, name, &text[range]));
     for mut fence in fences {
         // The options of a directive.
         while text[fence.clone()].starts_with(':')
@@ -167,8 +183,8 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
     out
 }
 
-/// The stretches that are no text, and the content of fences that say they are maths.
-fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
+/// The stretches that are no text, and the content of fences that say they are maths. What is not read is handed over with its name.
+fn code(text: &str, unread: &mut dyn FnMut(UnreadKind, &str, Range<usize>)) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
     let (plain, marks) = with_plain_fences(text).unzip();
     let (mut maths, mut withdrawn) = (false, Vec::new());
@@ -181,9 +197,9 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
                     let first = block.lines().next().unwrap_or_default();
                     let info = first.trim_start_matches([' ', '`', '~']).trim();
                     if kind == CodeBlockKind::Indented {
-                        note(unread, UnreadKind::Indented, "", block);
+                        unread(UnreadKind::Indented, "", range.clone());
                     } else {
-                        note(unread, UnreadKind::Fence, name_of_fence(info), block);
+                        unread(UnreadKind::Fence, name_of_fence(info), range.clone());
                     }
                 }
                 skip.push(range);
@@ -194,7 +210,7 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
                 _ => fences.push(range),
             },
             Event::Code(_) => {
-                note(unread, UnreadKind::Code, "", &text[range.clone()]);
+                unread(UnreadKind::Code, "", range.clone());
                 skip.push(range);
             }
             _ => {}
@@ -205,7 +221,7 @@ fn code(text: &str, unread: &mut UnreadParts) -> (Vec<Range<usize>>, Vec<Range<u
         let before = skip.partition_point(|code: &Range<usize>| code.start <= range.start);
         let in_code = before.checked_sub(1).and_then(|at| skip.get(at)).is_some_and(|code| range.start < code.end);
         if !in_code && !text[range.clone()].starts_with("://") {
-            note(unread, UnreadKind::Comment, "", &text[range.clone()]);
+            unread(UnreadKind::Comment, "", range.clone());
         }
         withdrawn.push(range);
     }

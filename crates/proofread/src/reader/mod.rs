@@ -288,6 +288,8 @@ fn withdrawn_ranges(text: &str) -> Vec<std::ops::Range<usize>> {
 
 pub use definitions::Definitions;
 #[cfg(feature = "cli")]
+pub(crate) use markdown::unread_fences;
+#[cfg(feature = "cli")]
 pub(crate) use office::{ArchiveFormat, ArchivedText, MadePage, read_archive};
 pub(crate) use plain::is_noun;
 #[cfg(feature = "cli")]

@@ -21,6 +21,8 @@ pub enum UnreadKind {
     Comment,
     /// A file in a folder, whose format is not read, with the ending of its name.
     File,
+    /// A folder of what a program has made out of the author's texts, such as `_site`, with its name.
+    Folder,
     /// A symbolic link in a folder.
     Link,
     /// An object of another program in a document, such as a formula of Equation Editor, with the name of the program.
@@ -30,7 +32,7 @@ pub enum UnreadKind {
 impl UnreadKind {
     /// Whether all such parts are counted, whatever is in them.
     pub(crate) fn is_whole(self) -> bool {
-        matches!(self, Self::Cell | Self::File | Self::Link | Self::Object)
+        matches!(self, Self::Cell | Self::File | Self::Folder | Self::Link | Self::Object)
     }
 
     /// A name for programs.
@@ -48,6 +50,7 @@ impl UnreadKind {
             Self::Element => "element",
             Self::Comment => "comment",
             Self::File => "file",
+            Self::Folder => "folder",
             Self::Link => "link",
             Self::Object => "object",
         }

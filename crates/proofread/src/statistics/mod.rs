@@ -31,10 +31,13 @@ pub struct StatisticsReport {
     pub findings: Vec<ChainFinding>,
     /// How much was compared.
     pub tally: StatisticsTally,
+    /// Where the p-values are that were compared, each with its test statistic.
+    pub compared: Vec<Span>,
 }
 
 impl StatisticsReport {
-    /// Adds what was found to a report on the chains of the same text; what is listed there already is left out.
+    /// Adds what was found to a report on the chains of the same text; what is listed there already is left out. A statistic or
+    /// p-value that was compared is no unchecked chain any more, if the report lists these.
     ///
     /// ```
     /// use proofread::{CheckOptions, ReportSection, TextFormat, find_statistics, proofread};
@@ -56,6 +59,8 @@ impl StatisticsReport {
             })
         };
         let new: Vec<ChainFinding> = self.findings.into_iter().filter(|finding| !listed(finding.at)).collect();
+        #[cfg(feature = "cli")]
+        self.compared.iter().for_each(|span| report.remove_unchecked_within(*span));
         report.tally.doubts += new.iter().filter(|finding| finding.doubt.is_some()).count();
         report.tally.statistics.add(&self.tally);
         report.findings.extend(new);
@@ -96,23 +101,26 @@ const MOST_FINDINGS: usize = 1000;
 /// let report = find_statistics(text, TextFormat::Markdown)?;
 /// assert_eq!(report.tally.count(), 2);
 /// assert_eq!(report.findings[0].chain, "t(28) = 2.20, p = .36");
-/// assert_eq!(report.findings[0].recomputed.as_deref(), Some("p = 0.04 (two-sided)"));
+/// assert_eq!(report.findings[0].recomputed.as_deref(), Some("p = 0.036 (two-sided)"));
 /// # Ok::<(), proofread::UnreadableText>(())
 /// ```
 pub fn find_statistics(text: &str, format: TextFormat) -> Result<StatisticsReport, UnreadableText> {
     let shown = shown_text(text, format)?;
     let mut tally = StatisticsTally::default();
     let mut findings: Vec<ChainFinding> = Vec::new();
+    let mut compared = Vec::new();
     for piece in if format == TextFormat::Csv { Vec::new() } else { pieces(shown.text()) } {
         let plain = PlainCharacters::new(&shown.text()[piece.clone()], format);
         let mut judged = Vec::new();
-        tally.tests += significance::check(&plain, &mut judged);
+        let tests = significance::check(&plain, &mut judged);
+        tally.tests += tests.len();
         tally.intervals += confidence::check(&plain, &mut judged);
         tally.shares += share::check(&plain, &mut judged);
         let place = |range: Range<usize>| {
             let span = plain.span(range).range();
             shown.span_in_file(Span::new(piece.start + span.start, piece.start + span.end))
         };
+        compared.extend(tests.into_iter().map(&place));
         judged.truncate(MOST_FINDINGS.saturating_sub(findings.len()));
         findings.extend(judged.into_iter().map(|of| finding(of, &plain, &place)));
     }
@@ -122,7 +130,7 @@ pub fn find_statistics(text: &str, format: TextFormat) -> Result<StatisticsRepor
     }
     findings.truncate(MOST_FINDINGS);
     findings.sort_by_key(|finding| finding.at);
-    Ok(StatisticsReport { findings, tally })
+    Ok(StatisticsReport { findings, tally, compared })
 }
 
 /// How long a piece is at least, in bytes: each character of a piece takes some thirty while it is looked at.

@@ -88,10 +88,10 @@ fn has_directed_hypothesis(text: &str) -> bool {
     })
 }
 
-/// Checks each p-value that stands behind a statistic.
-pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
+/// Checks each p-value that stands behind a statistic; the answer is where those are that were compared, each with its statistic.
+pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> Vec<Range<usize>> {
     let context = TestContext::of(plain);
-    let (mut at, mut checked) = (0, 0);
+    let (mut at, mut checked) = (0, Vec::new());
     while at < plain.chars.len() {
         let found = "tFzZrQχXxcC".contains(plain.chars[at]).then(|| test_statistic(&plain.chars, at)).flatten();
         let Some(mut test) = found else {
@@ -104,7 +104,7 @@ pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
         if !test.is_complete() || p.number.value > 1.0 {
             continue;
         }
-        checked += 1;
+        checked.push(start..p.range.end);
         if let Some(judged) = judge(&test, &p, &context, &plain.chars, start) {
             out.push(judged);
         }
@@ -149,7 +149,7 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
     let mut recomputed = if exact < 0.5 * libm::pow(10.0, -(digits as f64)) {
         format!("p = {exact:.1e}").replace("e-", " × 10^−")
     } else {
-        format!("p = {exact:.digits$}")
+        format!("p = {}", told_apart(exact, p.number.value, digits))
     };
     if test.has_two_sides() {
         recomputed += if is_one_sided { ", or half of it on one side" } else { " (two-sided)" };
@@ -172,6 +172,17 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
         false => Outcome::Difference,
     };
     Some(Judged { left: start..test.end, right: p.range.clone(), whole: start..p.range.end, recomputed, why, outcome })
+}
+
+/// A p-value with two digits behind its zeros or more, and with as many as it takes to tell it from the printed one.
+fn told_apart(exact: f64, printed: f64, decimals: usize) -> String {
+    const MOST: usize = 8;
+    let written = |decimals: usize| format!("{exact:.decimals$}");
+    let is_enough = |decimals: &usize| {
+        let is_other = written(*decimals).parse::<f64>().is_ok_and(|value| value != printed);
+        is_other && exact * libm::pow(10.0, *decimals as f64) >= 9.5
+    };
+    written((decimals..MOST).find(is_enough).unwrap_or(MOST))
 }
 
 /// Most characters between a statistic and its p-value.

@@ -98,6 +98,7 @@ pub fn describe_unchecked_chains(counts: &NamedCounts<UncheckedKind>) -> Option<
         let is_phrase = ["a ", "an ", "two ", "the ", "numbers ", "dots"].iter().any(|start| name.starts_with(start));
         let words = match kind {
             UncheckedKind::Letter => "with letters",
+            UncheckedKind::Definition if times == 1 => "that only gives a letter a value",
             UncheckedKind::Definition => "that only give a letter a value",
             UncheckedKind::Word => "with words that are no units",
             UncheckedKind::Denied => "that the text asks about or denies",
@@ -184,6 +185,7 @@ pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
             UnreadKind::Element => ("element", "elements"),
             UnreadKind::Comment => ("comment", "comments"),
             UnreadKind::File => ("file of", "files of"),
+            UnreadKind::Folder => ("folder of output", "folders of output"),
             UnreadKind::Link => ("symbolic link", "symbolic links"),
             UnreadKind::Object => ("object of", "objects of"),
         };

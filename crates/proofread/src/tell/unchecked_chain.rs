@@ -59,6 +59,14 @@ impl UncheckedChain {
         Self { kind, name, chain, span: finding.span, partly: false }
     }
 
+    /// A fence of code that is not read, with its language, shown by its first line with an equals sign.
+    pub(crate) fn in_fence(text: &str, span: Span, language: String) -> Self {
+        let mut lines = text.get(span.range()).unwrap_or_default().lines();
+        let line = lines.find(|line| line.contains(['=', '≈'])).unwrap_or_default();
+        let chain = line.trim().chars().take(LONGEST_LINE).collect();
+        Self { kind: UncheckedKind::Fence, name: language, chain, span, partly: false }
+    }
+
     /// The reason in words.
     pub fn reason(&self) -> String {
         let name = &self.name;
@@ -74,6 +82,8 @@ impl UncheckedChain {
             UncheckedKind::Cut => "a side goes on outside the formula, or is missing".to_owned(),
             UncheckedKind::Denied => "the text asks whether it holds, or says that it does not".to_owned(),
             UncheckedKind::Unread => "too long, nested too deeply, or with macros that never end".to_owned(),
+            UncheckedKind::Fence if name.is_empty() => "a fence without a language is not read".to_owned(),
+            UncheckedKind::Fence => format!("a fence of `{name}` is not read"),
             UncheckedKind::Doubt => format!("set aside, since {name}"),
         }
     }

@@ -58,6 +58,8 @@ pub(super) struct Session {
     revision: u64,
     /// Whether a document is being checked.
     is_checking: bool,
+    /// What was said to be wrong with the file of accepted cases.
+    baseline_error: Option<String>,
     /// Languages that were said to be unknown.
     unknown: BTreeSet<String>,
     outgoing: Vec<Value>,
@@ -102,6 +104,7 @@ impl Session {
         let address = self.waiting.take_due(now)?;
         let document = self.documents.get(&address)?;
         let file = document.file.clone();
+        let top = self.folders.first().cloned();
         let is_above = |folder: &&PathBuf| file.as_deref().is_some_and(|file| file.starts_with(folder));
         let job = CheckJob {
             address,
@@ -111,7 +114,8 @@ impl Session {
             folder: self.folders.iter().find(is_above).cloned(),
             file,
             open: self.documents.values().filter_map(OpenDocument::project_file).collect(),
-            settings: self.settings,
+            top,
+            settings: self.settings.clone(),
         };
         self.is_checking = true;
         Some(job)
@@ -122,6 +126,12 @@ impl Session {
         self.is_checking = false;
         if outcome.definitions_changed {
             self.check_project_files(Some(&outcome.address), now);
+        }
+        if outcome.baseline_error != self.baseline_error {
+            if let Some(why) = &outcome.baseline_error {
+                self.show(why);
+            }
+            self.baseline_error = outcome.baseline_error;
         }
         let features = self.features;
         let Some(document) = self.documents.get_mut(&outcome.address) else { return };
@@ -213,8 +223,8 @@ impl Session {
         self.features = EditorFeatures::from_capabilities(&params["capabilities"]);
         let folders = params["workspaceFolders"].as_array().into_iter().flatten().map(|of| &of["uri"]);
         self.folders = folders.chain([&params["rootUri"]]).filter_map(|of| file_of(of.as_str()?)).collect();
-        self.settings = self.changed_settings(Settings::default(), &params["initializationOptions"]);
-        self.first_settings = self.settings;
+        self.settings = self.changed_settings(&Settings::default(), &params["initializationOptions"]);
+        self.first_settings = self.settings.clone();
         json!({
             "capabilities": {
                 "positionEncoding": self.features.encoding.name(),
@@ -228,13 +238,16 @@ impl Session {
     }
 
     /// Settings with the options that are given; the editor shows what is wrong with these.
-    fn changed_settings(&mut self, from: Settings, given: &Value) -> Settings {
+    fn changed_settings(&mut self, from: &Settings, given: &Value) -> Settings {
         let (settings, wrong) = from.changed_by(given);
-        for why in wrong {
-            let params = json!({ "type": MessageKind::Warning as u8, "message": format!("proofread: {why}") });
-            self.outgoing.push(notification("window/showMessage", &params));
-        }
+        wrong.iter().for_each(|why| self.show(why));
         settings
+    }
+
+    /// Has the editor show what is wrong.
+    fn show(&mut self, why: &str) {
+        let params = json!({ "type": MessageKind::Warning as u8, "message": format!("proofread: {why}") });
+        self.outgoing.push(notification("window/showMessage", &params));
     }
 
     fn notification(&mut self, method: &str, params: &Value, now: Instant) -> Result<(), Refusal> {
@@ -244,7 +257,7 @@ impl Session {
             "textDocument/didSave" => self.save(params, now),
             "textDocument/didClose" => self.close(params, now),
             "workspace/didChangeConfiguration" => {
-                let settings = self.changed_settings(self.first_settings, &params["settings"]);
+                let settings = self.changed_settings(&self.first_settings.clone(), &params["settings"]);
                 if settings != self.settings {
                     self.settings = settings;
                     let addresses: Vec<String> = self.documents.keys().cloned().collect();

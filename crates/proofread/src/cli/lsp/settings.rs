@@ -5,26 +5,29 @@ use crate::evaluate::binding::NamePolicy;
 use crate::judge::section::ReportSection;
 use geneva_host::printable::escape_and_shorten;
 use serde_json::Value;
+use std::path::PathBuf;
 
 /// What is listed. The names and values are those of the command's options.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Settings {
     pub units: bool,
     pub doubts: bool,
     pub name_policy: NamePolicy,
     pub statistics: bool,
+    /// The file with accepted cases, from the folder of the editor.
+    pub baseline: Option<PathBuf>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { units: false, doubts: false, name_policy: NamePolicy::default(), statistics: true }
+        Self { units: false, doubts: false, name_policy: NamePolicy::default(), statistics: true, baseline: None }
     }
 }
 
 impl Settings {
     /// These settings, changed by the options that an editor gives, alone or as `proofread`, and what is wrong with these.
-    pub(super) fn changed_by(self, given: &Value) -> (Self, Vec<String>) {
-        let mut settings = self;
+    pub(super) fn changed_by(&self, given: &Value) -> (Self, Vec<String>) {
+        let mut settings = self.clone();
         let mut wrong = Vec::new();
         let given = given.get("proofread").unwrap_or(given);
         let Some(options) = given.as_object() else {
@@ -39,10 +42,21 @@ impl Settings {
                 "doubts" => set(&mut settings.doubts, value, &[]),
                 "bindings" => set(&mut settings.name_policy, value, &FOLLOWED),
                 "statistics" => set(&mut settings.statistics, value, &COMPARED),
+                "baseline" => match value {
+                    Value::Null => {
+                        settings.baseline = None;
+                        Ok(())
+                    }
+                    Value::String(file) if !file.is_empty() => {
+                        settings.baseline = Some(PathBuf::from(file));
+                        Ok(())
+                    }
+                    _ => Err("the path of a file that --accept wrote, or null".to_owned()),
+                },
                 _ => {
                     let name = escape_and_shorten(name);
                     wrong.push(format!(
-                        "the option `{name}` is not known; the options are units, doubts, bindings and statistics"
+                        "the option `{name}` is not known; the options are units, doubts, bindings, statistics and baseline"
                     ));
                     continue;
                 }
@@ -55,7 +69,7 @@ impl Settings {
     }
 
     /// Whether the findings of a section are listed.
-    pub(super) fn lists(self, section: ReportSection) -> bool {
+    pub(super) fn lists(&self, section: ReportSection) -> bool {
         match section {
             ReportSection::Units => self.units,
             ReportSection::Doubts => self.doubts,
@@ -109,14 +123,22 @@ mod tests {
 
     #[test]
     fn options_may_stand_alone_or_under_the_name_of_the_program() {
-        let given = json!({ "units": true, "doubts": true, "bindings": "once", "statistics": false });
-        let wanted = Settings { units: true, doubts: true, name_policy: NamePolicy::Once, statistics: false };
-        assert_eq!(Settings::default().changed_by(&given), (wanted, vec![]));
-        assert_eq!(Settings::default().changed_by(&json!({ "proofread": given })), (wanted, vec![]));
+        let given =
+            json!({ "units": true, "doubts": true, "bindings": "once", "statistics": false, "baseline": "a.jsonl" });
+        let wanted = Settings {
+            units: true,
+            doubts: true,
+            name_policy: NamePolicy::Once,
+            statistics: false,
+            baseline: Some(PathBuf::from("a.jsonl")),
+        };
+        assert_eq!(Settings::default().changed_by(&given), (wanted.clone(), vec![]));
+        assert_eq!(Settings::default().changed_by(&json!({ "proofread": given })), (wanted.clone(), vec![]));
         // What is not given stays.
         let (settings, wrong) = wanted.changed_by(&json!({ "statistics": "always" }));
-        assert_eq!((settings, wrong.len()), (Settings { statistics: true, ..wanted }, 0));
-        assert_eq!(wanted.changed_by(&Value::Null), (wanted, vec![]));
+        assert_eq!((settings, wrong.len()), (Settings { statistics: true, ..wanted.clone() }, 0));
+        assert_eq!(wanted.changed_by(&Value::Null), (wanted.clone(), vec![]));
+        assert_eq!(wanted.changed_by(&json!({ "baseline": null })).0.baseline, None);
     }
 
     #[test]
@@ -124,13 +146,17 @@ mod tests {
         for (given, told) in [
             (
                 json!({ "unit": true }),
-                "the option `unit` is not known; the options are units, doubts, bindings and statistics",
+                "the option `unit` is not known; the options are units, doubts, bindings, statistics and baseline",
             ),
             (json!({ "units": "yes" }), "the option `units` is `\"yes\"`; give true or false"),
             (json!({ "bindings": true }), "the option `bindings` is `true`; give \"never\" or \"once\" or \"always\""),
             (
                 json!({ "statistics": 1 }),
                 "the option `statistics` is `1`; give true or false or \"never\" or \"always\"",
+            ),
+            (
+                json!({ "baseline": true }),
+                "the option `baseline` is `true`; give the path of a file that --accept wrote, or null",
             ),
             (json!([1]), "the options are `[1]`; give an object, such as {\"units\": true}"),
             (json!({ "proofread": "x" }), "the options are `\"x\"`; give an object, such as {\"units\": true}"),

@@ -123,6 +123,7 @@ fn a_text_that_cannot_be_read_is_told_in_the_log() {
         revision: job.revision,
         checked: Err::<CheckedText, _>("it is no notebook".to_owned()),
         definitions_changed: false,
+        baseline_error: None,
     };
     trial.session.take_outcome(outcome, trial.at(1));
     let [told, marks] = trial.session.take_outgoing().try_into().expect("two messages");
@@ -210,4 +211,32 @@ fn no_message_is_too_strange() {
     // Some of the texts were whole enough to be explained.
     assert!(answered > 4, "{answered}");
     assert_eq!(trial.session.ended(), None);
+}
+
+#[test]
+fn accepted_cases_are_left_out_and_a_file_that_cannot_be_read_is_told_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let top = folder.path().canonicalize().expect("a folder");
+    let [address, root] = ["/src/a.md", ""].map(|name| format!("file://{}{name}", top.display()));
+    std::fs::create_dir(top.join("src")).expect("made");
+    let case = json!({ "file": "src/a.md", "case": "inconsistent: 2+2 | 5", "why": "" });
+    std::fs::write(top.join("cases.jsonl"), format!("{case}\n")).expect("written");
+    let marks = |baseline: &str| {
+        let mut trial = Trial { session: Session::default(), start: Instant::now() };
+        let options = json!({ "rootUri": root, "initializationOptions": { "baseline": baseline } });
+        trial.tell(0, "initialize", &options);
+        trial.open(0, &address, "$2 + 2 = 5$ and $2 + 2 = 6$");
+        let mut found = Vec::new();
+        for ms in [0, 1000] {
+            let job = trial.begun(ms).expect("it is due");
+            trial.session.take_outcome(Checker::default().check(&job), trial.at(ms));
+            found.extend(trial.session.take_outgoing());
+            trial.change(ms + 500, &address, 2, "$2 + 2 = 5$ and $2 + 2 = 6$");
+        }
+        let shown = found.iter().filter(|message| message["method"] == "window/showMessage").count();
+        let counts = found.iter().filter_map(|message| Some(message["params"]["diagnostics"].as_array()?.len()));
+        (counts.collect::<Vec<_>>(), shown)
+    };
+    assert_eq!(marks("cases.jsonl"), (vec![1, 1], 0));
+    assert_eq!(marks("none.jsonl"), (vec![2, 2], 1));
 }
