@@ -35,7 +35,7 @@ fn integer(value: &SideValue) -> Evaluated<f64> {
     let number = value.number()?.point;
     let whole = libm::round(number);
     if value.has_unit || (number - whole).abs() > NOISE * whole.abs().max(1.0) || whole.abs() > LARGEST {
-        return Err(Obstacle::Unclear("an integer is expected"));
+        return Err(Obstacle::Unclear("a number that is no integer where one is expected"));
     }
     Ok(whole)
 }
@@ -165,7 +165,7 @@ impl Evaluator<'_> {
         let inner = cursor.take_group()?;
         let closes = cursor.previous().is_some_and(|close| close.is_sign(if open == '⌈' { '⌉' } else { '⌋' }));
         if !closes {
-            return Err(Obstacle::Unclear("a bracket is not closed"));
+            return Err(Obstacle::Unclear("a bracket that is not closed"));
         }
         let value = self.in_points(|inside| inside.evaluate_all(inner))?;
         self.whole(value, open, cursor)
