@@ -124,6 +124,9 @@ fn one_chain_and_several_are_told_apart() {
         summary::describe_unchecked_chains(&report.not_checked).unwrap_or_default()
     };
     assert_eq!(said("$x = 4$"), "Not checked: 1 chain that only gives a letter a value.");
+    // A reason stands behind "with" alike.
+    let told = said(r"$\sqrt{(1, 2)} = 3$");
+    assert_eq!(told, "Not checked: 1 chain with a vector that stands where a number is needed.");
     assert_eq!(said("$x = 4$ and $y = 5$"), "Not checked: 2 chains that only give a letter a value.");
 }
 

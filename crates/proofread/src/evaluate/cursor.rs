@@ -67,6 +67,6 @@ impl<'t> Cursor<'t> {
                 }
             }
         }
-        Err(Obstacle::Unclear("a bracket is not closed"))
+        Err(Obstacle::Unclear("a bracket that is not closed"))
     }
 }

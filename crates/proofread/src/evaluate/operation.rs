@@ -126,7 +126,7 @@ impl Evaluator<'_> {
         let inner = cursor.take_group()?;
         let closes = cursor.previous().is_some_and(|close| close.is_sign(if open == '⌈' { '⌉' } else { '⌋' }));
         if !closes {
-            return Err(Obstacle::Unclear("a bracket is not closed"));
+            return Err(Obstacle::Unclear("a bracket that is not closed"));
         }
         let value = self.in_points(|inside| inside.evaluate_all(inner))?;
         self.whole(value, open, cursor)

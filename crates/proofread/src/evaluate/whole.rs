@@ -17,7 +17,7 @@ pub(super) fn integer(value: &SideValue) -> Evaluated<f64> {
     let number = value.number()?.point;
     let whole = libm::round(number);
     if value.has_unit || (number - whole).abs() > NOISE * whole.abs().max(1.0) || whole.abs() > LARGEST {
-        return Err(Obstacle::Unclear("an integer is expected"));
+        return Err(Obstacle::Unclear("a number that is no integer where one is expected"));
     }
     Ok(whole)
 }

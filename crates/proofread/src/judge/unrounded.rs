@@ -164,7 +164,7 @@ fn with_pi(side: &[Token], digits: &str) -> Option<Vec<Token>> {
         }
         any
     }
-    let share = parse_decimal(&digits)? / std::f64::consts::PI;
+    let share = parse_decimal(digits)? / std::f64::consts::PI;
     let mut out = side.to_vec();
     replace_pi(&mut out, &fixed(share, 17)).then_some(out)
 }
