@@ -11,7 +11,6 @@ use geneva_host::files::{self, NewFile, whole_path};
 use geneva_host::printable::shown_path;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{BufRead, BufReader, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// The whole path of a file, or of a document within it, and the fingerprint of a finding.
@@ -85,15 +84,6 @@ impl Baseline {
     pub(super) fn beside(path: &Path) -> Self {
         let folder = whole_path(path).parent().map(Path::to_owned).unwrap_or_default();
         Self { folder, ..Self::default() }
-    }
-
-    /// Whether the lines of a file are accepted cases, and no documents.
-    pub(super) fn is_in(path: &Path) -> bool {
-        let mut line = Vec::new();
-        let Ok(file) = files::open(path, "a file") else { return false };
-        let read = BufReader::new(file).take(LONGEST as u64).read_until(b'\n', &mut line);
-        let first: Option<Value> = read.ok().and_then(|_| serde_json::from_slice(&line).ok());
-        first.is_some_and(|first| first["case"].is_string() && first["file"].is_string() && first["text"].is_null())
     }
 
     /// The keys of a file that the command calls so: by its place, and as cases were written that name it from where the command was

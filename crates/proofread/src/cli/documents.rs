@@ -1,7 +1,7 @@
 //! The documents that were asked for: files, folders, standard input, and lines of JSON.
 
 use super::arguments::{Input, TYPST};
-use super::baseline::Baseline;
+use super::case_lines::are_accepted_cases;
 use super::index::StagedFile;
 use super::nearest::missing;
 use crate::reader::{
@@ -282,7 +282,7 @@ fn folder(
                 |found: &Source| found.format != Input::One(TextFormat::Csv) && !name.starts_with(OPEN_IN_OFFICE);
             if let Some(found) = file(&entry.path(), None)
                 .filter(is_text)
-                .filter(|found| found.format != Input::Lines || !Baseline::is_in(&entry.path()))
+                .filter(|found| found.format != Input::Lines || !are_accepted_cases(&entry.path()))
             {
                 // An archive is none of the other formats, whatever the others are said to be.
                 let given = input.filter(|_| !matches!(found.format, Input::Archive(_)));

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod baseline;
+mod case_lines;
 mod documents;
 mod html;
 mod index;

@@ -403,7 +403,10 @@ impl<'t> ComparedSides<'t> {
         let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
         // A small difference of open numbers explains anything: the source's own digits decide.
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
-        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none());
+        // A function of an angle or a ratio is mostly of something measured.
+        let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
+        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none())
+            && !self.sides.iter().any(|side| any(side, &is_function));
         // A bare number is given as it is, or it has the digits of the others and one more was dropped.
         let likelihood = match literal[0] == literal[1] || !bare {
             true => StepLikelihood { share: LIKELY, of_one_digit: Some(f64::INFINITY) },
