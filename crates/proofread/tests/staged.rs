@@ -117,18 +117,24 @@ fn definitions_come_from_the_index_too() {
     assert!(code == 0 && out.contains("\\three"), "{out}");
 }
 
-#[test]
-fn a_conflict_a_submodule_and_a_file_that_is_not_staged_are_told_apart() {
-    let Some(folder) = repository() else { return };
-    let folder = folder.path();
+/// Begins to merge two branches that change the same line of `a.md`, each with a file of its own with such a text if one is given.
+fn begin_merge_in_conflict(folder: &Path, own: Option<&str>) {
     write(folder, "a.md", RIGHT);
     commit(folder);
     for (branch, text) in [("one", "One: $3 + 3 = 7$\n"), ("two", "Two: $3 + 3 = 8$\n")] {
         assert!(git(folder, &["checkout", "-q", "-b", branch, "main"]));
         write(folder, "a.md", text);
+        own.into_iter().for_each(|own| write(folder, &format!("{branch}.md"), own));
         commit(folder);
     }
     assert!(!git(folder, &["merge", "-q", "one"]));
+}
+
+#[test]
+fn a_conflict_a_submodule_and_a_file_that_is_not_staged_are_told_apart() {
+    let Some(folder) = repository() else { return };
+    let folder = folder.path();
+    begin_merge_in_conflict(folder, None);
     for name in [".", "a.md"] {
         let (code, _, told) = staged(folder, &[name]);
         assert!(code == 2 && told.contains("a.md: a merge left this file in conflict"), "{told}");
@@ -196,15 +202,7 @@ fn a_hook_reads_what_is_being_committed() {
 fn a_merge_brings_in_what_neither_side_had() {
     let Some(folder) = repository() else { return };
     let folder = folder.path();
-    write(folder, "a.md", RIGHT);
-    commit(folder);
-    for (branch, text) in [("one", "One: $3 + 3 = 7$\n"), ("two", "Two: $3 + 3 = 8$\n")] {
-        assert!(git(folder, &["checkout", "-q", "-b", branch, "main"]));
-        write(folder, "a.md", text);
-        write(folder, &format!("{branch}.md"), WRONG);
-        commit(folder);
-    }
-    assert!(!git(folder, &["merge", "-q", "one"]));
+    begin_merge_in_conflict(folder, Some(WRONG));
     for (text, code) in [
         ("Both: $3 + 3 = 7$ and $3 + 3 = 8$\n", 0),
         ("Twice: $3 + 3 = 7$ and $3 + 3 = 7$\n", 1),

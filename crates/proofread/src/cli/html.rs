@@ -1,7 +1,7 @@
 //! Findings on a page for people: one file without a script, which loads nothing.
 
 use super::documents::Document;
-use super::output::printable;
+use super::output::{capitalised, printable};
 use super::text::{findings_sentence, summary_sentences};
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
@@ -224,11 +224,6 @@ fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
     fact("Nearest reading", listed(finding.reading.join(", ")));
     fact("With values from elsewhere", listed(finding.names.join(", ")));
     out + "</dl>\n</article>\n"
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// The chains that were not checked, as a list.

@@ -64,3 +64,9 @@ pub(crate) fn printable(text: &str) -> String {
     };
     text.chars().map(shown).collect()
 }
+
+/// A text with a capital letter at its start.
+pub(super) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
+}

@@ -2,6 +2,7 @@
 
 use super::baseline::fingerprint;
 use super::documents::Document;
+use super::output::capitalised;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::section::ReportSection;
@@ -26,11 +27,6 @@ fn uri(document: &Document) -> String {
         return format!("./{}", encoded(parts.map(str::as_bytes)));
     };
     file_uri(path)
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// How much a finding weighs in a review.

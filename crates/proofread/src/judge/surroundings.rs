@@ -32,11 +32,7 @@ const EXAMPLE: usize = 1500;
 /// The text of the example so far, up to a place, with its marks.
 pub(crate) fn text_before(text: &str, span: Span) -> &str {
     let end = (span.start as usize).min(text.len());
-    let mut start = end.saturating_sub(EXAMPLE);
-    while !text.is_char_boundary(start) {
-        start += 1;
-    }
-    let before = text.get(start..end).unwrap_or_default();
+    let before = text.get(text.ceil_char_boundary(end.saturating_sub(EXAMPLE))..end).unwrap_or_default();
     // A search takes less than reading.
     effort::count_steps(before.len() / 32);
     before
@@ -107,7 +103,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     let example = text_before(text, span);
-    if example.contains("roportion") && example.contains("hether") && example.contains("a proportion") {
+    if example.contains("a proportion") && example.contains("hether") {
         return true;
     }
     const REPORTS: [&str; 11] = [

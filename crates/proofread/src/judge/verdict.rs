@@ -322,7 +322,11 @@ impl<'t> ComparedSides<'t> {
         points.iter_mut().chain(&mut strict).for_each(without_sign);
         let by_numbers = numbers && both_units;
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
-        if self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
+        // A function of an angle or a ratio is mostly of something measured.
+        let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
+        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none())
+            && !self.sides.iter().any(|side| any(side, &is_function));
+        if bare && self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
             let printed = usize::from(literal[1]);
             let near = is_near(&points[1 - printed], &strict[printed]) && has_three_digits(&strict[printed]);
             let same = points[0].number()?.point - points[1].number()?.point;
@@ -403,20 +407,18 @@ impl<'t> ComparedSides<'t> {
         let steps = literal[0] != literal[1] || (literal == [false, false] && points[0].meets(right, 0.0));
         // A small difference of open numbers explains anything: the source's own digits decide.
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
-        // A function of an angle or a ratio is mostly of something measured.
-        let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
-        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none())
-            && !self.sides.iter().any(|side| any(side, &is_function));
+        let [operands, result] = self.digits_of_operands_and_result(literal);
+        // They are whole, or have so few digits beside the result that they must be meant as they are.
+        let has_exact_operands = result > 0 && (operands == 0 || result >= operands + 2);
         // A bare number is given as it is, or it has the digits of the others and one more was dropped.
         let likelihood = match literal[0] == literal[1] || !bare {
             true => StepLikelihood { share: LIKELY, of_one_digit: Some(f64::INFINITY) },
-            false if self.is_finer_than_operands(literal) => FROM_TENS,
+            false if operands < result => FROM_TENS,
             false => StepLikelihood { share: LIKELY, of_one_digit: Some(LIKELY_OF_BARE) },
         };
         let is_bare_result = bare && literal[0] != literal[1];
-        let explained = meets
-            && !(is_bare_result && self.has_exact_operands(literal))
-            && likelihood.explains(&strict, &points, literal);
+        let explained =
+            meets && !(is_bare_result && has_exact_operands) && likelihood.explains(&strict, &points, literal);
         let close = literal[0] != literal[1] && is_within(&points, &strict[usize::from(literal[1])], 3.0001);
         let ill = explained && self.cancels && literal[0] != literal[1] && !close;
         if explained && !ill {
@@ -475,41 +477,22 @@ impl<'t> ComparedSides<'t> {
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
     }
 
-    /// Whether the printed result has more digits than each decimal number that goes into it, without functions.
-    fn is_finer_than_operands(&self, literal: [bool; 2]) -> bool {
-        let computed = self.sides[usize::from(literal[0])];
-        let printed = self.sides[usize::from(literal[1])];
-        // A logarithm has more digits than its argument.
-        let function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
-        !any(computed, &function) && most_digits(computed) < most_digits(printed)
+    /// The most digits of a decimal number that goes into a result, and of the printed one.
+    fn digits_of_operands_and_result(&self, literal: [bool; 2]) -> [usize; 2] {
+        literal.map(|of| most_digits(self.sides[usize::from(of)]))
     }
 
-    /// Whether the numbers that go into a result are whole, or have so few digits beside it that they must be meant as they are.
-    fn has_exact_operands(&self, literal: [bool; 2]) -> bool {
-        let computed = self.sides[usize::from(literal[0])];
-        let printed = self.sides[usize::from(literal[1])];
-        let function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
-        let (operands, result) = (most_digits(computed), most_digits(printed));
-        !any(computed, &function) && result > 0 && (operands == 0 || result >= operands + 2)
-    }
-
-    /// Whether a whole number comes out that is small enough to be printed in full, or is printed to its last digit, in mathematics and not
-    /// as a measurement: then the printed one must be it, with all its zeros.
+    /// Whether bare numbers give a whole one that is small enough to be printed in full, or is printed to its last digit: then the printed
+    /// one must be it, with all its zeros.
     fn is_of_whole_numbers(&self, points: &[SideValue; 2], literal: [bool; 2]) -> bool {
         let [Ok(left), Ok(right)] = [&points[0], &points[1]].map(SideValue::number) else { return false };
         let is_whole = |of: f64| (of - libm::round(of)).abs() < 1e-9 && (of == 0.0 || (0.5..EXACT).contains(&of.abs()));
-        let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
         let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         let has_decimals = self.sides.iter().any(|side| any(side, &decimal));
         let [computed, printed] = if literal[1] { [left.point, right.point] } else { [right.point, left.point] };
         let in_full = computed.abs() < FULL && (printed != 0.0 || !has_decimals);
         let to_its_end = !has_decimals && printed % 10.0 != 0.0;
-        (literal[0] || literal[1])
-            && points.iter().all(|point| !point.has_unit && point.angle.is_none())
-            && is_whole(left.point)
-            && is_whole(right.point)
-            && (in_full || to_its_end)
-            && !self.sides.iter().any(|side| any(side, &is_function))
+        (literal[0] || literal[1]) && is_whole(left.point) && is_whole(right.point) && (in_full || to_its_end)
     }
 
     /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many
