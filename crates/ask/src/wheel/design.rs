@@ -83,7 +83,8 @@ impl WheelDesign {
         let thickness = sizes.map(|sizes| question.thickness.unwrap_or_else(|| usual_thickness(sizes.pin_diameter)));
         let wheel_inertia = own_inertia(sizes.as_ref(), thickness, density)?;
         let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
-            (Some(all), _, own) => Some(holds_the_wheel(all, own)?),
+            // A thickness that the program chose is no reason to refuse what was given.
+            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),
             (None, None, None) => None,
             (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };
@@ -249,7 +250,8 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
 fn holds_the_wheel(all: f64, wheel: Option<f64>) -> Result<f64, Error> {
     let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(all) };
     Err(refused!(
-        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give          the inertia of the table alone with --inertia",
+        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give \
+         the inertia of the table alone with --inertia",
         as_typed(all),
         rounded_up(wheel)
     ))
