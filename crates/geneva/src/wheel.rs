@@ -182,6 +182,10 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         ("numbers.csv", fields::table(&answer)?.into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
+    if let Some(figure) = design.sizes_figure() {
+        files.push(("sizes.csv", figure.series.to_csv().into_bytes()));
+        files.push(("sizes.svg", figure.standalone().into_bytes()));
+    }
     for file in SHAPE_FILES {
         if design.can_make(file) {
             files.push((file.name, (file.make)(design)?));
