@@ -54,11 +54,11 @@ pub(super) fn preferred_numbers() -> impl Iterator<Item = f64> {
 }
 
 /// How much smaller and larger the sizes are between which loads are compared.
-const COMPARED: f64 = 4.0;
+const COMPARED: f64 = 2.0;
 
 impl WheelDesign {
-    /// The loads of the same wheel in other sizes: at the preferred numbers (ISO 3, R20) from a quarter of the crank radius to four
-    /// times as much, and at its own. What is given in millimetres besides the size stays. Empty without a size, a speed or an inertia;
+    /// The loads of the same wheel in other sizes: at the preferred numbers (ISO 3, R20) from half of the crank radius to twice
+    /// as much, and at its own. What is given in millimetres besides the size stays. Empty without a size, a speed or an inertia;
     /// sizes that don't fit are left out.
     pub fn loads_over_sizes(&self) -> Vec<LoadsAtSize> {
         let Some(own) = self.sizes.map(|sizes| sizes.crank_radius) else { return Vec::new() };
@@ -87,6 +87,7 @@ impl WheelDesign {
             pin_force: design.force(loads.pin_moment().driving.value)?,
             crank_torque: loads.crank_torque().driving.value,
             wheel_inertia: design.wheel_inertia?,
+            inertia: design.inertia?,
         })
     }
 

@@ -16,6 +16,8 @@ pub struct LoadsAtSize {
     pub crank_torque: f64,
     /// Moment of inertia of the wheel itself, in kg m².
     pub wheel_inertia: f64,
+    /// Moment of inertia of the wheel and everything that turns with it, in kg m².
+    pub inertia: f64,
 }
 
 type Curve = (ItemValue<LoadsAtSize>, Colour, &'static str, &'static str);
@@ -23,12 +25,12 @@ type Curve = (ItemValue<LoadsAtSize>, Colour, &'static str, &'static str);
 const CURVES: [Curve; 3] = [
     (|at| at.pin_force, RELATIVE, "pin force", "N"),
     (|at| at.crank_torque, DRIVER, "crank torque", "N m"),
-    (|at| 1e6 * at.wheel_inertia, FOLLOWER, "own inertia", "kg mm²"),
+    (|at| 100.0 * at.wheel_inertia / at.inertia, FOLLOWER, "own share of the inertia", "%"),
 ];
 
 /// Force, torque and own inertia over the crank radius, with the size that was chosen. None where fewer than two sizes have loads.
 ///
-/// Series: crank radius in mm, force in N, torque in N m, own inertia in kg mm².
+/// Series: crank radius in mm, force in N, torque in N m, own inertia and all inertia in kg mm².
 pub fn over_sizes(sizes: &[LoadsAtSize], chosen: f64) -> Option<Figure> {
     let (first, last) = (sizes.first()?.crank_radius, sizes.last()?.crank_radius);
     if first >= last {
@@ -55,7 +57,7 @@ pub fn over_sizes(sizes: &[LoadsAtSize], chosen: f64) -> Option<Figure> {
         "wheel-over-sizes",
         "Loads of a wheel over its size".to_owned(),
         "Three panels against the crank radius. The force of the pin falls steeply at small sizes, and rises again where the \
-         wheel's own inertia is large. The torque at the crank and the wheel's own inertia only rise. A mark stands at the chosen \
+         wheel's own inertia is large. The torque at the crank and the wheel's own share of the inertia only rise. A mark stands at the chosen \
          size.",
         "Loads over the size of the wheel; a mark stands at the chosen size.",
     );
@@ -65,7 +67,8 @@ pub fn over_sizes(sizes: &[LoadsAtSize], chosen: f64) -> Option<Figure> {
             ("R", "mm", |at: &LoadsAtSize| at.crank_radius),
             ("force", "N", |at| at.pin_force),
             ("torque", "N m", |at| at.crank_torque),
-            ("inertia", "kg mm²", |at| 1e6 * at.wheel_inertia),
+            ("own inertia", "kg mm²", |at| 1e6 * at.wheel_inertia),
+            ("inertia", "kg mm²", |at| 1e6 * at.inertia),
         ],
     );
     Some(Chart::new(panels).figure(words, series))
@@ -83,6 +86,7 @@ mod tests {
             pin_force: 300.0 / crank_radius + 0.01 * crank_radius * crank_radius,
             crank_torque: 1.0 + crank_radius / 50.0,
             wheel_inertia: 1e-9 * crank_radius.powi(5),
+            inertia: 1e-9 * crank_radius.powi(5) + 1.0,
         };
         let sizes: Vec<_> = (1..=10).map(|k| at(10.0 * f64::from(k))).collect();
         let figure = over_sizes(&sizes, 42.0).expect("a figure");
