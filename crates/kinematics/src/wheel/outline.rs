@@ -3,6 +3,7 @@
 //! Each part lies about its own axis. The wheel has the middle of one slot, the driver one pin, on the first axis. In the
 //! assembly the wheel's axis is the origin, the driver's is at (c, 0), the wheel is turned by φ and the driver by π − θ.
 
+use super::mouth::MouthFace;
 use super::sizes::Sizes;
 use crate::Turn;
 use crate::error::{KinematicsError, size};
@@ -237,7 +238,7 @@ impl Face {
 ///
 /// let sizes = Sizes::new(Wheel::with_pins(6, 2)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
 /// let outline = sizes.outline();
-/// // At each station: two walls and the end of a slot, two pieces of rim and a locking arc.
+/// // At each station: two walls and the end of a slot, two pieces of rim and a locking arc. A mouth adds two faces.
 /// assert_eq!((outline.wheel.outer.edges.len(), outline.pins.len()), (6 * 6, 2));
 /// assert!(outline.wheel.area() < PI * sizes.tip_radius * sizes.tip_radius); // mm²
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
@@ -282,17 +283,34 @@ impl Sizes {
 
     fn wheel_loop(&self) -> Loop {
         let half_pitch = self.wheel.half_pitch_angle();
-        let (half, end, mouth) = (self.slot_width / 2.0, self.slot_end, self.wheel_radius);
+        let (half, end, mouth) = (self.slot_width / 2.0, self.slot_end, self.mouth_profile());
+        let wall_end = mouth.wall_end.x;
         let (corner, tip) = (self.corner_angle(), self.tip_angle());
         let locking = self.locking_end_angle();
         let (rim, c) = (self.tip_radius, self.centre_distance);
         let opening = libm::atan2(rim * libm::sin(locking), c - rim * libm::cos(locking));
         let line = |from, to| Edge::Line { from: Vector2::from(from), to: Vector2::from(to) };
         let round = |start, sweep| Edge::Arc { centre: Vector2::zeros(), radius: rim, start, sweep };
-        let sector = [
-            line([mouth, -half], [end, -half]),
+        // The face above the slot from the wall to the rim, and the one below it from the rim to the wall.
+        let [above, below] = match mouth.face {
+            None => [None, None],
+            Some(MouthFace::Flat { .. }) => {
+                let below = [mouth.rim, mouth.wall_end].map(|p| [p.x, -p.y]);
+                [Some(line(mouth.wall_end.into(), mouth.rim.into())), Some(line(below[0], below[1]))]
+            }
+            Some(MouthFace::Round { centre, radius, end }) => {
+                let sweep = FRAC_PI_2 + end;
+                let mirrored = Vector2::new(centre.x, -centre.y);
+                [(centre, -FRAC_PI_2), (mirrored, -end)]
+                    .map(|(centre, start)| Some(Edge::Arc { centre, radius, start, sweep }))
+            }
+        };
+        let slot = [
+            line([wall_end, -half], [end, -half]),
             Edge::Arc { centre: Vector2::new(end, 0.0), radius: half, start: -FRAC_PI_2, sweep: -PI },
-            line([end, half], [mouth, half]),
+            line([end, half], [wall_end, half]),
+        ];
+        let horns = [
             round(corner, tip - corner),
             Edge::Arc {
                 centre: Turn::from_radians(half_pitch).direction() * c,
@@ -302,8 +320,10 @@ impl Sizes {
             },
             round(2.0 * half_pitch - tip, tip - corner),
         ];
-        let slots = (0..self.wheel.stations()).map(|k| 2.0 * half_pitch * f64::from(k));
-        Loop { edges: slots.flat_map(|slot| sector.map(|edge| edge.transform(slot, Vector2::zeros()))).collect() }
+        let sector: Vec<Edge> = below.into_iter().chain(slot).chain(above).chain(horns).collect();
+        let turns = (0..self.wheel.stations()).map(|k| 2.0 * half_pitch * f64::from(k));
+        let at = |turn: f64| sector.iter().map(move |edge| edge.transform(turn, Vector2::zeros()));
+        Loop { edges: turns.flat_map(at).collect() }
     }
 
     fn disc_loop(&self) -> Option<Loop> {
