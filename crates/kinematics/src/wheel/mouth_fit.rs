@@ -44,7 +44,8 @@ impl Sizes {
         // In the slot's frame D is at (R, a), above the wall.
         let (sin, cos) = libm::sincos(self.wheel.half_pitch_angle());
         let locking = Vector2::new(cos, sin) * self.centre_distance;
-        let mut least = profile.corners().map(|corner| (corner - locking).norm()).into_iter().fold(f64::INFINITY, f64::min);
+        let mut least =
+            profile.corners().map(|corner| (corner - locking).norm()).into_iter().fold(f64::INFINITY, f64::min);
         match face {
             MouthFace::Flat { normal, length } => {
                 let from = locking - profile.wall_end;
@@ -95,7 +96,13 @@ impl Sizes {
         }
     }
 
-    fn too_large(&self, name: MouthSize, asked: f64, (reason, remedies): TooLarge, of: impl Fn(f64) -> Mouth) -> SizesError {
+    fn too_large(
+        &self,
+        name: MouthSize,
+        asked: f64,
+        (reason, remedies): TooLarge,
+        of: impl Fn(f64) -> Mouth,
+    ) -> SizesError {
         let [most, _] = bisect_times(HALVINGS, [0.0, asked], |size| self.mouth_room(of(size)).is_ok());
         SizesError::Mouth { name, asked, most, reason, remedies }
     }
@@ -110,6 +117,11 @@ impl Sizes {
         let with = Self { mouth, ..*self };
         if mouth.profile(self.wheel_radius, self.slot_width / 2.0, self.tip_radius).is_none() {
             return Err(("its faces do not come to the rim", &[]));
+        }
+        if let Mouth::LeadIn { length, flare } = mouth
+            && flare > length
+        {
+            return Err(("it opens by more than its own length", &[]));
         }
         if with.mouth_length() > self.longest_mouth() {
             return Err(("it takes more than half of the wall that drives the wheel", &[]));

@@ -33,6 +33,8 @@ pub struct PinEntry {
     pub crank_angle: f64,
     /// Speed with which pin and wheel close in on each other, across their faces, over the pin's speed, dimensionless.
     pub closing_speed: f64,
+    /// Whether it is on the side of the slot that the pin then pushes, be it wall, mouth or the rim beside it.
+    pub is_driving_side: bool,
     /// Angle of the line across their faces from the line across the slot, in radians: zero on a wall, a right angle where the
     /// pin runs straight against the wheel.
     pub slant: f64,
@@ -94,7 +96,7 @@ impl Sizes {
     pub fn knock(&self) -> Option<Knock> {
         let play = self.dwell_play()?;
         let entry = |drift: f64| self.drifted_entry(drift);
-        let is_driven = |drift: f64| entry(drift).is_some_and(|entry| entry.velocity_jump > 0.0);
+        let is_driven = |drift: f64| entry(drift).is_some_and(|entry| entry.is_driving_side);
         let centred = entry(0.0)?;
         let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], is_driven);
         let most = |from: f64, to: f64| {
@@ -188,16 +190,16 @@ impl Sizes {
         let pin = |tau: f64| axis - Point::new(libm::sin(tau), libm::cos(tau)) * a;
         let mouth = self.mouth_profile();
 
-        let mut met: Vec<(f64, EntryContact, Point)> = Vec::new();
+        let mut met: Vec<(f64, EntryContact, Point, bool)> = Vec::new();
         // Walls: a (1 − cos τ) = ±gap − beyond, as it goes out to one wall or comes in to the other.
         let sine_of_half = |height: f64| (height / (2.0 * a)).sqrt();
         if (0.0..=2.0 * a).contains(&(gap - beyond)) {
             let tau = 2.0 * libm::asin(sine_of_half(gap - beyond));
-            met.push((tau, EntryContact::DrivingWall, Point::new(0.0, -1.0)));
+            met.push((tau, EntryContact::DrivingWall, Point::new(0.0, -1.0), true));
         }
         if (0.0..=2.0 * a).contains(&(-gap - beyond)) {
             let tau = -2.0 * libm::asin(sine_of_half(-gap - beyond));
-            met.push((tau, EntryContact::OtherWall, Point::new(0.0, 1.0)));
+            met.push((tau, EntryContact::OtherWall, Point::new(0.0, 1.0), false));
         }
         met.retain(|(tau, ..)| pin(*tau).x <= mouth.wall_end.x);
         let mirrored = |p: Point| Point::new(p.x, -p.y);
@@ -208,14 +210,14 @@ impl Sizes {
                 let tau = libm::atan2(from.x, from.y) - libm::acos(reach);
                 let normal = (pin(tau) - corner) / rho;
                 if normal.x >= 0.0 {
-                    met.push((tau, EntryContact::Mouth, normal));
+                    met.push((tau, EntryContact::Mouth, normal, corner.y > 0.0));
                 }
             }
         }
         for side in [1.0, -1.0] {
             let on_side = |p: Point| Point::new(p.x, side * p.y);
             if let Some((tau, normal)) = mouth.first_on_face(&on_side(axis), a * side, rho) {
-                met.push((tau, EntryContact::MouthFace, on_side(normal)));
+                met.push((tau, EntryContact::MouthFace, on_side(normal), side > 0.0));
             }
         }
         let rim = self.tip_radius + rho;
@@ -225,10 +227,10 @@ impl Sizes {
             let at = pin(tau);
             let angle = libm::atan2(at.y, at.x).abs();
             if (self.corner_angle()..=self.tip_angle()).contains(&angle) {
-                met.push((tau, EntryContact::Mouth, at / rim));
+                met.push((tau, EntryContact::Mouth, at / rim, at.y > 0.0));
             }
         }
-        let (tau, contact, normal) = met.into_iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
+        let (tau, contact, normal, is_driving_side) = met.into_iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
         let velocity = Point::new(-libm::cos(tau), libm::sin(tau));
         let closing_speed = -velocity.dot(&normal);
         let touching = pin(tau) - normal * rho;
@@ -236,6 +238,7 @@ impl Sizes {
             contact,
             crank_angle: tau - drift - self.wheel.engagement_half_angle(),
             closing_speed,
+            is_driving_side,
             slant: libm::asin(normal.x.clamp(-1.0, 1.0)).abs(),
             velocity_jump: -a * closing_speed / touching.perp(&normal),
         })

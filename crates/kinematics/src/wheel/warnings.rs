@@ -3,6 +3,7 @@
 //! That a wheel can miss its pin follows from the play. The least thickness of a wall is a rule of thumb of ours: it asks for
 //! a look at the strength, and proves nothing.
 
+use super::mouth::Mouth;
 use super::sizes::Sizes;
 use super::standard_fit::play_of_h8_e8_at;
 use std::fmt;
@@ -16,6 +17,11 @@ pub enum Warning {
     CanMiss {
         /// How far it turns, in radians.
         turns: f64,
+    },
+    /// The pin lands on the mouth of its slot harder than it would on a sharp corner, with the wheel anywhere in its play.
+    HarderMouth {
+        /// How many times as hard, dimensionless: the ratio of the closing speeds.
+        times: f64,
     },
     /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
@@ -36,6 +42,9 @@ pub enum Warning {
 /// A wall that is thinner than this part of the pin's diameter gets a warning.
 const THIN: f64 = 0.2;
 
+/// Blows that are this much harder get a warning, dimensionless: less is not felt.
+const HARDER: f64 = 1.02;
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -45,6 +54,11 @@ impl fmt::Display for Warning {
                 "during the dwell the wheel can turn by {:.2}°, and the pin then hits its rim beside the slot: choose less play \
                  or a thicker pin",
                 turns.to_degrees()
+            ),
+            Self::HarderMouth { times } => write!(
+                f,
+                "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
+                 lead-in with less flare"
             ),
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
@@ -76,9 +90,21 @@ impl Sizes {
         let tight = is_tight.then_some(Warning::NoPlay).into_iter();
         tight
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
+            .chain(self.harder_mouth())
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
             .collect()
     }
+
+    /// The warning that a mouth makes the hardest blow at entry harder, where it does.
+    fn harder_mouth(&self) -> Option<Warning> {
+        if self.mouth == Mouth::Sharp {
+            return None;
+        }
+        let sharp = Self { mouth: Mouth::Sharp, ..*self }.knock()?.drifted;
+        let times = self.knock()?.drifted / sharp;
+        (times > HARDER).then_some(Warning::HarderMouth { times })
+    }
+
     /// The warning to someone who let the program choose the play, if it is more than that of the fit H8/e8.
     ///
     /// ```

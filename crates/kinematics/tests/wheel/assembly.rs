@@ -111,7 +111,7 @@ pub(super) fn placed(sizes: &Sizes, theta: f64) -> (Loop, Option<Loop>, Vec<Loop
 }
 
 #[track_caller]
-fn check(sizes: &Sizes, steps: i32) {
+pub(super) fn check(sizes: &Sizes, steps: i32) {
     let clearance = sizes.clearance();
     let (mut crescent, mut resting, mut pins) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
     for step in -steps..=steps {
