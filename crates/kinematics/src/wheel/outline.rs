@@ -281,30 +281,43 @@ impl Sizes {
         (0..pins).map(move |k| 2.0 * PI * f64::from(k) / f64::from(pins))
     }
 
+    /// The face of a mouth that is not sharp, above the slot on the first axis, from the wall to the rim; in millimetres.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Edge, Mouth, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { mouth: Mouth::Round { radius: 1.0 }, ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &choices)?;
+    /// assert!(matches!(sizes.mouth_face(), Some(Edge::Arc { radius, .. }) if radius == 1.0));
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn mouth_face(&self) -> Option<Edge> {
+        let mouth = self.mouth_profile();
+        Some(match mouth.face? {
+            MouthFace::Flat { .. } => Edge::Line { from: mouth.wall_end, to: mouth.rim },
+            MouthFace::Round { centre, radius, end } => {
+                Edge::Arc { centre, radius, start: -FRAC_PI_2, sweep: FRAC_PI_2 + end }
+            }
+        })
+    }
+
     fn wheel_loop(&self) -> Loop {
         let half_pitch = self.wheel.half_pitch_angle();
-        let (half, end, mouth) = (self.slot_width / 2.0, self.slot_end, self.mouth_profile());
-        let wall_end = mouth.wall_end.x;
+        let (half, end, wall_end) = (self.slot_width / 2.0, self.slot_end, self.mouth_profile().wall_end.x);
         let (corner, tip) = (self.corner_angle(), self.tip_angle());
         let locking = self.locking_end_angle();
         let (rim, c) = (self.tip_radius, self.centre_distance);
         let opening = libm::atan2(rim * libm::sin(locking), c - rim * libm::cos(locking));
         let line = |from, to| Edge::Line { from: Vector2::from(from), to: Vector2::from(to) };
         let round = |start, sweep| Edge::Arc { centre: Vector2::zeros(), radius: rim, start, sweep };
-        // The face above the slot from the wall to the rim, and the one below it from the rim to the wall.
-        let [above, below] = match mouth.face {
-            None => [None, None],
-            Some(MouthFace::Flat { .. }) => {
-                let below = [mouth.rim, mouth.wall_end].map(|p| [p.x, -p.y]);
-                [Some(line(mouth.wall_end.into(), mouth.rim.into())), Some(line(below[0], below[1]))]
+        let above = self.mouth_face();
+        // Its mirror image below the slot runs from the rim to the wall.
+        let below = above.map(|face| match face {
+            Edge::Line { from, to } => line([to.x, -to.y], [from.x, -from.y]),
+            Edge::Arc { centre, radius, start, sweep } => {
+                Edge::Arc { centre: Vector2::new(centre.x, -centre.y), radius, start: -start - sweep, sweep }
             }
-            Some(MouthFace::Round { centre, radius, end }) => {
-                let sweep = FRAC_PI_2 + end;
-                let mirrored = Vector2::new(centre.x, -centre.y);
-                [(centre, -FRAC_PI_2), (mirrored, -end)]
-                    .map(|(centre, start)| Some(Edge::Arc { centre, radius, start, sweep }))
-            }
-        };
+        });
         let slot = [
             line([wall_end, -half], [end, -half]),
             Edge::Arc { centre: Vector2::new(end, 0.0), radius: half, start: -FRAC_PI_2, sweep: -PI },

@@ -193,11 +193,11 @@ fn no_state_has_the_wheel_farther_forwards_than_is_said() {
         past_entry += u32::from(at < 0.0);
         assert!(free(at, 0.97 * play.greatest), "{name} is too much");
         assert!(!free(at, 1.03 * play.greatest), "{name} is too little");
-        // Just before and after, the wheel is stopped earlier: by the disc or by the pin.
-        for away in [0.02, 0.1] {
-            if at > -sizes.mouth_angle() + 1e-9 || sizes.mouth == Mouth::Sharp {
-                assert!(!free(at + away, 1.03 * play.greatest), "{name}, {away} before");
-            }
+        // Before that and after it, the wheel is stopped earlier: by the disc or by the pin.
+        let (first, last) = (at.min(0.0), sizes.dwell_angle().unwrap());
+        for step in 0..=24 {
+            let until = first + (last - first) * f64::from(step) / 24.0;
+            assert!(!free(until, 1.03 * play.greatest), "{name}, {until} before entry");
         }
     }
     assert!(past_entry > 0, "the play is never greatest past the entry");
