@@ -9,7 +9,7 @@ use geneva_kinematics::wheel::{EntryContact, Knock, Mouth, MouthSize, Sizes};
 /// Angle of a chamfer to the wall, in degrees, unless it is given: the one that a workshop means by a chamfer's width alone.
 const ANGLE: f64 = 45.0;
 /// Flare of a lead-in over its length unless it is given, dimensionless; our choice. On wheels of four to twelve stations with the
-/// play that the program chooses, it makes the hardest blow about as soft as any flare of that length does.
+/// play that the program chooses, no other flare of that length makes the hardest blow softer by more than a third.
 const OF_LENGTH: f64 = 0.1;
 
 /// The mouth that a question describes, if it names one.
