@@ -2,6 +2,7 @@
 
 use super::WheelQuestion;
 use super::kind::{AnyWheel, WheelKind};
+use super::mouth::{asked_mouth, check_mouth, mouth_argument};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
@@ -62,6 +63,7 @@ impl WheelDesign {
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
         refuse_contradictions(&question)?;
         let question = with_speed(question, &wheel)?;
+        check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
         let materials = [question.pin_material, question.wheel_material].map(|of| of.unwrap_or(MATERIALS[0]));
         let density = question.density.unwrap_or(materials[1].density);
@@ -357,6 +359,7 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
         locking_arc_radius: question.locking_arc_radius,
         wheel_shaft: question.wheel_shaft,
         driver_shaft: question.driver_shaft,
+        mouth: asked_mouth(question).unwrap_or_default(),
     };
     let (locking, bore) = (question.locking_play, question.bore_play);
     if locking.or(bore).is_none() {
@@ -376,11 +379,16 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         Remedy::ThinnerHorn => ("horn", question.horn),
         Remedy::LessPlay => ("play", question.play),
         Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
+        Remedy::ThickerHorn => ("horn", question.horn),
     };
     let arguments = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Mouth { name, remedies, .. } => {
+            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
+        }
+        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }

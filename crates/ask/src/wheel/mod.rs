@@ -7,6 +7,7 @@ mod instant;
 mod kind;
 mod loads;
 mod making;
+mod mouth;
 mod parts;
 mod question;
 mod recommended;

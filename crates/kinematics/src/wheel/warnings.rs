@@ -3,6 +3,7 @@
 //! That a wheel can miss its pin follows from the play. The least thickness of a wall is a rule of thumb of ours: it asks for
 //! a look at the strength, and proves nothing.
 
+use super::mouth::Mouth;
 use super::sizes::Sizes;
 use super::standard_fit::play_of_h8_e8_at;
 use std::fmt;
@@ -31,6 +32,11 @@ pub enum Warning {
         /// Diameter of the pin, in millimetres.
         pin: f64,
     },
+    /// The pin lands on the mouth of its slot harder than it would on a sharp corner, with the wheel anywhere in its play.
+    HarderMouth {
+        /// How many times as hard, dimensionless: the ratio of the closing speeds.
+        times: f64,
+    },
     /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
         /// Which wall.
@@ -55,6 +61,9 @@ const LARGE_BACKLASH: f64 = 0.25;
 /// A wall that is thinner than this part of the pin's diameter gets a warning.
 const THIN: f64 = 0.2;
 
+/// Blows that are this much harder get a warning, dimensionless: less is not felt.
+const HARDER: f64 = 1.02;
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -74,6 +83,11 @@ impl fmt::Display for Warning {
                 f,
                 "near the ends of the dwell the wheel's rim can move by {at_rim:.3} mm, more than a quarter of the pin's {pin:.3} \
                  mm: choose less play"
+            ),
+            Self::HarderMouth { times } => write!(
+                f,
+                "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
+                 lead-in with less flare"
             ),
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
@@ -111,9 +125,21 @@ impl Sizes {
             .chain(large)
             .chain(far.map(|at_rim| Warning::LargeBacklash { at_rim, pin }))
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
+            .chain(self.harder_mouth())
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
             .collect()
     }
+
+    /// The warning that a mouth makes the hardest blow at entry harder, where it does.
+    fn harder_mouth(&self) -> Option<Warning> {
+        if self.mouth == Mouth::Sharp {
+            return None;
+        }
+        let sharp = Self { mouth: Mouth::Sharp, ..*self }.knock()?.drifted;
+        let times = self.knock()?.drifted / sharp;
+        (times > HARDER).then_some(Warning::HarderMouth { times })
+    }
+
     /// The warning to someone who let the program choose the play, if it is more than that of the fit H8/e8.
     ///
     /// ```
