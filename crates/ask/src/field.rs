@@ -41,18 +41,14 @@ impl Needs {
     pub const TABLE_INERTIA: Self = Self(1 << 3);
     /// The torque of the friction that brakes the wheel.
     pub const FRICTION_TORQUE: Self = Self(1 << 4);
-    /// The thickness of the wheel.
-    pub const THICKNESS: Self = Self(1 << 5);
-    /// The density of the wheel.
-    pub const DENSITY: Self = Self(1 << 6);
-    /// The materials of pins and wheel.
-    pub const MATERIALS: Self = Self(1 << 7);
+    /// Mass and diameter of a round table.
+    pub const TABLE: Self = Self(1 << 8);
     /// A driver with more than one pin.
-    pub const SECOND_PIN: Self = Self(1 << 8);
+    pub const SECOND_PIN: Self = Self(1 << 5);
     /// The coefficient of friction of a pin in its slot.
-    pub const PIN_FRICTION: Self = Self(1 << 9);
+    pub const PIN_FRICTION: Self = Self(1 << 6);
     /// A crank angle before a pin enters.
-    pub const BEFORE_ENTRY: Self = Self(1 << 10);
+    pub const BEFORE_ENTRY: Self = Self(1 << 7);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {

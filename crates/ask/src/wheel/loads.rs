@@ -42,10 +42,12 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(Needs::INERTIA),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density")
-            .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY)),
-        ReportField::in_unit("table_inertia_kgm2", design.table_inertia(), "kg m²")
+            .needing(Needs::SIZE),
+        ReportField::in_unit("table_inertia_kgm2", design.table_inertia, "kg m²")
             .line("", "part of the table and all else that turns with the wheel, as given")
-            .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY).union(Needs::TABLE_INERTIA)),
+            .needing(Needs::TABLE_INERTIA),
+        ReportField::in_unit("table_mass_kg", design.question.table_mass, "kg").needing(Needs::TABLE),
+        ReportField::in_unit("table_diameter_mm", design.question.table_diameter, "mm").needing(Needs::TABLE),
         ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
             .line("friction torque", "on the wheel; no other friction is included")
             .needing(Needs::FRICTION_TORQUE),
@@ -66,9 +68,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
             .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
-            .needing(
-                Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE).union(Needs::THICKNESS).union(Needs::MATERIALS),
-            )
+            .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE))
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),

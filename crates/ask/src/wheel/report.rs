@@ -26,7 +26,7 @@ impl WheelDesign {
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
             ("Limits if all sizes are wrong at once", parts::together(self)?),
-            ("Warnings", parts::warnings(self)),
+            ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
             ("Loads", loads::fields(self, wheel)?),
@@ -45,7 +45,8 @@ impl WheelDesign {
     ///
     /// Speeds and inertias that no wheel has.
     pub fn live_fields(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
-        let mut fields = geometry(self, wheel);
+        let mut fields = given(self);
+        fields.extend(geometry(self, wheel));
         fields.extend(parts::parts(self));
         fields.extend(parts::tolerances(self)?);
         fields.extend(cycle(self, wheel)?);

@@ -17,6 +17,8 @@ pub enum Scale {
     CentreDistance(f64),
     /// Distance of the pin's centre from the wheel's axis as it enters, in millimetres.
     WheelRadius(f64),
+    /// Diameter of the wheel over the corners of its slots, in millimetres.
+    OutsideDiameter(f64),
 }
 
 /// Play: how much wider each hollow is than what runs in it; the gap on each side is half as much.
@@ -67,6 +69,8 @@ pub struct Choices {
     /// Least thickness of the wheel between a slot and a locking arc, in millimetres. By default the pin's diameter, so
     /// that without play the locking disc's radius is a − 3 ρ.
     pub horn_thickness: Option<f64>,
+    /// Radius of the locking arcs, in millimetres, which then gives the horn's thickness.
+    pub locking_arc_radius: Option<f64>,
     /// Diameter of the wheel's shaft, in millimetres. By default half of the greatest.
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel, in millimetres. By default half of the greatest; none,
