@@ -2,12 +2,16 @@
 
 mod arguments;
 mod design;
+mod drive;
 mod files;
+mod friction;
 mod instant;
 mod kind;
 mod loads;
 mod making;
+mod materials;
 mod parts;
+mod pin_load;
 mod question;
 mod recommended;
 mod report;
