@@ -3,12 +3,12 @@
 use super::WheelQuestion;
 use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
+use super::materials::materials;
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
 use crate::worked::DriverSpeed;
-use super::materials::materials;
 use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;

@@ -25,7 +25,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         (Some(_), None) => time.words("start in mid-index", "this torque can't bring the driver to its speed"),
         (_, run) => {
             let turned = run.map_or_else(String::new, |run| degrees(run.angle));
-            time.line("start in mid-index", format!("until the driver has its speed, with that torque; it turns {turned}°"))
+            time.line(
+                "start in mid-index",
+                format!("until the driver has its speed, with that torque; it turns {turned}°"),
+            )
         }
     };
     let disc_force = match (&design.sizes, question.disc_friction) {
@@ -41,7 +44,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let inertia = |key, value: Option<f64>| ReportField::in_unit(key, value, "kg m²");
     Ok(vec![
         inertia("reflected_inertia_kgm2", reflected.map(|reflected| reflected.peak))
-            .line("reflected inertia", "of the wheel at the driver's shaft in mid-index: J v², v the peak velocity ratio")
+            .line(
+                "reflected inertia",
+                "of the wheel at the driver's shaft in mid-index: J v², v the peak velocity ratio",
+            )
             .needing(LOADED),
         inertia("mean_reflected_inertia_kgm2", reflected.map(|reflected| reflected.mean))
             .line("", "its mean over a turn of the driver")
@@ -80,4 +86,114 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .line("", "its mean")
             .needing(GEARED),
     ])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{MechanismReport, ReportField, answer};
+    use approx::assert_relative_eq;
+    use std::f64::consts::{PI, TAU};
+
+    const SIX: &str = "wheel --stations 6 --crank-radius 40 --rpm 50 --total-inertia 0.0246 --thickness 12";
+
+    fn report(more: &str) -> MechanismReport {
+        answer(&format!("{SIX} {more}")).expect(more)
+    }
+
+    fn number(report: &MechanismReport, key: &str) -> f64 {
+        report.field(key).and_then(ReportField::number).expect(key)
+    }
+
+    #[test]
+    fn the_motor_feels_what_the_gear_leaves() {
+        let report = report("--gear-ratio 8 --held-torque 0.7 --driver-inertia 0.0246");
+        // Of six stations the wheel is as fast as its driver in mid-index.
+        assert_relative_eq!(number(&report, "reflected_inertia_kgm2"), 0.0246, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "motor_reflected_inertia_kgm2"), 0.0246 / 64.0, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "motor_speed_rpm"), 400.0, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "holding_torque_nm"), 0.7, max_relative = 1e-12);
+        // Two equal inertias share the energy of one.
+        assert_relative_eq!(number(&report, "speed_droop"), 1.0 - 0.5_f64.sqrt(), max_relative = 1e-12);
+        let peak = number(&report, "motor_peak_torque_nm") * 8.0;
+        assert_relative_eq!(peak, number(&report, "peak_crank_torque_nm"), max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "peak_power_w"), peak * 50.0 * TAU / 60.0, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn a_start_ends_or_is_said_not_to() {
+        // Frictionless: the torque's work is the energy of driver and wheel.
+        let start = report("--driver-inertia 0.05 --drive-torque 3");
+        let work = 3.0 * number(&start, "run_up_angle_deg").to_radians();
+        let speed = 50.0 * TAU / 60.0;
+        assert!(work > 0.5 * 0.05 * speed * speed && work < 0.5 * 0.0746 * speed * speed, "{work}");
+        assert!(number(&start, "run_up_time_s") > 0.0);
+        let weak = report("--driver-inertia 0.05 --drive-torque 0.5 --friction-torque 2");
+        let field = weak.field("run_up_time_s").expect("a field");
+        assert_eq!(field.number(), None);
+        assert!(field.line.as_ref().is_some_and(|line| line.meaning.contains("can't bring")));
+    }
+
+    #[test]
+    fn friction_counts_in_every_load_and_its_absence_is_said() {
+        let none = report("");
+        let meaning = |of: &MechanismReport| of.field("mean_crank_torque_nm").unwrap().line.clone().unwrap().meaning;
+        assert_eq!(number(&none, "mean_crank_torque_nm"), 0.0);
+        assert!(meaning(&none).contains("frictionless"));
+        let all = "--friction-torque 0.1 --pin-friction 0.15 --disc-friction 0.15 --bearing-friction 0.1 --wheel-bearing 20 \
+                   --driver-bearing 20 --driver-friction 0.02";
+        let rubbed = report(all);
+        assert!(!meaning(&rubbed).contains("frictionless"));
+        for key in [
+            "peak_wheel_torque_nm",
+            "peak_pin_force_n",
+            "peak_crank_torque_nm",
+            "rms_crank_torque_nm",
+            "mean_crank_torque_nm",
+            "peak_power_w",
+            "breakaway_torque_nm",
+            "dwell_crank_torque_nm",
+        ] {
+            assert!(number(&rubbed, key) > number(&none, key), "{key}");
+        }
+        assert!(number(&rubbed, "braking_crank_torque_nm") > number(&none, "braking_crank_torque_nm"));
+        // Each friction alone takes something.
+        let mean = |more: &str| number(&report(more), "mean_crank_torque_nm");
+        let table = mean("--friction-torque 0.1");
+        assert_relative_eq!(table, 0.1 / 6.0, max_relative = 1e-12);
+        for more in [
+            "--pin-friction 0.15",
+            "--bearing-friction 0.1 --wheel-bearing 20 --driver-bearing 20",
+            "--disc-friction 0.15",
+        ] {
+            assert!(mean(&format!("--friction-torque 0.1 {more}")) > table, "{more}");
+        }
+        // The disc rubs in the dwell only, two thirds of the turn.
+        let disc = report("--friction-torque 0.1 --disc-friction 0.15");
+        let dwell = number(&disc, "dwell_crank_torque_nm");
+        assert_relative_eq!(number(&disc, "mean_crank_torque_nm"), table + dwell * 2.0 / 3.0, max_relative = 1e-12);
+        // Its force holds the torque at the arm of the arc's end: c sin β less the friction's.
+        let (centres, arc, rim) = (
+            number(&disc, "centre_distance_mm"),
+            number(&disc, "locking_arc_radius_mm"),
+            number(&disc, "tip_radius_mm"),
+        );
+        // By bisection on the arc: where it meets the rim.
+        let (mut low, mut high) = (0.0, PI);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let distance = (centres - arc * f64::cos(middle)).hypot(arc * f64::sin(middle));
+            if distance < rim { low = middle } else { high = middle }
+        }
+        let force = number(&disc, "locking_disc_force_n");
+        let radius = number(&disc, "locking_radius_mm");
+        let held = force * (centres * low.sin() - 0.15 * (centres * low.cos() - radius)) / 1e3;
+        assert_relative_eq!(held, 0.1, max_relative = 1e-9);
+        assert_relative_eq!(dwell, 0.15 * force * radius / 1e3, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn a_bearing_without_a_diameter_is_refused() {
+        let error = answer(&format!("{SIX} --bearing-friction 0.1 --wheel-bearing 20")).unwrap_err().to_string();
+        assert!(error.contains("--bearing-friction 0.1") && error.contains("add --driver-bearing MM"), "{error}");
+    }
 }

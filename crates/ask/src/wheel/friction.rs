@@ -9,7 +9,7 @@ use geneva_kinematics::wheel::Sizes;
 /// Millimetres of a metre.
 const MILLI: f64 = 1000.0;
 
-/// All friction of the question.
+/// All friction of the question. That of bearings and disc needs a size.
 ///
 /// # Errors
 ///
@@ -50,19 +50,22 @@ pub(super) fn disc(sizes: &Sizes, friction: f64) -> Option<LockingDisc> {
 /// Arms of the friction of the bearings of wheel and driver, in millimetres: their coefficient times half the diameter.
 fn bearings(design: &WheelDesign) -> Result<[f64; 2], Error> {
     let question = &design.question;
-    let Some(friction) = question.bearing_friction else { return Ok([0.0; 2]) };
-    let refused = |what: &str, remedy: &str| {
-        Err(refused!("--bearing-friction {}: {what}; {remedy}", as_typed(friction)))
+    // Without a size the force on the bearings is unknown.
+    let Some(friction) = question.bearing_friction.filter(|_| design.crank_radius.is_some()) else {
+        return Ok([0.0; 2]);
     };
-    if design.crank_radius.is_none() {
-        return refused("without a size, the force on the bearings is unknown", "add --crank-radius MM");
-    }
+    let refused = |bearing: &str, option: &str| {
+        Err(refused!(
+            "--bearing-friction {}: the diameter at which the {bearing} bearing rubs is missing; add --{option} MM",
+            as_typed(friction)
+        ))
+    };
     let arm = |diameter: f64| friction * diameter / 2.0;
     let of_wheel = question.wheel_bearing.or(question.wheel_shaft);
     let of_driver = question.driver_bearing.or(question.driver_shaft);
     match (of_wheel, of_driver) {
         (Some(wheel), Some(driver)) => Ok([arm(wheel), arm(driver)]),
-        (None, _) => refused("the diameter at which the wheel's bearing rubs is missing", "add --wheel-bearing MM"),
-        (_, None) => refused("the diameter at which the driver's bearing rubs is missing", "add --driver-bearing MM"),
+        (None, _) => refused("wheel's", "wheel-bearing"),
+        (_, None) => refused("driver's", "driver-bearing"),
     }
 }

@@ -35,7 +35,8 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     };
     let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
     let question = &design.question;
-    let of_others = [question.pin_friction, question.disc_friction, question.bearing_friction, question.driver_friction];
+    let of_others =
+        [question.pin_friction, question.disc_friction, question.bearing_friction, question.driver_friction];
     let friction_torque = if of_others.iter().all(Option::is_none) {
         "on the wheel; no other friction is included"
     } else {

@@ -21,11 +21,7 @@ pub(super) fn materials(question: &WheelQuestion) -> Result<[Material; 2], Error
     Ok([own("pin", question.pin_material, pins)?, own("wheel", question.wheel_material, wheel)?])
 }
 
-fn own(
-    part: &str,
-    named: Option<Material>,
-    [modulus, poisson, strength]: [Option<f64>; 3],
-) -> Result<Material, Error> {
+fn own(part: &str, named: Option<Material>, [modulus, poisson, strength]: [Option<f64>; 3]) -> Result<Material, Error> {
     let listed = named.unwrap_or(MATERIALS[0]);
     if let Some(poisson) = poisson.filter(|poisson| *poisson > MOST_POISSON) {
         return Err(refused!(

@@ -3,9 +3,7 @@
 use super::design::WheelDesign;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_limit};
-use geneva_dynamics::pin_strength::{
-    Cantilever, PinLength, least_diameter_for_pressure, least_diameter_for_strength,
-};
+use geneva_dynamics::pin_strength::{Cantilever, PinLength, least_diameter_for_pressure, least_diameter_for_strength};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Sizes;
 
@@ -95,10 +93,16 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         newtons("peak_bearing_load_n", bearing)
-            .line("bearing load", "of wheel and of driver, in the plane of the wheel: F √(1 + μ²); no weight, no overhang")
+            .line(
+                "bearing load",
+                "of wheel and of driver, in the plane of the wheel: F √(1 + μ²); no weight, no overhang",
+            )
             .needing(FORCE),
         ReportField::in_unit("blow_energy_mj", blows[0], "mJ")
-            .line("energy of the blow", "as the pin enters, wheel in the middle of its play: J (ω' − ω)²/2, all of it lost")
+            .line(
+                "energy of the blow",
+                "as the pin enters, wheel in the middle of its play: J ω²/2, ω its speed after; as much is lost",
+            )
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("drifted_blow_energy_mj", blows[1], "mJ")
@@ -160,4 +164,76 @@ fn greatest_drifted(sizes: &Sizes) -> Option<f64> {
         sizes.drifted_entry(drift).map(|entry| entry.velocity_jump.abs())
     };
     (0..=DRIFTS).filter_map(at).reduce(f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{MechanismReport, ReportField, answer};
+    use approx::assert_relative_eq;
+    use std::f64::consts::PI;
+
+    fn number(report: &MechanismReport, key: &str) -> f64 {
+        report.field(key).and_then(ReportField::number).expect(key)
+    }
+
+    /// Juvinall and Marshek, problem 9.29, by the book's formula: the tests of `pin_strength` have its source. The arm's length is ours.
+    #[test]
+    fn the_problem_of_juvinall_and_marshek_is_asked_and_answered() {
+        let own = "--pin-material hardened-steel --pin-poisson 0.3 --wheel-modulus 140 --wheel-poisson 0.25 --allowed-pressure 700";
+        let report = answer(&format!("wheel --stations 4 --crank-radius 50 --arm-torque 60 {own}")).unwrap();
+        assert_relative_eq!(number(&report, "arm_pin_force_n"), 1200.0, max_relative = 1e-12);
+        let diameter = number(&report, "arm_least_pin_diameter_mm");
+        assert_relative_eq!(diameter, 11.9, max_relative = 5e-3);
+        // With that pin, as long as it is thick, the pressure is the allowed one.
+        let report = answer(&format!(
+            "wheel --stations 4 --crank-radius 50 --arm-torque 60 {own} --pin-diameter {diameter} --thickness {diameter}"
+        ))
+        .unwrap();
+        assert_relative_eq!(number(&report, "arm_contact_pressure_mpa"), 700.0, max_relative = 1e-9);
+        assert_relative_eq!(number(&report, "arm_pressure_factor"), 1.0, max_relative = 1e-9);
+    }
+
+    /// From the numbers of the same sheet, by hand.
+    #[test]
+    fn the_rows_follow_from_each_other() {
+        let asked = "wheel --stations 6 --crank-radius 40 --rpm 50 --inertia 0.0225 --thickness 12 --pin-friction 0.15 --friction-torque 0.1";
+        let report = answer(asked).unwrap();
+        let (force, pin) = (number(&report, "peak_pin_force_n"), number(&report, "pin_diameter_mm"));
+        let gap = number(&report, "play_mm");
+        let bending = 32.0 * force * (gap + 6.0) / (PI * pin * pin * pin);
+        assert_relative_eq!(number(&report, "pin_bending_stress_mpa"), bending, max_relative = 1e-12);
+        let shear = 4.0 / 3.0 * force / (PI / 4.0 * pin * pin);
+        assert_relative_eq!(number(&report, "pin_shear_stress_mpa"), shear, max_relative = 1e-12);
+        // Steel of 210 MPa.
+        let factor = (210.0 / bending).min(210.0 / (3.0_f64.sqrt() * shear));
+        assert_relative_eq!(number(&report, "pin_factor"), factor, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "peak_bearing_load_n"), force * 1.0225_f64.sqrt(), max_relative = 1e-12);
+        let limit = number(&report, "pressure_factor") * number(&report, "peak_contact_pressure_mpa");
+        assert_relative_eq!(limit, number(&report, "pressure_limit_mpa"), max_relative = 1e-12);
+        // The heavy pin takes along a mass J/x², x where it meets the wall: by then it has come in from the wheel radius.
+        let knock = number(&report, "knock_mm_s");
+        let met = number(&report, "wheel_radius_mm") - 40.0 * knock / (40.0 * 50.0 * PI / 30.0);
+        let energy = 0.5 * number(&report, "inertia_kgm2") * (knock / met).powi(2) * 1e3;
+        assert_relative_eq!(number(&report, "blow_energy_mj"), energy, max_relative = 1e-9);
+        assert!(number(&report, "drifted_blow_energy_mj") > energy);
+        // pv is no more than the greatest force at the greatest speed.
+        let most = force / (pin * 12.0) * number(&report, "peak_sliding_mm_s") / 1e3;
+        let pv = number(&report, "peak_pv_mpa_m_s");
+        assert!(pv < most && pv > 0.3 * most, "{pv} of {most}");
+    }
+
+    #[test]
+    fn own_materials_replace_numbers_of_the_list() {
+        let with = |more: &str| answer(&format!("wheel --stations 6 --crank-radius 40 --rpm 50 {more}"));
+        let (steel, soft) = (with("").unwrap(), with("--pin-modulus 50 --wheel-modulus 50").unwrap());
+        let softer = (50.0_f64 / 207.0).sqrt();
+        let [of_steel, of_soft] = [&steel, &soft].map(|report| number(report, "peak_contact_pressure_mpa"));
+        assert_relative_eq!(of_soft, softer * of_steel, max_relative = 1e-12);
+        let strong = with("--pin-strength 420").unwrap();
+        assert_relative_eq!(number(&strong, "pin_factor"), 2.0 * number(&steel, "pin_factor"), max_relative = 1e-12);
+        // The wheel still yields first.
+        assert_eq!(number(&strong, "pressure_limit_mpa"), number(&steel, "pressure_limit_mpa"));
+        let error = with("--wheel-poisson 0.6").unwrap_err().to_string();
+        assert!(error.contains("--wheel-poisson 0.6: Poisson's ratio is from 0 to 0.5"), "{error}");
+    }
 }
