@@ -3,7 +3,7 @@
 use super::design::WheelDesign;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_dynamics::wheel_loads::{Friction, LockingDisc};
+use geneva_dynamics::wheel_loads::{DwellContact, Friction};
 use geneva_kinematics::wheel::Sizes;
 
 /// Millimetres of a metre.
@@ -38,13 +38,13 @@ pub(super) fn held_torque(design: &WheelDesign) -> f64 {
 }
 
 /// The locking disc in an arc of the wheel; none without a disc.
-pub(super) fn disc(sizes: &Sizes, friction: f64) -> Option<LockingDisc> {
+pub(super) fn disc(sizes: &Sizes, friction: f64) -> Option<DwellContact> {
     let (centres, arc, rim) = (sizes.centre_distance, sizes.locking_arc_radius, sizes.tip_radius);
     // By the law of cosines, in the triangle of both axes and the arc's end.
     let cosine = (centres * centres + arc * arc - rim * rim) / (2.0 * centres * arc);
     let end_angle = libm::acos(cosine.clamp(-1.0, 1.0));
     let radius = sizes.locking_disc?.radius / MILLI;
-    Some(LockingDisc { centre_distance: centres / MILLI, radius, end_angle, friction })
+    Some(DwellContact { centre_distance: centres / MILLI, radius, end_angle, friction })
 }
 
 /// Arms of the friction of the bearings of wheel and driver, in millimetres: their coefficient times half the diameter.

@@ -36,7 +36,7 @@ pub struct Friction {
     pub driver_bearing: f64,
     /// A constant torque against the driver's rotation over its whole turn, in N m.
     pub driver_torque: f64,
-    /// What else the locking disc takes of the driver in the dwell, in N m: see [`LockingDisc`].
+    /// What else the locking disc takes of the driver in the dwell, in N m: see [`DwellContact`].
     pub dwell_torque: f64,
 }
 
@@ -136,17 +136,17 @@ impl Place {
 /// sense of L in which it is greater.
 ///
 /// ```
-/// use geneva_dynamics::wheel_loads::LockingDisc;
+/// use geneva_dynamics::wheel_loads::DwellContact;
 /// use std::f64::consts::FRAC_PI_6;
 ///
-/// let disc = LockingDisc { centre_distance: 0.05, radius: 0.02, end_angle: FRAC_PI_6, friction: 0.0 }; // m and rad
+/// let disc = DwellContact { centre_distance: 0.05, radius: 0.02, end_angle: FRAC_PI_6, friction: 0.0 }; // m and rad
 /// assert_eq!(disc.force(1.0)?, 1.0 / (0.05 * FRAC_PI_6.sin())); // N: under 1 N m, at an arm of 25 mm
 /// assert_eq!(disc.driver_torque(1.0, 0.0)?, 0.0); // nothing rubs
-/// assert!(LockingDisc { friction: 0.15, ..disc }.driver_torque(1.0, 0.0)? > 0.15 * 0.02 * disc.force(1.0)?); // N m
+/// assert!(DwellContact { friction: 0.15, ..disc }.driver_torque(1.0, 0.0)? > 0.15 * 0.02 * disc.force(1.0)?); // N m
 /// # Ok::<(), geneva_dynamics::DynamicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LockingDisc {
+pub struct DwellContact {
     /// c, distance between the axes, in m.
     pub centre_distance: f64,
     /// r, radius of the disc, in m.
@@ -157,7 +157,7 @@ pub struct LockingDisc {
     pub friction: f64,
 }
 
-impl LockingDisc {
+impl DwellContact {
     /// Force in N with which the end of an arc presses on the disc under a torque on the wheel, in N m.
     ///
     /// # Errors

@@ -34,7 +34,7 @@ mod friction;
 mod search;
 
 pub use drive::{Reflected, RunUp};
-pub use friction::{Friction, LockingDisc};
+pub use friction::{DwellContact, Friction};
 
 use crate::error::{DynamicsError, not_negative, positive};
 use friction::Place;

@@ -4,7 +4,7 @@
 use super::{SPEED, wheels};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_dynamics::joints::{Escapement, Joints};
-use geneva_dynamics::wheel_loads::{Friction, Load, LockingDisc, WheelLoads};
+use geneva_dynamics::wheel_loads::{DwellContact, Friction, Load, WheelLoads};
 use geneva_dynamics::{DynamicsError, Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::indexing::Indexing;
@@ -224,7 +224,7 @@ fn friction_of_the_pin_adds_what_the_work_along_its_slot_is() {
 /// Torque on the wheel, force of the disc and friction as vectors.
 #[test]
 fn the_locking_disc_holds_the_wheel_and_brakes_the_driver() {
-    let disc = LockingDisc { centre_distance: 0.05, radius: 0.019, end_angle: 0.6, friction: 0.2 };
+    let disc = DwellContact { centre_distance: 0.05, radius: 0.019, end_angle: 0.6, friction: 0.2 };
     let (held, bearing) = (1.5, 0.001);
     let force = disc.force(held).unwrap();
     // The driver's axis at the origin, the wheel's at (c, 0); the disc turns counterclockwise, so it drags the wheel clockwise about
@@ -238,7 +238,7 @@ fn the_locking_disc_holds_the_wheel_and_brakes_the_driver() {
     assert_relative_eq!(moment, held, max_relative = 1e-12);
     let brakes = cross(touch, on_wheel) + bearing * on_wheel[0].hypot(on_wheel[1]);
     assert_relative_eq!(disc.driver_torque(held, bearing).unwrap(), brakes, max_relative = 1e-12);
-    let sticky = LockingDisc { friction: 3.0, ..disc };
+    let sticky = DwellContact { friction: 3.0, ..disc };
     assert!(matches!(sticky.force(1.0), Err(DynamicsError::SelfLocking { .. })));
     assert!(matches!(disc.force(-1.0), Err(DynamicsError::Negative { .. })));
 }
