@@ -22,7 +22,9 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let run = start.flatten();
     let time = ReportField::in_unit("run_up_time_s", run.map(|run| run.time), "s").needing(STARTED);
     let time = match (start, run) {
-        (Some(_), None) => time.words("start in mid-index", "this torque can't bring the driver to its speed"),
+        (Some(_), None) => {
+            time.words("start in mid-index", "this torque can't bring the driver to its speed within a hundred turns")
+        }
         (_, run) => {
             let turned = run.map_or_else(String::new, |run| degrees(run.angle));
             time.line(

@@ -6,10 +6,10 @@ use crate::error::{DynamicsError, not_negative, positive};
 use geneva_kinematics::indexing::Indexing;
 use std::f64::consts::TAU;
 
-/// Steps of an integration from a place of the index to its end.
-const STEPS: u32 = 1000;
-/// Turns after which a driver that is not yet at its speed never will be.
-const MOST_TURNS: u32 = 1000;
+/// Steps of an integration over an index, or over what is left of it.
+const STEPS: u32 = 400;
+/// Turns within which a driver must come to its speed.
+const MOST_TURNS: u32 = 100;
 
 /// Moment of inertia of the wheel and what turns with it, as the driver's shaft feels it, in kg m².
 ///
@@ -106,10 +106,10 @@ impl<W: Indexing + ?Sized> WheelLoads<'_, W> {
     }
 
     /// A start from rest in the middle of an index with a constant torque (N m) on the driver, with which `inertia` (kg m²) turns:
-    /// until it has the speed of these loads. `None` if the torque can't bring it there.
+    /// until it has the speed of these loads. `None` if the torque can't bring it there within a hundred turns.
     ///
     /// The equation of motion, (I + κ/λ J v) dω/dt = K − κ/λ (J ω² a + M) − M_d, K the torque, I the driver's inertia, λ and κ the arms
-    /// of the pin's force about both axes with all friction, by Runge-Kutta steps of ω² over the crank angle: a thousand in an index.
+    /// of the pin's force about both axes with all friction, by Runge-Kutta steps of ω² over the crank angle: 400 in an index.
     ///
     /// ```
     /// use geneva_dynamics::wheel_loads::WheelLoads;
@@ -137,7 +137,8 @@ impl<W: Indexing + ?Sized> WheelLoads<'_, W> {
         let mut from = 0.0;
         for _ in 0..MOST_TURNS * self.wheel.pins() {
             for (low, high) in [(from, end), (end, pitch - end)] {
-                let outcome = if low < end { run.over(low, high, engaged) } else { run.over(low, high, dwell) };
+                let outcome =
+                    if low < end { run.over(low, high, STEPS, engaged) } else { run.over(low, high, 1, dwell) };
                 match outcome {
                     Outcome::Goes => {}
                     Outcome::Stalls => return Ok(None),
@@ -177,12 +178,12 @@ enum Outcome {
 }
 
 impl Run {
-    /// Over these crank angles, with this acceleration at an angle and a square of the speed.
-    fn over(&mut self, from: f64, until: f64, acceleration: impl Fn(f64, f64) -> f64) -> Outcome {
-        let step = (until - from) / f64::from(STEPS);
-        for k in 0..STEPS {
+    /// Over these crank angles in so many steps, with this acceleration at an angle and a square of the speed.
+    fn over(&mut self, from: f64, until: f64, steps: u32, acceleration: impl Fn(f64, f64) -> f64) -> Outcome {
+        let step = (until - from) / f64::from(steps);
+        for k in 0..steps {
             let crank = from + step * f64::from(k);
-            let last = if k + 1 == STEPS { until } else { crank + step };
+            let last = if k + 1 == steps { until } else { crank + step };
             let middle = f64::midpoint(crank, last);
             // d(ω²)/dθ = 2 dω/dt.
             let rate = |at: f64, square: f64| 2.0 * acceleration(at, square);

@@ -127,7 +127,7 @@ impl Place {
 /// The locking disc in an arc of the wheel while a torque on the wheel presses them together.
 ///
 /// A torque L on the wheel turns it through its play until an end of the arc rests on the disc. There the disc pushes with a force
-/// D towards its own axis' far side: the arm of D about the wheel's axis is c sin β, c the centre distance and β the angle of the
+/// D, straight away from the driver's axis: the arm of D about the wheel's axis is c sin β, c the centre distance and β the angle of the
 /// arc's end from the line of centres, seen from the driver. The disc rubs with μ D; the arm of that about the wheel's axis is
 /// c cos β − r, r the disc's radius. If the friction drives the wheel on, D (c sin β − μ (c cos β − r)) = L. The driver needs
 /// μ D r, and what its bearing takes: its friction arm times D √(1 + μ²).
