@@ -12,7 +12,9 @@ mod errors;
 mod free_angles;
 mod mouth;
 mod parts;
+mod process;
 mod random;
+mod test_piece;
 mod turn;
 
 pub use assemblies::{Assemblies, Yield};
@@ -21,5 +23,7 @@ pub use errors::{BuiltError, ErrorShape, SizeErrors};
 pub use contact::BuiltContact;
 pub use free_angles::{AngleLimit, FreeAngles};
 pub use parts::{AsBuiltWheel, BuiltArc, BuiltCrescent, BuiltPin, BuiltSlot};
+pub use process::{Process, ProcessNumbers, SourcedNumber};
 pub use random::SplitMix64;
+pub use test_piece::{RUNG, TestPiece};
 pub use turn::{BuiltTurn, Jam, StationTurn, WIDTH_TOLERANCE};
