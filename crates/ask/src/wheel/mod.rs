@@ -1,5 +1,6 @@
 //! One wheel: its sizes, its times, its motion and loads, its drawing and files; or which wheels have wanted times.
 
+mod check;
 mod design;
 mod files;
 mod instant;
@@ -11,6 +12,7 @@ mod report;
 mod speeds;
 mod times;
 
+pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use kind::{AnyWheel, WheelKind};
 pub use speeds::speeds;

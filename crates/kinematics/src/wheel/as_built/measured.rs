@@ -19,7 +19,7 @@ pub enum MeasuredSize {
     SlotWidth(Option<usize>),
     /// Distance of the centre of a slot's round end from the wheel's axis, in millimetres.
     SlotEnd(Option<usize>),
-    /// Direction of a slot's middle, in radians counter-clockwise of its right direction.
+    /// Direction of a slot's middle, in radians counter-clockwise of its right direction between the locking arcs.
     SlotDirection(usize),
     /// Radius of a locking arc, in millimetres.
     ArcRadius(Option<usize>),

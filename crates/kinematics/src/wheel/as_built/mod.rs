@@ -14,9 +14,11 @@ mod measured;
 mod mistakes;
 mod mouth;
 mod nearest;
+mod outline;
 mod parts;
 mod process;
 mod random;
+mod remedies;
 mod test_piece;
 mod turn;
 
@@ -31,5 +33,6 @@ pub use nearest::{Culprit, NearestWheel, Residual};
 pub use parts::{AsBuiltWheel, BuiltArc, BuiltCrescent, BuiltPin, BuiltSlot};
 pub use process::{Process, ProcessNumbers, SourcedNumber};
 pub use random::SplitMix64;
+pub use remedies::SizeChange;
 pub use test_piece::{RUNG, TestPiece};
 pub use turn::{BuiltTurn, Jam, StationTurn, WIDTH_TOLERANCE};

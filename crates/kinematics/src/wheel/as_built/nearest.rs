@@ -12,8 +12,8 @@ use crate::indexing::Indexing;
 use crate::wheel::{Choices, Play, Scale, Sizes, Wheel};
 use nalgebra::{SMatrix, SVector};
 
-/// Free sizes of a right wheel: crank radius, pin, slot, slot end, arc, disc, centre of the crescent, and direction of the wheel.
-const FREE: usize = 8;
+/// Free sizes of a right wheel: crank radius, pin, slot, slot end, arc, disc, and centre of the crescent.
+const FREE: usize = 7;
 type Free = SVector<f64, FREE>;
 
 /// Steps of Gauss and Newton.
@@ -79,8 +79,6 @@ pub struct NearestWheel {
     pub crescent_centre: f64,
     /// Radius of the crescents, in millimetres.
     pub crescent_radius: f64,
-    /// How far all slots are turned from their right directions, in radians.
-    pub direction: f64,
     /// Sum of the squares of all normalised residuals and soft conditions, dimensionless.
     pub sum_of_squares: f64,
     /// The sum above which the measurements contradict each other, dimensionless.
@@ -122,7 +120,7 @@ impl Right<'_> {
             MeasuredSize::TipRadius => self.tip_radius(),
             MeasuredSize::SlotWidth(_) => self.free[2],
             MeasuredSize::SlotEnd(_) => self.free[3],
-            MeasuredSize::SlotDirection(_) => self.free[7],
+            MeasuredSize::SlotDirection(_) => 0.0,
             MeasuredSize::ArcRadius(_) => self.free[4],
             MeasuredSize::DiscRadius => self.free[5],
             MeasuredSize::CrescentCentre => self.free[6],
@@ -131,8 +129,8 @@ impl Right<'_> {
     }
 
     /// The soft conditions, each over its uncertainty: zero where it holds.
-    fn conditions(&self, shallowest: f64) -> [f64; 6] {
-        let [a, pin, slot, end, arc, disc, cut, _]: [f64; FREE] = self.free.into();
+    fn conditions(&self, shallowest: f64) -> [f64; 5] {
+        let [a, pin, slot, end, arc, disc, cut]: [f64; FREE] = self.free.into();
         let outside = |value: f64, least: f64, most: f64| value - value.max(least).min(most);
         let ordinary = |play: f64| {
             let off = outside(play, 0.0, ORDINARY_PLAY * pin);
@@ -145,7 +143,6 @@ impl Right<'_> {
             outside(deepest - end, 0.0, ORDINARY_DEPTH * pin) / (WIDE_UNCERTAINTY * pin),
             outside(a - slot / 2.0 - arc, LEAST_HORN * pin, f64::INFINITY) / (WIDE_UNCERTAINTY * pin),
             (cut - shallowest) / (CRESCENT_UNCERTAINTY * pin),
-            self.free[7],
         ]
     }
 }
@@ -212,7 +209,6 @@ impl MeasuredWheel {
             disc_radius: free[5],
             crescent_centre: free[6],
             crescent_radius: right.crescent_radius(),
-            direction: free[7],
             sum_of_squares: sum,
             limit,
             residuals,
@@ -236,7 +232,7 @@ impl MeasuredWheel {
     pub fn as_built(&self, nearest: &NearestWheel) -> AsBuiltWheel {
         let mut built = nearest_parts(self.wheel(), nearest);
         for of in self.sizes() {
-            built.set(of.size, of.value - if matches!(of.size, MeasuredSize::SlotDirection(_)) { nearest.direction } else { 0.0 });
+            built.set(of.size, of.value);
         }
         built
     }
@@ -278,7 +274,6 @@ impl MeasuredWheel {
             arc_radius,
             disc.unwrap_or(arc_radius - 0.01 * pin),
             0.0,
-            of(|size| matches!(size, MeasuredSize::SlotDirection(_))).unwrap_or(0.0),
         ]);
         free[6] = of(|size| size == MeasuredSize::CrescentCentre).unwrap_or(shallowest(self.wheel(), &free));
         Ok(free)
