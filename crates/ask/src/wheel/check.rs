@@ -170,7 +170,10 @@ impl CheckQuestion {
             list: Some(("measurements", items)),
             note: note(self, &nearest),
         };
-        if report.is_finite() { Ok(report) } else { Err(super::design::too_large()) }
+        match report.not_finite() {
+            None => Ok(report),
+            Some(key) => Err(super::design::too_large(key)),
+        }
     }
 
     /// Play, errors and blows of the wheel as it was made.
