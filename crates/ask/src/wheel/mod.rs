@@ -28,3 +28,5 @@ pub use kind::{AnyWheel, WheelKind};
 pub use question::{SearchEffort, WheelQuestion, in_millimetres};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
+
+pub use geneva_workshop::LayerNames;
