@@ -96,8 +96,9 @@ impl Drawing {
         };
         slots.sort_by(|one, other| direction(one).total_cmp(&direction(other)));
         let pins: Vec<DrawnArc> = self.arcs(&layers.pins).into_iter().filter(is_circle).collect();
-        let wheel = Wheel::with_pins(slots.len() as u32, pins.len().max(1) as u32)
-            .map_err(|error| DrawingError::Sizes(format!("slots with round ends on layer {}: {error}", layers.wheel)))?;
+        let wheel = Wheel::with_pins(slots.len() as u32, pins.len().max(1) as u32).map_err(|error| {
+            DrawingError::Sizes(format!("slots with round ends on layer {}: {error}", layers.wheel))
+        })?;
         let mut measured = MeasuredWheel::new(wheel);
         let mut add = |size, value, uncertainty| {
             measured.add(size, value, uncertainty).map_err(|error| DrawingError::Sizes(error.to_string()))
@@ -154,7 +155,8 @@ impl Drawing {
             let direction = (to - from).normalize();
             let middle = (from + to) / 2.0 - end.centre;
             let across = along.perp(&middle);
-            let is_wall = along.perp(&direction).abs() < 0.05 && middle.dot(&along) > 0.0 && across.abs() < 2.0 * end.radius;
+            let is_wall =
+                along.perp(&direction).abs() < 0.05 && middle.dot(&along) > 0.0 && across.abs() < 2.0 * end.radius;
             if is_wall {
                 let wall = &mut walls[usize::from(across > 0.0)];
                 *wall = Some(wall.map_or(across.abs(), |other| other.min(across.abs())));

@@ -210,9 +210,7 @@ impl Drawing {
 fn edges(record: &Record<'_, '_>) -> Result<Option<Vec<Edge>>, DrawingError> {
     let edge = match record.kind {
         "LINE" => Edge::Line { from: record.point(10)?, to: record.point(11)? },
-        "CIRCLE" => {
-            Edge::Arc { centre: record.point(10)?, radius: record.number(40)?, start: 0.0, sweep: 2.0 * PI }
-        }
+        "CIRCLE" => Edge::Arc { centre: record.point(10)?, radius: record.number(40)?, start: 0.0, sweep: 2.0 * PI },
         "ARC" => {
             let (start, end) = (record.number(50)?, record.number(51)?);
             let sweep = (end - start) % 360.0;

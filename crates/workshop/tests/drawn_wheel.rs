@@ -133,7 +133,13 @@ fn the_wrong_size_of_an_outline_is_named_and_the_jam_is_that_of_the_outline() {
         let nearest = measured.nearest().unwrap();
         let (told, drawn) = (measured.as_built(&nearest).turn().unwrap(), built.turn().unwrap());
         // Slots have other numbers in a drawing that is turned; a jam has none of its own.
-        assert_eq!(told.jam.is_some(), drawn.jam.is_some(), "{k}: {wrong:?} {by} {:?} {:?}", told.tightest, drawn.tightest);
+        assert_eq!(
+            told.jam.is_some(),
+            drawn.jam.is_some(),
+            "{k}: {wrong:?} {by} {:?} {:?}",
+            told.tightest,
+            drawn.tightest
+        );
         jams += usize::from(told.jam.is_some());
         match nearest.culprit {
             Some(culprit) if culprit.size.name() == wrong.name() && culprit.rest_agrees => named += 1,

@@ -9,6 +9,7 @@ use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredError, MeasuredSize,
     MeasuredWheel, NearestWheel, SizeChange,
 };
+use geneva_workshop::{Drawing, DrawingError, LayerNames};
 use std::f64::consts::PI;
 
 /// An argument of the question that is a measured size: its name, its unit, what it is, and by what a typed number is multiplied.
@@ -29,10 +30,22 @@ pub struct CheckArgument {
 /// ones, `1:6.1,2:6.0`.
 pub const CHECK_ARGUMENTS: [CheckArgument; 13] = [
     argument("centre-distance", "MM", "Distance between the two axes", |_| MeasuredSize::CentreDistance, 1.0),
-    argument("crank-radius", "MM", "Distance from the driver's axis to the pin's centre", |_| MeasuredSize::CrankRadius, 1.0),
+    argument(
+        "crank-radius",
+        "MM",
+        "Distance from the driver's axis to the pin's centre",
+        |_| MeasuredSize::CrankRadius,
+        1.0,
+    ),
     argument("pin-diameter", "MM", "Diameter of the pins", |_| MeasuredSize::PinDiameter, 1.0),
     argument("outside-diameter", "MM", "Outside diameter of the wheel", |_| MeasuredSize::TipRadius, 0.5),
-    argument("tip-radius", "MM", "Radius of the wheel's rim: half the outside diameter", |_| MeasuredSize::TipRadius, 1.0),
+    argument(
+        "tip-radius",
+        "MM",
+        "Radius of the wheel's rim: half the outside diameter",
+        |_| MeasuredSize::TipRadius,
+        1.0,
+    ),
     argument("slot-width", "MM", "Width of the slots, or of single slots", MeasuredSize::SlotWidth, 1.0),
     argument(
         "slot-end",
@@ -105,29 +118,49 @@ impl CheckQuestion {
     ///
     /// An argument that there is not, one that is missing, and a value that it can't have.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let given: Vec<(&str, &str)> = pairs(text).collect::<Result<_, _>>()?;
-        let value = |name: &str| given.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value);
-        let whole = |name: &str| value(name).map(|text| crate::number::<u32>(name, text)).transpose();
-        let stations = whole("stations")?
+        let given = Given::read(text)?;
+        let stations = given
+            .whole("stations")?
             .ok_or_else(|| refused!("--stations is missing; count the slots of the wheel and give their number"))?;
-        let wheel = Wheel::with_pins(stations, whole("pins")?.unwrap_or(1))?;
-        let default = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
-        let mut measured = MeasuredWheel::new(wheel);
-        for (name, text) in &given {
-            let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) else {
-                if ["stations", "pins", "uncertainty", "rpm"].contains(name) {
-                    continue;
-                }
-                let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
-                return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
-            };
-            argument.add(&mut measured, text, default.unwrap_or(UNCERTAINTY))?;
+        let mut measured = MeasuredWheel::new(Wheel::with_pins(stations, given.whole("pins")?.unwrap_or(1))?);
+        given.add(&mut measured)?;
+        Ok(Self { measured, rpm: given.rpm()? })
+    }
+
+    /// Reads the sizes of a drawing in DXF, and arguments as they are typed: `--uncertainty 0.02 --centre-distance 50.1`. What is typed
+    /// counts besides what is drawn.
+    ///
+    /// ```
+    /// use geneva_ask::wheel::{CheckQuestion, WheelDesign, WheelQuestion};
+    /// use geneva_workshop::LayerNames;
+    ///
+    /// let design = WheelDesign::new(WheelQuestion::parse("--stations 6 --crank-radius 25 --play 0.2")?)?;
+    /// let question = CheckQuestion::read_drawing(&design.dxf()?, &LayerNames::default(), "--centre-distance 49.7")?;
+    /// let report = question.answer()?;
+    /// assert_eq!(report.field("culprit").map(|field| &field.value), Some(&"centre distance".into()));
+    /// # Ok::<(), geneva_ask::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A text that is no drawing, layers without the parts, and the errors of [`parse`](Self::parse).
+    pub fn read_drawing(drawing: &str, layers: &LayerNames, arguments: &str) -> Result<Self, Error> {
+        let given = Given::read(arguments)?;
+        let of_drawing = |error: DrawingError| Error::Argument(error.to_string());
+        let uncertainty = given.uncertainty()?;
+        let mut measured =
+            Drawing::read(drawing).and_then(|drawing| drawing.measure(layers, uncertainty)).map_err(of_drawing)?;
+        let drawn = measured.wheel();
+        for (name, number, thing) in [("stations", drawn.stations(), "slot"), ("pins", drawn.pins(), "pin")] {
+            if let Some(asked) = given.whole(name)?.filter(|asked| *asked != number) {
+                return Err(refused!(
+                    "--{name} {asked}: the drawing has {}; leave it out",
+                    count(number as usize, thing)
+                ));
+            }
         }
-        let rpm = value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
-        if let Some(rpm) = rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
-            return Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm)));
-        }
-        Ok(Self { measured, rpm })
+        given.add(&mut measured)?;
+        Ok(Self { measured, rpm: given.rpm()? })
     }
 
     /// The answer.
@@ -178,19 +211,71 @@ impl CheckQuestion {
                 .line("", "crank angle from the line of centres there"),
             degrees("index_backlash_deg", most(|station| station.index_backlash))
                 .line("backlash", "at mid-index from end to end, of the loosest station"),
-            degrees("dwell_backlash_deg", most(|station| station.dwell_backlash)).line("", "in the middle of the dwell"),
-            degrees("greatest_dwell_backlash_deg", turn.greatest_dwell_backlash()).line("", "the greatest in the dwell"),
+            degrees("dwell_backlash_deg", most(|station| station.dwell_backlash))
+                .line("", "in the middle of the dwell"),
+            degrees("greatest_dwell_backlash_deg", turn.greatest_dwell_backlash())
+                .line("", "the greatest in the dwell"),
             degrees("station_error_deg", most(|station| station.station_error.abs()))
                 .line("station error", "how far the worst station rests from its right place"),
             degrees("lost_motion_deg", most(|station| station.entry.map_or(0.0, |entry| entry.lost_motion)))
                 .line("lost motion", "of the crank, from where a right pin enters to where the slot is met"),
-            ReportField::new("blow_ratio", centred).line("blow", "over the pin's speed, with the wheel in the middle of its backlash"),
-            ReportField::new("greatest_blow_ratio", turn.greatest_blow()).line("", "the greatest, wherever the wheel rests"),
+            ReportField::new("blow_ratio", centred)
+                .line("blow", "over the pin's speed, with the wheel in the middle of its backlash"),
+            ReportField::new("greatest_blow_ratio", turn.greatest_blow())
+                .line("", "the greatest, wherever the wheel rests"),
             ReportField::in_unit("blow_mm_s", speed.map(|speed| speed * centred), "mm/s").in_other_unit(),
             ReportField::in_unit("greatest_blow_mm_s", speed.map(|speed| speed * turn.greatest_blow()), "mm/s")
                 .in_other_unit(),
             ReportField::new("can_miss", turn.can_miss()),
         ]
+    }
+}
+
+/// Arguments as they were typed.
+struct Given<'a>(Vec<(&'a str, &'a str)>);
+
+impl<'a> Given<'a> {
+    fn read(text: &'a str) -> Result<Self, Error> {
+        Ok(Self(pairs(text).collect::<Result<_, _>>()?))
+    }
+
+    fn value(&self, name: &str) -> Option<&'a str> {
+        self.0.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value)
+    }
+
+    fn whole(&self, name: &str) -> Result<Option<u32>, Error> {
+        self.value(name).map(|text| crate::number(name, text)).transpose()
+    }
+
+    /// The uncertainty of what has none of its own, in millimetres.
+    fn uncertainty(&self) -> Result<f64, Error> {
+        let given = self.value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
+        Ok(given.unwrap_or(UNCERTAINTY))
+    }
+
+    fn rpm(&self) -> Result<Option<f64>, Error> {
+        let rpm = self.value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
+        match rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
+            Some(rpm) => Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm))),
+            None => Ok(rpm),
+        }
+    }
+
+    /// Adds all measured sizes.
+    fn add(&self, measured: &mut MeasuredWheel) -> Result<(), Error> {
+        let uncertainty = self.uncertainty()?;
+        for (name, text) in &self.0 {
+            match CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) {
+                Some(argument) => argument.add(measured, text, uncertainty)?,
+                None if ["stations", "pins", "uncertainty", "rpm"].contains(name) => {}
+                None => {
+                    let all: Vec<String> =
+                        CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
+                    return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
+                }
+            }
+        }
+        Ok(())
     }
 }
 
@@ -206,7 +291,11 @@ impl CheckArgument {
                 return Err(refused!(
                     "--{} {text}: {}",
                     self.name,
-                    if is_of_many { "slots and arcs are numbered from 1; give such as 1:6.1,2:6.0" } else { "there is one only; give a number" }
+                    if is_of_many {
+                        "slots and arcs are numbered from 1; give such as 1:6.1,2:6.0"
+                    } else {
+                        "there is one only; give a number"
+                    }
                 ));
             }
             let (value, uncertainty) = value
@@ -296,13 +385,16 @@ fn verdict(
     let first = first_change(nearest, changes);
     vec![
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
-            .words("contradiction", culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned())),
+        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
+            "contradiction",
+            culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned()),
+        ),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
         ),
-        ReportField::new("change_first", first.clone()).words("change first", first.unwrap_or_else(|| "nothing".to_owned())),
+        ReportField::new("change_first", first.clone())
+            .words("change first", first.unwrap_or_else(|| "nothing".to_owned())),
     ]
 }
 
@@ -321,9 +413,10 @@ fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
 
 /// What to change first: the size that contradicts the others, or else the least change with which the wheel turns.
 fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
-    let by_culprit = nearest.culprit.filter(|culprit| culprit.rest_agrees).map(|culprit| {
-        format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected))
-    });
+    let by_culprit = nearest
+        .culprit
+        .filter(|culprit| culprit.rest_agrees)
+        .map(|culprit| format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)));
     let by_change = changes.first().map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
         format!("make {} {} mm {sense}, and a little more for play", named(change.size), number(change.by.abs()))
@@ -360,7 +453,8 @@ fn item(residual: &geneva_kinematics::wheel::as_built::Residual) -> Item {
     Item {
         heading,
         fields: vec![
-            ReportField::in_unit("measured", value, unit).line("measured", format!("± {}{which}", as_typed(uncertainty))),
+            ReportField::in_unit("measured", value, unit)
+                .line("measured", format!("± {}{which}", as_typed(uncertainty))),
             ReportField::in_unit("right", right, unit).line("right", "in the nearest right wheel"),
             ReportField::new("residual", residual.normalized)
                 .line("difference", "in uncertainties")
@@ -379,8 +473,9 @@ fn item(residual: &geneva_kinematics::wheel::as_built::Residual) -> Item {
 }
 
 fn note(question: &CheckQuestion, nearest: &NearestWheel) -> String {
-    let few = (nearest.residuals.len() < 3)
-        .then_some("With so few sizes little can contradict; measure crank radius, centre distance and outside diameter.");
+    let few = (nearest.residuals.len() < 3).then_some(
+        "With so few sizes little can contradict; measure crank radius, centre distance and outside diameter.",
+    );
     let speed = question.rpm.is_none().then_some("For blows in mm/s, add --rpm R.");
     few.into_iter().chain(speed).collect::<Vec<_>>().join(" ")
 }
@@ -415,7 +510,8 @@ mod tests {
 
     #[test]
     fn a_narrow_slot_is_named_with_its_number() {
-        let report = report(&RIGHT.replace("--slot-width 4.2", "--slot-width 1:4.2,2:3.9+-0.02,3:4.2,4:4.2,5:4.2,6:4.2"));
+        let report =
+            report(&RIGHT.replace("--slot-width 4.2", "--slot-width 1:4.2,2:3.9+-0.02,3:4.2,4:4.2,5:4.2,6:4.2"));
         assert_eq!(text(&report, "culprit"), "slot width 2");
         assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
         assert!(text(&report, "change_first").starts_with("make slot width 2 4.2"));
@@ -424,13 +520,19 @@ mod tests {
     #[test]
     fn a_wrong_formula_is_named() {
         // Six slots of the sine for the cosine: 43.3 mm / sin 30°.
-        let report = report("--stations 6 --centre-distance 86.6 --crank-radius 25 --outside-diameter 86.6 --uncertainty 0.05");
-        assert_eq!(report.field("wrong_formulas").map(|field| field.value.clone()), Some(FieldValue::List(vec!["sine for cosine".into()])));
+        let report =
+            report("--stations 6 --centre-distance 86.6 --crank-radius 25 --outside-diameter 86.6 --uncertainty 0.05");
+        assert_eq!(
+            report.field("wrong_formulas").map(|field| field.value.clone()),
+            Some(FieldValue::List(vec!["sine for cosine".into()]))
+        );
     }
 
     #[test]
     fn what_cannot_be_read_is_refused_with_what_to_give() {
-        let refused = |question: &str| CheckQuestion::parse(question).and_then(|of| of.answer()).expect_err("refused").to_string();
+        let refused = |question: &str| {
+            CheckQuestion::parse(question).and_then(|of| of.answer()).expect_err("refused").to_string()
+        };
         assert!(refused("--crank-radius 25").contains("--stations is missing"));
         assert!(refused("--stations 6 --slot-width 7:6.1 --crank-radius 25").contains("numbers 1 to 6"));
         assert!(refused("--stations 6 --slot-width 0:6.1 --crank-radius 25").contains("numbered from 1"));

@@ -8,6 +8,7 @@ mod kind;
 mod loads;
 mod making;
 mod parts;
+mod process;
 mod report;
 mod speeds;
 mod times;
@@ -15,6 +16,7 @@ mod times;
 pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use kind::{AnyWheel, WheelKind};
+pub use process::{assemblies_that_turn, process_fields};
 pub use speeds::speeds;
 pub use times::{Times, proposals};
 

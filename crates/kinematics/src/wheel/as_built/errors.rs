@@ -133,6 +133,8 @@ pub enum MeasuredError {
         most: usize,
     },
     /// Nothing that gives the wheel a size.
-    #[error("nothing tells how large the wheel is; measure the centre distance, the crank radius or the outside diameter")]
+    #[error(
+        "nothing tells how large the wheel is; measure the centre distance, the crank radius or the outside diameter"
+    )]
     NoScale,
 }

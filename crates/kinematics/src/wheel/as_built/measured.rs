@@ -55,7 +55,9 @@ impl MeasuredSize {
     /// Which slot or arc it is of, from 0; none if of all, or of neither.
     pub fn number(self) -> Option<usize> {
         match self {
-            Self::SlotWidth(number) | Self::SlotEnd(number) | Self::ArcRadius(number) | Self::ArcCentre(number) => number,
+            Self::SlotWidth(number) | Self::SlotEnd(number) | Self::ArcRadius(number) | Self::ArcCentre(number) => {
+                number
+            }
             Self::SlotDirection(number) => Some(number),
             _ => None,
         }

@@ -24,8 +24,8 @@ mod turn;
 
 pub use assemblies::{Assemblies, Yield};
 pub use blow::EntryBlow;
-pub use errors::{BuiltError, ErrorShape, MeasuredError, SizeErrors};
 pub use contact::BuiltContact;
+pub use errors::{BuiltError, ErrorShape, MeasuredError, SizeErrors};
 pub use free_angles::{AngleLimit, FreeAngles};
 pub use measured::{MeasuredSize, MeasuredWheel, SizeMeasurement};
 pub use mistakes::KnownMistake;

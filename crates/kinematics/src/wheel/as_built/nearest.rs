@@ -256,7 +256,8 @@ impl MeasuredWheel {
         let a = *scales.get(scales.len() / 2).ok_or(MeasuredError::NoScale)?;
         let by_default = |choices: &Choices| Sizes::new(*self.wheel(), Scale::CrankRadius(a), choices).ok();
         let pin = of(|size| size == MeasuredSize::PinDiameter).or(slot.map(|width| 0.98 * width));
-        let design = by_default(&Choices { pin_diameter: pin, ..Choices::default() }).or(by_default(&Choices::default()));
+        let design =
+            by_default(&Choices { pin_diameter: pin, ..Choices::default() }).or(by_default(&Choices::default()));
         let ratio = |share: f64| share * a;
         let design_or = |size: fn(&Sizes) -> f64, other: f64| design.as_ref().map_or(other, size);
         let pin = pin.unwrap_or(design_or(|sizes| sizes.pin_diameter, ratio(0.3)));
@@ -341,10 +342,10 @@ impl MeasuredWheel {
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;
 
-/// The sum of squares that so many measurements may have: three standard deviations above its mean, as for a distribution of χ².
+/// The sum of squares that so many measurements may have: four standard deviations above its mean, as for a distribution of χ².
 fn limit(measurements: usize) -> f64 {
     let degrees = (measurements as f64 - 6.0).max(1.0);
-    degrees + 3.0 * (2.0 * degrees).sqrt() + 3.0
+    degrees + 4.0 * (2.0 * degrees).sqrt() + 3.0
 }
 
 /// The centre of the shallowest cut with which the horns pass, in millimetres; half the crank radius where no design has these sizes.
@@ -373,12 +374,8 @@ fn nearest_parts(wheel: &Wheel, nearest: &NearestWheel) -> AsBuiltWheel {
     let arc = BuiltArc { radius: nearest.arc_radius, centre: nearest.centre_distance, direction_error: 0.0 };
     let crescent =
         BuiltCrescent { centre: nearest.crescent_centre, radius: nearest.crescent_radius, direction_error: 0.0 };
-    let pin = BuiltPin {
-        crank_radius: nearest.crank_radius,
-        diameter: nearest.pin_diameter,
-        direction_error: 0.0,
-        crescent,
-    };
+    let pin =
+        BuiltPin { crank_radius: nearest.crank_radius, diameter: nearest.pin_diameter, direction_error: 0.0, crescent };
     let disc = (wheel.dwell_fraction() > SHORTEST_DWELL).then_some(nearest.disc_radius);
     AsBuiltWheel::alike(*wheel, nearest.centre_distance, disc, (slot, arc, pin))
 }

@@ -88,7 +88,8 @@ impl AsBuiltWheel {
             .zip(0..)
             .map(|(pin, k)| {
                 let cut = pin.crescent;
-                let cosine = (disc * disc + cut.centre * cut.centre - cut.radius * cut.radius) / (2.0 * disc * cut.centre);
+                let cosine =
+                    (disc * disc + cut.centre * cut.centre - cut.radius * cut.radius) / (2.0 * disc * cut.centre);
                 let half = libm::acos(cosine.clamp(-1.0, 1.0));
                 (pitch * f64::from(k) + cut.direction_error, half, cut.centre, cut.radius)
             })

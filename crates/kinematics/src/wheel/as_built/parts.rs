@@ -92,20 +92,15 @@ impl From<&Sizes> for AsBuiltWheel {
             direction_error: 0.0,
             tip_radius: sizes.tip_radius,
         };
-        let arc =
-            BuiltArc { radius: sizes.locking_arc_radius, centre: sizes.centre_distance, direction_error: 0.0 };
+        let arc = BuiltArc { radius: sizes.locking_arc_radius, centre: sizes.centre_distance, direction_error: 0.0 };
         let cut = sizes.locking_disc.map(|disc| disc.crescent);
         let crescent = BuiltCrescent {
             centre: cut.map_or(sizes.crank_radius, |cut| cut.centre),
             radius: cut.map_or(sizes.crank_radius, |cut| cut.radius),
             direction_error: 0.0,
         };
-        let pin = BuiltPin {
-            crank_radius: sizes.crank_radius,
-            diameter: sizes.pin_diameter,
-            direction_error: 0.0,
-            crescent,
-        };
+        let pin =
+            BuiltPin { crank_radius: sizes.crank_radius, diameter: sizes.pin_diameter, direction_error: 0.0, crescent };
         let disc = sizes.locking_disc.map(|disc| disc.radius);
         Self::alike(sizes.wheel, sizes.centre_distance, disc, (slot, arc, pin))
     }

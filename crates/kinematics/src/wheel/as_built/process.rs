@@ -66,13 +66,16 @@ pub struct ProcessNumbers {
 
 const CHOICE: &str = "our choice";
 const NONE: SourcedNumber = SourcedNumber { value: 0.0, source: CHOICE };
-const TOLERANCE_UNIT: &str = "ISO 286-1:1988, annex A: a tolerance is a multiple of i = 0.45 ∛D + 0.001 D; the grade is our choice";
+const TOLERANCE_UNIT: &str =
+    "ISO 286-1:1988, annex A: a tolerance is a multiple of i = 0.45 ∛D + 0.001 D; the grade is our choice";
 const BIG_BLUE_SAW: &str = "Big Blue Saw, quality of laser-cut parts: tolerance 0.005 in";
 const SNIJLAB: &str = "Snijlab, kerf width: about 0.2 mm in most materials";
-const ROUTED: &str = "cxcnwood.com, tolerances in wood milling: ±0.1 to ±0.3 mm for jigs of engineered wood; the middle is our choice";
+const ROUTED: &str =
+    "cxcnwood.com, tolerances in wood milling: ±0.1 to ±0.3 mm for jigs of engineered wood; the middle is our choice";
 const RESIN: &str = "Layer X, 3D printing tolerances (2026): SLA ±0.1 mm standard";
 const FDM: &str = "printparams.com, designing for real-world fit: ±0.2 mm on a well-tuned printer";
-const FDM_HOLES: &str = "Layer X, 3D printing tolerances (2026): holes 0.1 to 0.3 mm undersize; the middle is our choice";
+const FDM_HOLES: &str =
+    "Layer X, 3D printing tolerances (2026): holes 0.1 to 0.3 mm undersize; the middle is our choice";
 const FDM_BORE: &str = "Makelab, clearance of two fitting parts: 0.4 mm for FDM";
 const RESIN_BORE: &str = "Makelab, clearance of two fitting parts: 0.25 mm for SLA";
 const FOUR_ERRORS: &str = "our choice: four times the error of a size, with which about 19 of 20 assemblies turn";
@@ -164,7 +167,8 @@ impl ProcessNumbers {
         const MEASURED: &str = "measured on the test piece, and a rung of its ladder";
         let play = size("measured play in mm", play)? + super::test_piece::RUNG;
         let slot_play = SourcedNumber { value: play, source: MEASURED };
-        let error = SourcedNumber { value: play / PLAY_OF_ERROR, source: "a quarter of the play measured on the test piece" };
+        let error =
+            SourcedNumber { value: play / PLAY_OF_ERROR, source: "a quarter of the play measured on the test piece" };
         Ok(Self { error, slot_play, locking_play: slot_play, ..self })
     }
 

@@ -103,7 +103,8 @@ impl TestPiece {
         let plays: Vec<f64> = (1..=RUNGS).map(|k| RUNG * f64::from(k)).collect();
         let middle = |k: usize| step * (k as f64 + 0.5) + d / 2.0;
         let foot = 2.0 * digits + d;
-        let holes = plays.iter().enumerate().map(|(k, play)| slot(Point::new(middle(k), foot), long, d + play)).collect();
+        let holes =
+            plays.iter().enumerate().map(|(k, play)| slot(Point::new(middle(k), foot), long, d + play)).collect();
         let strokes = plays.iter().enumerate().flat_map(|(k, play)| {
             let hundredths = libm::round(100.0 * play) as u32;
             let at = Point::new(middle(k) - 0.75 * digits, digits / 2.0);

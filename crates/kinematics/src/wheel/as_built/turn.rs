@@ -5,8 +5,8 @@
 //! each of its local minima is then narrowed down by golden section. What that leaves open is below [`WIDTH_TOLERANCE`].
 
 use super::blow::EntryBlow;
-use super::errors::BuiltError;
 use super::contact::BuiltContact;
+use super::errors::BuiltError;
 use super::free_angles::{Assembled, FreeAngles};
 use super::parts::AsBuiltWheel;
 use crate::indexing::Indexing;
@@ -164,12 +164,7 @@ impl AsBuiltWheel {
 
 impl Assembled<'_> {
     fn place(&self, event: i64, theta: f64) -> Jam {
-        Jam {
-            pin: self.pin_of(event),
-            slot: self.slot_of(event),
-            crank_angle: theta,
-            free: self.free(event, theta),
-        }
+        Jam { pin: self.pin_of(event), slot: self.slot_of(event), crank_angle: theta, free: self.free(event, theta) }
     }
 
     /// The tightest place of an event; a minimum that is not likely to be below `enough` radians need not be narrowed down, and the
@@ -205,7 +200,8 @@ impl Assembled<'_> {
                 // A parabola or a bend falls no further below the middle than the higher neighbour is above it; twice that for
                 // the steeper falls near the ends.
                 if is_least && 3.0 * width - 2.0 * beside < enough.min(least.free.width()) {
-                    let place = self.narrow(event, &between, [before, after].map(|k| k as f64 / f64::from(count)), enough);
+                    let place =
+                        self.narrow(event, &between, [before, after].map(|k| k as f64 / f64::from(count)), enough);
                     if place.free.width() < least.free.width() {
                         least = place;
                     }
@@ -292,7 +288,11 @@ impl Assembled<'_> {
             let Some((room, BuiltContact::PinAtMouth)) = place.rooms[side] else { return false };
             let mut others = self.unstopped(event);
             self.stop_by_disc(event, theta, &mut others);
-            if side == 0 { others.forward.angle > place.beside + room } else { others.backward.angle < place.beside - room }
+            if side == 0 {
+                others.forward.angle > place.beside + room
+            } else {
+                others.backward.angle < place.beside - room
+            }
         })
     }
 }

@@ -116,7 +116,9 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
         }
         measured.known_mistakes()
     };
-    use MeasuredSize::{CentreDistance, CrankRadius, CrescentCentre, CrescentRadius, DiscRadius, PinDiameter, TipRadius};
+    use MeasuredSize::{
+        CentreDistance, CrankRadius, CrescentCentre, CrescentRadius, DiscRadius, PinDiameter, TipRadius,
+    };
     for stations in [3_u32, 5, 6, 8, 12] {
         let half = std::f64::consts::PI / f64::from(stations);
         let (a, b) = (25.0, 25.0 / half.tan());

@@ -66,14 +66,21 @@ fn the_slots_of_the_test_piece_are_as_wide_as_told_and_apart() {
         assert!(left > right_of_last + 0.4 * pin);
         right_of_last = right;
     }
-    let slots: f64 = piece.plays.iter().map(|play| {
-        let width = pin + play;
-        PI * width * width / 4.0 + width * 2.0 * pin
-    }).sum();
+    let slots: f64 = piece
+        .plays
+        .iter()
+        .map(|play| {
+            let width = pin + play;
+            PI * width * width / 4.0 + width * 2.0 * pin
+        })
+        .sum();
     let corner = piece.plate.outer.edges[1].end_point();
     assert!((piece.plate.area() - (corner.x * corner.y - slots)).abs() < 1e-9);
     assert!(piece.pins.iter().all(|face| (face.area() - PI * pin * pin / 4.0).abs() < 1e-9));
     // 05 has six strokes of a zero and five of a five, all on the plate and below the slots.
-    assert!(piece.strokes.len() > 12 * 4 && piece.strokes.iter().flatten().all(|p| p.y > 0.0 && p.y < 2.0 * pin && p.x < corner.x));
+    assert!(
+        piece.strokes.len() > 12 * 4
+            && piece.strokes.iter().flatten().all(|p| p.y > 0.0 && p.y < 2.0 * pin && p.x < corner.x)
+    );
     assert!(TestPiece::new(f64::NAN).is_err());
 }
