@@ -132,10 +132,11 @@ pub(super) fn knock(design: &WheelDesign, sizes: Option<&Sizes>) -> Vec<ReportFi
         .needing(Needs::SIZE.union(Needs::SPEED))
         .rounded(Rounding::Significant(3));
     let is_sharp = sizes.is_none_or(|sizes| sizes.mouth == Mouth::Sharp);
-    let centred = on(|knock| knock.centred_entry.contact);
+    let entry = design.sizes.as_ref().and_then(|sizes| Some((sizes, sizes.entry(design.centre_error())?)));
+    let centred = entry.map_or("on the wall", |(sizes, entry)| landing(sizes, entry.contact));
     let hardest = on(|knock| knock.hardest_entry.contact);
     vec![
-        speed("knock_mm_s", |knock| knock.centred)
+        ReportField { key: "knock_mm_s", ..design.blow_at_entry() }
             .line("knock at entry", format!("of the pin {centred}, if the wheel is in the middle of its backlash")),
         speed("knock_within_backlash_mm_s", |knock| knock.within)
             .line("", "at most, if the wheel is within the backlash of mid-dwell"),

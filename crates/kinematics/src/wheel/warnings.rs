@@ -23,6 +23,20 @@ pub enum Warning {
         /// How many times as hard, dimensionless: the ratio of the closing speeds.
         times: f64,
     },
+    /// The play of a slot is more than a tenth of the pin: only a print or a rough cut needs as much.
+    LargePlay {
+        /// Play of the slot, in millimetres.
+        play: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+    },
+    /// In the dwell the wheel turns so far that its rim moves by more than a quarter of the pin.
+    LargeBacklash {
+        /// How far the rim moves to one side, in millimetres.
+        at_rim: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+    },
     /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
         /// Which wall.
@@ -38,6 +52,11 @@ pub enum Warning {
         fit: [f64; 2],
     },
 }
+
+/// A play that is more than this part of the pin's diameter gets a warning, and so does a rim that moves by more than the other
+/// part. Both are our choice.
+const LARGE_PLAY: f64 = 0.1;
+const LARGE_BACKLASH: f64 = 0.25;
 
 /// A wall that is thinner than this part of the pin's diameter gets a warning.
 const THIN: f64 = 0.2;
@@ -59,6 +78,16 @@ impl fmt::Display for Warning {
                 f,
                 "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
                  lead-in with less flare"
+            ),
+            Self::LargePlay { play, pin } => write!(
+                f,
+                "the play of {play:.3} mm is more than a tenth of the pin's {pin:.3} mm, which only a print or a rough cut needs: \
+                 choose less play or a thicker pin"
+            ),
+            Self::LargeBacklash { at_rim, pin } => write!(
+                f,
+                "near the ends of the dwell the wheel's rim can move by {at_rim:.3} mm, more than a quarter of the pin's {pin:.3} \
+                 mm: choose less play"
             ),
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
@@ -88,7 +117,13 @@ impl Sizes {
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);
         let thin = self.walls().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
         let tight = is_tight.then_some(Warning::NoPlay).into_iter();
+        let (play, pin) = (self.play.slot, self.pin_diameter);
+        let large = (turns.is_none() && play > LARGE_PLAY * pin).then_some(Warning::LargePlay { play, pin });
+        let at_rim = self.dwell_play().map(|play| play.greatest * self.tip_radius);
+        let far = at_rim.filter(|at_rim| turns.is_none() && *at_rim > LARGE_BACKLASH * pin);
         tight
+            .chain(large)
+            .chain(far.map(|at_rim| Warning::LargeBacklash { at_rim, pin }))
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
             .chain(self.harder_mouth())
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
