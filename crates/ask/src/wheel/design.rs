@@ -1,14 +1,16 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
 use super::WheelQuestion;
+use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
+use super::materials::materials;
 use super::mouth::{asked_mouth, check_mouth, mouth_argument};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
 use crate::worked::DriverSpeed;
-use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material};
+use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -65,7 +67,7 @@ impl WheelDesign {
         let question = with_speed(question, &wheel)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = [question.pin_material, question.wheel_material].map(|of| of.unwrap_or(MATERIALS[0]));
+        let materials = materials(&question)?;
         let density = question.density.unwrap_or(materials[1].density);
         let mut scale = scale(&question);
         if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
@@ -140,8 +142,7 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        let friction = self.question.friction_torque.unwrap_or(0.0);
-        Ok(Some(WheelLoads::new(wheel, inertia, friction, speed)?))
+        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.

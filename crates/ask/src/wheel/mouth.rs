@@ -132,8 +132,10 @@ pub(super) fn knock(design: &WheelDesign, sizes: Option<&Sizes>) -> Vec<ReportFi
         .needing(Needs::SIZE.union(Needs::SPEED))
         .rounded(Rounding::Significant(3));
     let is_sharp = sizes.is_none_or(|sizes| sizes.mouth == Mouth::Sharp);
-    let entry = design.sizes.as_ref().and_then(|sizes| Some((sizes, sizes.entry(design.centre_error())?)));
-    let centred = entry.map_or("on the wall", |(sizes, entry)| landing(sizes, entry.contact));
+    // With the axes apart too, the pin meets the wheel in the middle of its backlash.
+    let centred =
+        design.sizes.as_ref().and_then(|sizes| Some(landing(sizes, sizes.entry(design.centre_error())?.contact)));
+    let centred = centred.unwrap_or_default();
     let hardest = on(|knock| knock.hardest_entry.contact);
     vec![
         ReportField { key: "knock_mm_s", ..design.blow_at_entry() }

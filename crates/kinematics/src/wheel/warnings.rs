@@ -18,11 +18,6 @@ pub enum Warning {
         /// How far it turns, in radians.
         turns: f64,
     },
-    /// The pin lands on the mouth of its slot harder than it would on a sharp corner, with the wheel anywhere in its play.
-    HarderMouth {
-        /// How many times as hard, dimensionless: the ratio of the closing speeds.
-        times: f64,
-    },
     /// The play of a slot is more than a tenth of the pin: only a print or a rough cut needs as much.
     LargePlay {
         /// Play of the slot, in millimetres.
@@ -36,6 +31,11 @@ pub enum Warning {
         at_rim: f64,
         /// Diameter of the pin, in millimetres.
         pin: f64,
+    },
+    /// The pin lands on the mouth of its slot harder than it would on a sharp corner, with the wheel anywhere in its play.
+    HarderMouth {
+        /// How many times as hard, dimensionless: the ratio of the closing speeds.
+        times: f64,
     },
     /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
@@ -74,11 +74,6 @@ impl fmt::Display for Warning {
                  or a thicker pin",
                 turns.to_degrees()
             ),
-            Self::HarderMouth { times } => write!(
-                f,
-                "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
-                 lead-in with less flare"
-            ),
             Self::LargePlay { play, pin } => write!(
                 f,
                 "the play of {play:.3} mm is more than a tenth of the pin's {pin:.3} mm, which only a print or a rough cut needs: \
@@ -88,6 +83,11 @@ impl fmt::Display for Warning {
                 f,
                 "near the ends of the dwell the wheel's rim can move by {at_rim:.3} mm, more than a quarter of the pin's {pin:.3} \
                  mm: choose less play"
+            ),
+            Self::HarderMouth { times } => write!(
+                f,
+                "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
+                 lead-in with less flare"
             ),
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
