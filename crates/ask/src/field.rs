@@ -67,6 +67,9 @@ impl Needs {
     /// The ratio of the gear between motor and driver.
     pub const GEAR_RATIO: Self = Self(1 << 23);
 
+    /// The process by which the parts are made.
+    pub const PROCESS: Self = Self(1 << 24);
+
     /// All of both.
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)

@@ -5,6 +5,7 @@ use super::kind::WheelKind;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_kinematics::wheel::as_built::Process;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +36,10 @@ pub struct WheelQuestion {
     pub outside_diameter: Option<f64>,
     /// Thickness of the wheel.
     pub thickness: Option<f64>,
+    /// How the parts are made.
+    pub process: Option<Process>,
+    /// Least play with which the pin ran on the test piece of the process.
+    pub measured_play: Option<f64>,
     /// Diameter of the pins.
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
@@ -191,6 +196,9 @@ impl WheelQuestion {
                     ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
                     }
+                    ArgumentSlot::Process(at) => {
+                        *at(self) = Some(one_of(name, value, &Process::ALL.map(|process| (process.name(), process)))?);
+                    }
                     ArgumentSlot::Material(at) => {
                         *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
                     }
@@ -212,7 +220,7 @@ impl WheelQuestion {
             | ArgumentSlot::AboveZero(at)
             | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
             ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
-            ArgumentSlot::Kind(_) | ArgumentSlot::Material(_) => None,
+            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Material(_) => None,
         };
         arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
@@ -258,7 +266,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 9] = [
+    const GIVEN: [(&str, Needs); 1 + 9] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -268,6 +276,7 @@ mod tests {
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
         ("--thickness 10", Needs::SIZE),
+        ("--process mill", Needs::PROCESS),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
@@ -302,6 +311,7 @@ mod tests {
         for argument in arguments() {
             let (value, set) = match argument.place {
                 ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Process(_) => ("resin", "process: Some(Resin)".to_owned()),
                 ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
                 ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
                 ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),
