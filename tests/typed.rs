@@ -126,8 +126,6 @@ fn values() -> Vec<(String, f64, &'static str)> {
     ];
     let lengths = [
         ("question.worked.crank-radius", given("worked", "--crank-radius")),
-        ("question.worked.thickness", given("worked", "--thickness")),
-        ("question.worked.centre-distance", answered("worked", "centre_distance_mm")),
     ];
     let bare = [
         ("question.worked.rpm", given("worked", "--rpm")),

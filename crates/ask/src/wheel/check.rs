@@ -382,6 +382,8 @@ fn verdict(
         }
         None => "yes, every station".to_owned(),
     };
+    // What the other sizes ask for instead.
+    let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
     let culprit = nearest.culprit.map(|culprit| culprit_words(&culprit, &nearest.suspects));
     let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
@@ -392,6 +394,7 @@ fn verdict(
             "contradiction",
             culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned()),
         ),
+        ReportField::in_unit("culprit_expected", expected.map(|(value, _)| value), expected.map_or("", |(_, unit)| unit)),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },

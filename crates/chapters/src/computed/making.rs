@@ -85,7 +85,7 @@ fn fit(id: &'static str, range: usize) -> OwnNumber {
 
 /// The crank radius in whole millimetres up to which the program's play is no more than that of the fit.
 fn in_fit(id: &'static str, stations: u32) -> OwnNumber {
-    OwnNumber::new(id, "{.0}&nbsp;mm", SEARCH, move || last_in_fit(stations)).with_second_route(
+    OwnNumber::new(id, "{.0}&nbsp;mm", SEARCH, move || Ok(last_in_fit(stations)?)).with_second_route(
         "up to there the program's play is usual",
         PROPORTION,
         move || last_in_fit_by_proportion(stations),
