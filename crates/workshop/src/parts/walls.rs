@@ -234,7 +234,7 @@ pub(super) fn least_wall(part: &Part, hole: &Hole) -> Option<(&'static str, f64)
 
 /// Thin walls of the holes that were chosen for mounting; those of round bores and pins are among the warnings of the sizes.
 pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
-    let mut thin = Vec::new();
+    let mut thin: Vec<ThinWall> = Vec::new();
     for hole in &part.holes {
         let Some((other, thickness)) = least_wall(part, hole) else { continue };
         let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole.purpose));
@@ -251,7 +251,16 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
         let width = hole.diameter().unwrap_or_else(|| across.fold(0.0, f64::max));
         let least = OF_HOLE * width;
         if thickness < least && !is_of_sizes {
-            thin.push(ThinWall { part: name, hole: words, other, thickness, least, remedy });
+            let wall = ThinWall { part: name, hole: words, other, thickness, least, remedy };
+            // Of walls between the same two kinds of holes the thinnest is told.
+            let is_like = |known: &&mut ThinWall| {
+                [(known.hole, known.other), (known.other, known.hole)].contains(&(wall.hole, wall.other))
+            };
+            match thin.iter_mut().find(is_like) {
+                Some(known) if known.thickness <= wall.thickness => {}
+                Some(known) => *known = wall,
+                None => thin.push(wall),
+            }
         }
     }
     Ok(thin)

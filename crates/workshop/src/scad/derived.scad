@@ -39,7 +39,7 @@ assert(!has_dwell || locking_disc_radius > 0, "the play leaves no locking disc: 
 
 // The crescent: an arc through both edges of the opening. Its centre is as far out as lets the horn's tip pass with this gap at
 // all crank angles; the tip is at (u, v) from the driver's axis, u along the pin's line.
-gap = locking_play / 2 + slot_play / 2 * tip_radius / deepest + 1e-7 * centre_distance;
+gap = locking_play / 2 + slot_play / 2 * tip_radius / deepest + 1e-8 * centre_distance;
 edge = locking_disc_radius * cos(engagement);
 
 function tip(theta) =
