@@ -53,6 +53,10 @@ impl Needs {
     pub const PIN_FRICTION: Self = Self(1 << 9);
     /// A crank angle before a pin enters.
     pub const BEFORE_ENTRY: Self = Self(1 << 10);
+    /// The diameter of the wheel's shaft.
+    pub const WHEEL_SHAFT: Self = Self(1 << 14);
+    /// The diameter of the driver's shaft, in the plane of the wheel and in the plate.
+    pub const DRIVER_SHAFT: Self = Self(1 << 15);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {

@@ -40,8 +40,8 @@ pub const LIVE: Live = Live {
         Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
             .with_typed_range([-10_000.0, 10_000.0])
             .in_fold(FIT),
-        Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
-            .with_typed_range([0.001, 10_000.0])
+        Control::following("wheel-shaft", "diameter of the wheel's shaft, 0 for none", "mm", [0.0, 100.0], 0.5)
+            .with_typed_range([0.0, 10_000.0])
             .in_fold(FIT),
         Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001)
             .with_typed_range([0.0, 1000.0])
@@ -162,7 +162,7 @@ fn design(settings: &Settings) -> Result<WheelDesign, String> {
         pin_diameter: settings.value_if_moved("pin")?,
         play: settings.value_if_moved("play")?,
         bore_play: settings.value_if_moved("bore-play")?,
-        wheel_shaft: settings.value_if_moved("wheel-shaft")?,
+        wheel_shaft: settings.value_if_moved("wheel-shaft")?.filter(|diameter| *diameter > 0.0),
         rpm: Some(settings.value("speed")?),
         inertia: Some(settings.value("inertia")?),
         friction_torque: Some(settings.value("friction")?),

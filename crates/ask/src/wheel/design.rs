@@ -234,10 +234,12 @@ fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, 
         horn_thickness: question.horn,
         wheel_shaft: question.wheel_shaft,
         driver_shaft: question.driver_shaft,
+        plate_shaft: question.plate_shaft,
     };
     let Some(bore) = question.bore_play else { return Sizes::new(wheel, scale, &choices) };
     // The other play is the one that it has without.
-    let others = Sizes::new(wheel, scale, &Choices { wheel_shaft: None, ..choices })?;
+    let others =
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?;
     Sizes::new(wheel, scale, &Choices { play: Some(Play { bore, ..others.play }), ..choices })
 }
 
@@ -253,6 +255,7 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }

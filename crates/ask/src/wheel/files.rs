@@ -2,10 +2,11 @@
 
 use super::design::WheelDesign;
 use super::kind::WheelKind;
+use super::mounting::with_arguments;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_kinematics::wheel::{Edge, Face, Sizes};
-use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
+use geneva_kinematics::wheel::{Edge, Sizes};
+use geneva_workshop::{Part, PartLayout, PartList, dxf, parts, scad, step, stl, svg_parts, three_mf};
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
 const OF_PLAY: f64 = 0.1;
@@ -20,38 +21,99 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, or has no size.
+    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
     pub fn dxf(&self) -> Result<String, Error> {
-        Ok(dxf(self.parts("dxf")?, PartLayout::Apart))
+        self.sized("dxf")?;
+        Ok(dxf(&self.flat_parts()?.parts, PartLayout::Apart))
+    }
+
+    /// The parts to be cut from sheets as SVG, true to scale, with a colour for each operation.
+    ///
+    /// # Errors
+    ///
+    /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
+    pub fn svg_parts(&self) -> Result<String, Error> {
+        self.sized("svg-parts")?;
+        let kerf = self.question.mounting.kerf.unwrap_or(0.0);
+        svg_parts(&self.flat_parts()?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, or has no size or no thickness.
+    /// A wheel that isn't external, has no size or no thickness, or can't be mounted as it is asked for.
     pub fn scad(&self) -> Result<String, Error> {
-        let sizes = self.parts("scad")?;
-        Ok(scad(sizes, self.solid("scad", sizes)?)?)
+        let sizes = self.sized("scad")?;
+        let (thickness, mounting) = (self.thickness("scad")?, self.question.mounting.mounting()?);
+        scad(sizes, thickness, tolerance(sizes), &mounting).map_err(|error| with_arguments(error, &self.question))
     }
 
     /// Meshes of the parts, in millimetres.
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size or no thickness, or takes more corners than a printer has use for.
+    /// A wheel that isn't external, has no size or no thickness, takes more corners than a printer has use for, or can't be
+    /// mounted as it is asked for.
     pub fn stl(&self) -> Result<String, Error> {
-        let sizes = self.parts("stl")?;
-        let solid = self.solid("stl", sizes)?;
-        let corners = corners(sizes, solid.tolerance);
+        let (parts, tolerance) = self.printed("stl")?;
+        stl(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// Meshes of the parts with names and units, as an archive for a printer.
+    ///
+    /// # Errors
+    ///
+    /// As for [`stl`](Self::stl).
+    pub fn three_mf(&self) -> Result<Vec<u8>, Error> {
+        let (parts, tolerance) = self.printed("3mf")?;
+        three_mf(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// Solids of all parts in place, with true planes and cylinders.
+    ///
+    /// # Errors
+    ///
+    /// As for [`scad`](Self::scad).
+    pub fn step(&self) -> Result<String, Error> {
+        self.sized("step")?;
+        self.thickness("step")?;
+        step(&self.flat_parts()?.parts).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// The parts with all their holes; none without a size, or of a wheel that isn't external.
+    ///
+    /// # Errors
+    ///
+    /// What can't be mounted as it is asked for.
+    pub fn part_list(&self) -> Result<Option<PartList>, Error> {
+        let Some(sizes) = &self.sizes else { return Ok(None) };
+        // Drawings of outlines have nothing of the thickness.
+        let thickness = self.question.thickness.unwrap_or(sizes.pin_diameter);
+        let mounting = self.question.mounting.mounting()?;
+        let list = parts(sizes, thickness, &mounting).map_err(|error| with_arguments(error, &self.question))?;
+        Ok(Some(list))
+    }
+
+    fn flat_parts(&self) -> Result<PartList, Error> {
+        self.part_list()?.ok_or_else(|| refused!("a wheel without a size in mm has no parts; add --crank-radius MM"))
+    }
+
+    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
+        let sizes = self.sized(ending)?;
+        self.thickness(ending)?;
+        let tolerance = tolerance(sizes);
+        let parts = self.flat_parts()?.parts;
+        let corners = corners(&parts, tolerance);
         if corners > MOST_CORNERS {
             return Err(refused!(
-                "--format stl, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, but \
-                 at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
+                "--format {ending}, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, \
+                 but at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
                 as_typed(sizes.play.slot)
             ));
         }
-        Ok(stl(sizes, solid)?)
+        Ok((parts, tolerance))
     }
 
     /// Refuses a file with this ending of a wheel that isn't external.
@@ -70,7 +132,7 @@ impl WheelDesign {
         ))
     }
 
-    fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
+    fn sized(&self, ending: &str) -> Result<&Sizes, Error> {
         self.require_external(ending)?;
         self.sizes.as_ref().ok_or_else(|| {
             refused!(
@@ -79,24 +141,20 @@ impl WheelDesign {
         })
     }
 
-    fn solid(&self, ending: &str, sizes: &Sizes) -> Result<Solid, Error> {
-        let thickness = self.question.thickness;
-        let thickness = thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
-        Ok(Solid { thickness, tolerance: tolerance(sizes) })
+    fn thickness(&self, ending: &str) -> Result<f64, Error> {
+        self.question.thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))
     }
 }
 
-/// How many corners the outlines of both parts have as polygons: counted before any is made.
-fn corners(sizes: &Sizes, tolerance: f64) -> f64 {
-    let outline = sizes.outline();
-    let faces = [Some(&outline.wheel), Some(&outline.plate), outline.disc.as_ref()];
-    let loops = faces.into_iter().flatten().flat_map(Face::loops).chain(&outline.pins);
+/// How many corners the outlines of all parts have as polygons: counted before any is made.
+fn corners(parts: &[Part], tolerance: f64) -> f64 {
     let of = |edge: &Edge| match edge {
         Edge::Line { .. } => 1.0,
         // A chord of the angle x leaves its arc by r (1 − cos(x/2)).
         Edge::Arc { radius, sweep, .. } => (sweep.abs() / (8.0 * tolerance / radius).sqrt()).max(1.0),
     };
-    loops.flat_map(|of| &of.edges).map(of).sum()
+    let loops = |part: &Part| part.face().loops().flat_map(|line| &line.edges).map(of).sum::<f64>();
+    parts.iter().map(|part| loops(part) * part.quantity() as f64).sum()
 }
 
 /// How far a chord may leave its arc, in millimetres.
@@ -120,11 +178,11 @@ mod tests {
                 ..WheelQuestion::default()
             };
             let design = WheelDesign::new(question).expect("a wheel");
-            let sizes = design.sizes.expect("sizes");
+            let (parts, tolerance) = design.printed("stl").expect("parts");
             let triangles = design.stl().expect("meshes").matches("facet normal").count();
-            // Four for each corner of a face: two on its wall, one on either side.
-            let counted = 4.0 * corners(&sizes, tolerance(&sizes));
-            assert!((counted / triangles as f64 - 1.0).abs() < 0.1, "{stations}: {counted} and {triangles}");
+            // Four for each corner of a face: two on its wall, one on either side; the holes of pins are filled.
+            let counted = 4.0 * corners(&parts, tolerance);
+            assert!((counted / triangles as f64 - 1.0).abs() < 0.15, "{stations}: {counted} and {triangles}");
         }
     }
 }

@@ -6,6 +6,7 @@ mod instant;
 mod kind;
 mod loads;
 mod making;
+mod mounting;
 mod parts;
 mod report;
 mod speeds;
@@ -13,6 +14,7 @@ mod times;
 
 pub use design::WheelDesign;
 pub use kind::{AnyWheel, WheelKind};
+pub use mounting::{BoreShape, MountingQuestion, PinKind};
 pub use speeds::speeds;
 pub use times::{Times, proposals};
 
@@ -50,6 +52,10 @@ pub struct WheelQuestion {
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, if it ends there; that in the plane of the wheel unless it is given.
+    pub plate_shaft: Option<f64>,
+    /// Holes for mounting, and what the files have besides wheel and driver.
+    pub mounting: MountingQuestion,
     /// Speed of the driver in turns per minute: this or the next.
     pub rpm: Option<f64>,
     /// Speed of the driver in radians per second.
@@ -222,16 +228,14 @@ pub const ARGUMENTS: [Argument; 22] = [
         "MM",
         ArgumentSlot::Length(|question| &mut question.wheel_shaft),
         &[Parts],
-        "Diameter of the wheel's shaft, in millimetres [default: half of the largest possible, a placeholder that knows no \
-         load]",
+        "Diameter of the wheel's shaft, in millimetres [default: none, and no bore]",
     ),
     Argument::new(
         "driver-shaft",
         "MM",
         ArgumentSlot::Length(|question| &mut question.driver_shaft),
         &[Parts],
-        "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible, a \
-         placeholder that knows no load; none if the disc would be too thin beside it]",
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: none, and no bore]",
     ),
     Argument::new(
         "rpm",
@@ -403,7 +407,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 11] = [
+    const GIVEN: [(&str, Needs); 13] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--inertia 0.002", Needs::TABLE_INERTIA),
@@ -415,6 +419,8 @@ mod tests {
         ("--pins 2", Needs::SECOND_PIN),
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
+        ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
+        ("--driver-shaft 2", Needs::DRIVER_SHAFT),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.

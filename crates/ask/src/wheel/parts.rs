@@ -3,7 +3,8 @@
 use super::design::WheelDesign;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes, Warning};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes};
+use geneva_workshop::ThinWall;
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
@@ -32,9 +33,6 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
-    let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
-        if given.is_some() { words } else { placeholder }
-    };
     vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot))
@@ -53,7 +51,8 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("horn thickness", "least thickness between a slot and a locking arc"),
         mm("slot_web_mm", of(|sizes| sizes.web))
             .line("web between slots", "least thickness between the ends of two slots"),
-        mm("bore_web_mm", of(Sizes::bore_web))
+        mm("bore_web_mm", sizes.filter(|sizes| sizes.wheel_bore() > 0.0).map(Sizes::bore_web))
+            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
             .line("web at the bore", "least thickness between a slot's end and the bore"),
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
@@ -64,31 +63,38 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
-        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line(
-            "wheel shaft",
-            chosen(
-                design.question.wheel_shaft,
-                "diameter",
-                "diameter: a placeholder, half of the largest possible; set what your load needs",
-            ),
-        ),
+        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft))
+            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
+            .line("wheel shaft", "diameter"),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
             .line("wheel shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
-        mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
-        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft)).line(
-            "driver shaft",
-            chosen(
-                design.question.driver_shaft,
-                "diameter in the plane of the wheel",
-                "diameter in the plane of the wheel: a placeholder as well",
-            ),
-        ),
+        mm("wheel_bore_mm", shaft(Sizes::wheel_bore))
+            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
+            .line("wheel bore", "diameter: shaft plus bore play"),
+        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .line("driver shaft", "diameter in the plane of the wheel"),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
-        mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
+        mm("driver_bore_mm", shaft(Sizes::driver_bore))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .line("driver bore", "diameter: shaft plus bore play"),
+        mm("plate_shaft_mm", shaft(|sizes| sizes.plate_shaft))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .line("plate shaft", "driver's shaft in the plate, diameter"),
+        mm("plate_shaft_limit_mm", of(|sizes| sizes.plate_shaft_limit))
+            .line("plate shaft limit", "the shaft must be thinner")
+            .rounded(LIMIT),
+        mm("plate_bore_mm", shaft(Sizes::plate_bore))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .line("plate bore", "diameter: shaft plus bore play"),
+        mm("plate_web_mm", sizes.and_then(Sizes::plate_web))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .line("web of the plate", "least thickness between pin and bore"),
         mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
+            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
             .line("web of the disc", "least thickness between crescent and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
             .line("web between crescents", "least thickness of the disc between two of them")
@@ -209,9 +215,12 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 
 /// What a maker should know about sizes that do fit.
 pub(super) fn warnings(design: &WheelDesign) -> Vec<ReportField> {
-    let found = design.warnings();
-    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.to_string())).collect();
-    let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
+    let of_sizes = design.warnings().into_iter().map(|warning| warning.to_string());
+    // What can't be mounted is refused where the files are made.
+    let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
+    let found: Vec<String> = of_sizes.chain(thin.iter().map(ThinWall::to_string)).collect();
+    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.clone())).collect();
+    let said = found.join("; ");
     let field = ReportField::new("warnings", texts);
     vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
 }
