@@ -54,7 +54,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
     let mut text = String::from(
         "// Geneva wheel and driver; lengths in millimetres, angles in degrees. All else follows from these numbers.\n",
     );
-    let sections: [(&str, &[(&str, f64, &str)]); 4] = [
+    let sections: [(&str, &[Variable]); 4] = [
         (
             "Wheel and driver",
             &[
@@ -128,6 +128,9 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
     }
     Ok(text + DERIVED + MODEL)
 }
+
+/// A variable: its name, its number, and what it means.
+type Variable = (&'static str, f64, &'static str);
 
 /// From the fixing holes of the base plate to its edge, in millimetres.
 fn margin(base: &Part) -> f64 {
