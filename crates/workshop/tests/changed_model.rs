@@ -27,7 +27,7 @@ fn has_openscad() -> bool {
 
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::create_dir_all(&folder).expect("writable");
     folder
 }
 
@@ -35,14 +35,14 @@ fn folder(name: &str) -> PathBuf {
 fn run(name: &str, text: &str, changed: &[(&str, f64)], show: &str, output: &str) -> (bool, String, Option<String>) {
     let folder = folder(name);
     let (model, result) = (folder.join("model.scad"), folder.join(output));
-    std::fs::write(&model, text).unwrap();
+    std::fs::write(&model, text).expect("writable");
     let _ = std::fs::remove_file(&result);
     let mut command = Command::new("openscad");
     command.arg("-o").arg(&result).arg("-D").arg(format!("part=\"{show}\""));
     for (name, value) in changed {
         command.arg("-D").arg(format!("{name}={value}"));
     }
-    let run = command.arg(&model).output().unwrap();
+    let run = command.arg(&model).output().expect("it runs");
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     (run.status.success(), said, std::fs::read_to_string(result).ok())
 }
@@ -62,7 +62,7 @@ fn overlap(name: &str, text: &str, changed: &[(&str, f64)]) -> Said {
 }
 
 fn sizes(stations: u32, pins: u32, choices: &Choices) -> Sizes {
-    Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CrankRadius(60.0), choices).unwrap()
+    Sizes::new(Wheel::with_pins(stations, pins).expect("possible"), Scale::CrankRadius(60.0), choices).expect("possible")
 }
 
 /// With shafts for key and flat.
@@ -82,7 +82,7 @@ fn mounting(sizes: &Sizes) -> Mounting {
 }
 
 fn variables(text: &str) -> Vec<(String, f64)> {
-    let before = text.split("/* [Hidden] */").next().unwrap();
+    let before = text.split("/* [Hidden] */").next().expect("possible");
     let lines = before.lines().filter_map(|line| line.split_once(" = "));
     lines.filter_map(|(name, rest)| Some((name.to_owned(), rest.split(';').next()?.parse().ok()?))).collect()
 }
@@ -100,7 +100,7 @@ fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
         assert_eq!(overlap("unchanged", &bare, &[]), Said::Runs, "{stations} stations, {pins} pins");
         let (_, said, _) = run("unchanged", &text, &[], "overlap", "overlap.svg");
         let cut = said.split("cut = [").nth(1).and_then(|rest| rest.split(']').next()).expect("what it echoes");
-        let cut: Vec<f64> = cut.split(", ").map(|number| number.parse().unwrap()).collect();
+        let cut: Vec<f64> = cut.split(", ").map(|number| number.parse().expect("a number")).collect();
         let disc =
             sizes.locking_disc.map_or([0.0; 3], |disc| [disc.crescent.centre, disc.crescent.radius, disc.radius]);
         for (theirs, ours) in cut.iter().zip(disc.into_iter().chain([sizes.plate_radius])) {
@@ -161,7 +161,7 @@ fn volume(text: &str) -> f64 {
     let numbers = text.lines().filter_map(|line| line.trim().strip_prefix("vertex "));
     let corners: Vec<[f64; 3]> = numbers
         .map(|line| {
-            let of: Vec<f64> = line.split(' ').map(|number| number.parse().unwrap()).collect();
+            let of: Vec<f64> = line.split(' ').map(|number| number.parse().expect("a number")).collect();
             [of[0], of[1], of[2]]
         })
         .collect();

@@ -340,9 +340,9 @@ fn volumes(text: &str) -> Vec<(String, f64)> {
 }
 
 fn list(stations: u32, pins: u32, choices: &Choices, mounting: &Mounting) -> (Sizes, Vec<Part>) {
-    let wheel = Wheel::with_pins(stations, pins).unwrap();
-    let sizes = Sizes::new(wheel, Scale::CrankRadius(60.0), choices).unwrap();
-    (sizes, parts(&sizes, 8.0, mounting).unwrap().parts)
+    let wheel = Wheel::with_pins(stations, pins).expect("possible");
+    let sizes = Sizes::new(wheel, Scale::CrankRadius(60.0), choices).expect("possible");
+    (sizes, parts(&sizes, 8.0, mounting).expect("possible").parts)
 }
 
 /// Volumes of the parts in the file's order, with pins that are one with the plate.
