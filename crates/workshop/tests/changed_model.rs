@@ -62,7 +62,8 @@ fn overlap(name: &str, text: &str, changed: &[(&str, f64)]) -> Said {
 }
 
 fn sizes(stations: u32, pins: u32, choices: &Choices) -> Sizes {
-    Sizes::new(Wheel::with_pins(stations, pins).expect("possible"), Scale::CrankRadius(60.0), choices).expect("possible")
+    Sizes::new(Wheel::with_pins(stations, pins).expect("possible"), Scale::CrankRadius(60.0), choices)
+        .expect("possible")
 }
 
 /// With shafts for key and flat.

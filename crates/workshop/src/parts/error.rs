@@ -77,6 +77,11 @@ pub enum MountingError {
         /// What it may be.
         range: &'static str,
     },
+    /// A base plate for an internal wheel.
+    #[error(
+        "an internal wheel has its shaft in front and its driver's behind, so no base plate carries both; leave it out"
+    )]
+    BaseOfInternal,
     /// A screw that is thicker than the pin.
     #[error("the screw {screw} is thicker than the pin of {pin} mm; choose a thinner screw, or a thicker pin")]
     ThickScrew {

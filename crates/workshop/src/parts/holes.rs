@@ -20,6 +20,8 @@ pub enum HolePurpose {
     DiscDowel,
     /// A hole at a corner of the base plate.
     Fixing,
+    /// The inside of an internal wheel's ring, with its slots.
+    Inside,
 }
 
 impl HolePurpose {
@@ -31,6 +33,7 @@ impl HolePurpose {
             Self::Hub => "a hole of the hub",
             Self::DiscDowel => "a hole between disc and plate",
             Self::Fixing => "a fixing hole",
+            Self::Inside => "the inside of the ring",
         }
     }
 }

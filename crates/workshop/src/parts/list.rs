@@ -48,13 +48,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     if !(thickness > 0.0 && thickness.is_finite()) {
         return Err(MountingError::Thickness { part: Layer::Wheel.words(), asked: thickness });
     }
-    for (what, pattern) in [
-        ("the wheel's hub", mounting.wheel_hub),
-        ("the driver's hub", mounting.driver_hub),
-        ("the dowels of the disc", mounting.disc_dowels),
-    ] {
-        pattern.map_or(Ok(()), |pattern| pattern.validate(what))?;
-    }
+    mounting.validate()?;
     let (outline, pins) = (sizes.outline(), sizes.wheel.pins());
     let (half_pitch, between) = (sizes.wheel.half_pitch_angle(), PI / f64::from(pins));
     let driver = Place { turn: PI - between, at: Point::new(sizes.centre_distance, 0.0), bottom: 0.0 };
@@ -95,7 +89,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     )?);
     let directions = (0..pins).map(|k| 2.0 * between * f64::from(k));
     let middles: Vec<(f64, Point)> = directions.map(|angle| (angle, direction(angle) * sizes.crank_radius)).collect();
-    let fastener = pin_fastener(sizes, mounting.pins)?;
+    let fastener = pin_fastener(sizes.pin_diameter, mounting.pins)?;
     plate.holes.extend(middles.iter().map(|(angle, at)| Hole::fastened(HolePurpose::Pin, *at, fastener, *angle)));
     plate.marks.extend(middles.iter().map(|(_, at)| *at));
 
@@ -150,13 +144,25 @@ fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Poin
 }
 
 /// What goes through the pins' holes in the plate.
-fn pin_fastener(sizes: &Sizes, pins: PinMount) -> Result<Fastener, MountingError> {
+pub(super) fn pin_fastener(pin: f64, pins: PinMount) -> Result<Fastener, MountingError> {
     match pins {
-        PinMount::Solid | PinMount::Dowel => Ok(Fastener::Dowel(sizes.pin_diameter)),
-        PinMount::Screw(thread, _) if thread.diameter() > sizes.pin_diameter => {
-            Err(MountingError::ThickScrew { screw: thread.name(), pin: sizes.pin_diameter })
+        PinMount::Solid | PinMount::Dowel => Ok(Fastener::Dowel(pin)),
+        PinMount::Screw(thread, _) if thread.diameter() > pin => {
+            Err(MountingError::ThickScrew { screw: thread.name(), pin })
         }
         PinMount::Screw(thread, hole) => Ok(Fastener::Screw(thread, hole)),
+    }
+}
+
+impl Mounting {
+    /// Refuses patterns whose numbers make no holes.
+    pub(super) fn validate(&self) -> Result<(), MountingError> {
+        let patterns = [
+            ("the wheel's hub", self.wheel_hub),
+            ("the driver's hub", self.driver_hub),
+            ("the dowels of the disc", self.disc_dowels),
+        ];
+        patterns.into_iter().try_for_each(|(what, pattern)| pattern.map_or(Ok(()), |pattern| pattern.validate(what)))
     }
 }
 
@@ -179,7 +185,7 @@ impl Pattern {
 }
 
 /// Puts a pattern into all of these parts, turned to where its thinnest wall is thickest.
-fn place(pattern: Pattern, purpose: HolePurpose, parts: &mut [&mut Part]) -> Result<(), MountingError> {
+pub(super) fn place(pattern: Pattern, purpose: HolePurpose, parts: &mut [&mut Part]) -> Result<(), MountingError> {
     let pitch = 2.0 * PI / f64::from(pattern.count);
     let least = |first: f64| {
         let holes = || pattern.circles(purpose, first);

@@ -3,6 +3,7 @@
 mod base;
 mod error;
 mod holes;
+mod internal;
 mod list;
 mod mounting;
 mod part;
@@ -11,6 +12,7 @@ mod walls;
 
 pub use error::MountingError;
 pub use holes::{Hole, HolePurpose, Widening};
+pub use internal::internal_parts;
 pub(crate) use list::axial_play;
 pub use list::{PartList, parts};
 pub use mounting::{BasePlate, Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit};

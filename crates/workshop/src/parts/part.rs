@@ -11,10 +11,14 @@ pub enum Layer {
     Wheel,
     /// The driver's locking disc, in the wheel's plane.
     LockingDisc,
+    /// The locking segment of an internal wheel's driver.
+    LockingSegment,
     /// The driver's plate, behind the wheel.
     Plate,
     /// The pins, or the holes for them in the plate.
     Pins,
+    /// The plate that closes the ring of an internal wheel and carries its shaft.
+    RingPlate,
     /// The plate that carries both axes.
     BasePlate,
     /// Crosses at axes and pins.
@@ -25,14 +29,25 @@ pub enum Layer {
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 7] =
-        [Self::Wheel, Self::LockingDisc, Self::Plate, Self::Pins, Self::BasePlate, Self::Centres, Self::Pockets];
+    pub const ALL: [Self; 9] = [
+        Self::Wheel,
+        Self::LockingDisc,
+        Self::Plate,
+        Self::Pins,
+        Self::BasePlate,
+        Self::Centres,
+        Self::Pockets,
+        Self::LockingSegment,
+        Self::RingPlate,
+    ];
 
     /// The layer's name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wheel => "WHEEL",
             Self::LockingDisc => "LOCKING_DISC",
+            Self::LockingSegment => "LOCKING_SEGMENT",
+            Self::RingPlate => "RING_PLATE",
             Self::Plate => "DRIVER_PLATE",
             Self::Pins => "PINS",
             Self::BasePlate => "BASE_PLATE",
@@ -46,6 +61,8 @@ impl Layer {
         match self {
             Self::Wheel => "wheel",
             Self::LockingDisc => "locking disc",
+            Self::LockingSegment => "locking segment",
+            Self::RingPlate => "ring plate",
             Self::Plate => "driver plate",
             Self::Pins => "pin",
             Self::BasePlate => "base plate",

@@ -47,6 +47,7 @@ pub(crate) fn remedy(purpose: HolePurpose) -> &'static str {
         HolePurpose::Hub => "choose another circle for the hub, fewer or thinner screws or dowels",
         HolePurpose::DiscDowel => "choose another circle for the dowels, fewer or thinner ones",
         HolePurpose::Fixing => "choose thinner screws for the base plate",
+        HolePurpose::Inside => "choose a thinner pin",
     }
 }
 
@@ -129,7 +130,8 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }
         let is_plain = hole.diameter().is_some() && hole.widening.is_none();
-        let is_of_sizes = is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin);
+        let is_of_sizes = is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin)
+            || hole.purpose == HolePurpose::Inside;
         // A keyway or a flat is as wide as its straight line across.
         let across = hole.outline.edges.iter().filter_map(|edge| match edge {
             Edge::Line { from, to } => Some((to - from).norm()),
