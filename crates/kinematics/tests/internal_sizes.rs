@@ -118,11 +118,9 @@ fn ring_and_driver_keep_clear_of_each_other_all_the_way_round() {
     let play = Some(Play::from_slot(0.4));
     for (stations, choices) in [
         (3, Choices { play, ..Choices::default() }),
-        (4, Choices { play, ..Choices::default() }),
         (4, Choices { play, pin_diameter: Some(6.0), ..Choices::default() }),
         (5, Choices { play, horn_thickness: Some(6.0), ..Choices::default() }),
         (6, Choices { play, pin_diameter: Some(3.0), ..Choices::default() }),
-        (8, Choices { play, ..Choices::default() }),
         (12, Choices { play, pin_diameter: Some(3.0), ..Choices::default() }),
     ] {
         let sizes = sizes(stations, &choices).unwrap_or_else(|error| panic!("{stations}: {error}"));

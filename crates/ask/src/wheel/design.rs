@@ -220,14 +220,15 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
 }
 
 /// The one length that was given.
-fn scale(question: &WheelQuestion) -> Option<Scale> {
+pub(super) fn scale(question: &WheelQuestion) -> Option<Scale> {
     let crank = question.crank_radius.map(Scale::CrankRadius);
     let centres = question.centre_distance.map(Scale::CentreDistance);
     crank.or(centres).or(question.wheel_radius.map(Scale::WheelRadius))
 }
 
-fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let choices = Choices {
+/// What was chosen of the parts.
+pub(super) fn choices(question: &WheelQuestion) -> Choices {
+    Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
@@ -235,7 +236,11 @@ fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, 
         wheel_shaft: question.wheel_shaft,
         driver_shaft: question.driver_shaft,
         plate_shaft: question.plate_shaft,
-    };
+    }
+}
+
+fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let choices = choices(question);
     let Some(bore) = question.bore_play else { return Sizes::new(wheel, scale, &choices) };
     // The other play is the one that it has without.
     let others =
@@ -244,7 +249,7 @@ fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, 
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
+pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),

@@ -1,12 +1,13 @@
 //! Files from which a wheel is made.
 
-use super::design::WheelDesign;
-use super::kind::WheelKind;
+use super::design::{WheelDesign, choices, scale, with_arguments as with_choices};
+use super::kind::{AnyWheel, WheelKind};
 use super::mounting::with_arguments;
 use crate::Error;
 use crate::number_format::as_typed;
+use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Sizes};
-use geneva_workshop::{Part, PartLayout, PartList, dxf, parts, scad, step, stl, svg_parts, three_mf};
+use geneva_workshop::{Part, PartLayout, PartList, dxf, internal_parts, parts, scad, step, stl, svg_parts, three_mf};
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
 const OF_PLAY: f64 = 0.1;
@@ -23,8 +24,7 @@ impl WheelDesign {
     ///
     /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
     pub fn dxf(&self) -> Result<String, Error> {
-        self.sized("dxf")?;
-        Ok(dxf(&self.flat_parts()?.parts, PartLayout::Apart))
+        Ok(dxf(&self.listed("dxf")?.parts, PartLayout::Apart))
     }
 
     /// The parts to be cut from sheets as SVG, true to scale, with a colour for each operation.
@@ -33,9 +33,8 @@ impl WheelDesign {
     ///
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
-        self.sized("svg-parts")?;
         let kerf = self.question.mounting.kerf.unwrap_or(0.0);
-        svg_parts(&self.flat_parts()?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
+        svg_parts(&self.listed("svg-parts")?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
@@ -46,7 +45,8 @@ impl WheelDesign {
     pub fn scad(&self) -> Result<String, Error> {
         let sizes = self.sized("scad")?;
         let (thickness, mounting) = (self.thickness("scad")?, self.question.mounting.mounting()?);
-        scad(sizes, thickness, tolerance(sizes), &mounting).map_err(|error| with_arguments(error, &self.question))
+        scad(sizes, thickness, tolerance(sizes.play.slot, sizes.centre_distance), &mounting)
+            .map_err(|error| with_arguments(error, &self.question))
     }
 
     /// Meshes of the parts, in millimetres.
@@ -76,41 +76,60 @@ impl WheelDesign {
     ///
     /// As for [`scad`](Self::scad).
     pub fn step(&self) -> Result<String, Error> {
-        self.sized("step")?;
+        let list = self.listed("step")?;
         self.thickness("step")?;
-        step(&self.flat_parts()?.parts).map_err(|error| with_arguments(error, &self.question))
+        step(&list.parts).map_err(|error| with_arguments(error, &self.question))
     }
 
-    /// The parts with all their holes; none without a size, or of a wheel that isn't external.
+    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
     ///
     /// # Errors
     ///
-    /// What can't be mounted as it is asked for.
+    /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
-        let Some(sizes) = &self.sizes else { return Ok(None) };
+        let question = &self.question;
+        let mounting = question.mounting.mounting()?;
         // Drawings of outlines have nothing of the thickness.
-        let thickness = self.question.thickness.unwrap_or(sizes.pin_diameter);
-        let mounting = self.question.mounting.mounting()?;
-        let list = parts(sizes, thickness, &mounting).map_err(|error| with_arguments(error, &self.question))?;
-        Ok(Some(list))
+        let thickness = |pin: f64| question.thickness.unwrap_or(pin);
+        let list = match (&self.sizes, self.internal_sizes()?) {
+            (Some(sizes), _) => parts(sizes, thickness(sizes.pin_diameter), &mounting),
+            (None, Some(sizes)) => internal_parts(&sizes, thickness(sizes.pin_diameter), &mounting),
+            (None, None) => return Ok(None),
+        };
+        list.map(Some).map_err(|error| with_arguments(error, question))
     }
 
-    fn flat_parts(&self) -> Result<PartList, Error> {
-        self.part_list()?.ok_or_else(|| refused!("a wheel without a size in mm has no parts; add --crank-radius MM"))
+    /// The sizes of an internal wheel with a size.
+    fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
+        let (AnyWheel::Internal(wheel), Some(scale)) = (&self.wheel, scale(&self.question)) else { return Ok(None) };
+        let sizes = InternalSizes::new(*wheel, scale, &choices(&self.question));
+        sizes.map(Some).map_err(|error| with_choices(error, &self.question))
+    }
+
+    /// The parts for a file with this ending.
+    fn listed(&self, ending: &str) -> Result<PartList, Error> {
+        if self.wheel.kind() == WheelKind::Spherical {
+            self.require_external(ending)?;
+        }
+        self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
     /// The parts for a file of meshes, and how far its chords leave their arcs.
     fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
-        let sizes = self.sized(ending)?;
+        let parts = self.listed(ending)?.parts;
         self.thickness(ending)?;
-        let tolerance = tolerance(sizes);
-        let parts = self.flat_parts()?.parts;
+        let of = |play: f64, centres: f64| (play, tolerance(play, centres));
+        let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {
+            (Some(sizes), _) => of(sizes.play.slot, sizes.centre_distance),
+            (None, Some(sizes)) => of(sizes.play.slot, sizes.centre_distance),
+            (None, None) => return Err(without_size(ending)),
+        };
         let corners = corners(&parts, tolerance);
         if corners > MOST_CORNERS {
             return Err(refused!(
                 "--format {ending}, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, \
                  but at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
-                as_typed(sizes.play.slot)
+                as_typed(play)
             ));
         }
         Ok((parts, tolerance))
@@ -134,11 +153,7 @@ impl WheelDesign {
 
     fn sized(&self, ending: &str) -> Result<&Sizes, Error> {
         self.require_external(ending)?;
-        self.sizes.as_ref().ok_or_else(|| {
-            refused!(
-                "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
-            )
-        })
+        self.sizes.as_ref().ok_or_else(|| without_size(ending))
     }
 
     fn thickness(&self, ending: &str) -> Result<f64, Error> {
@@ -157,10 +172,14 @@ fn corners(parts: &[Part], tolerance: f64) -> f64 {
     parts.iter().map(|part| loops(part) * part.quantity() as f64).sum()
 }
 
+/// The error about a file of parts without a size.
+fn without_size(ending: &str) -> Error {
+    refused!("--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM")
+}
+
 /// How far a chord may leave its arc, in millimetres.
-fn tolerance(sizes: &Sizes) -> f64 {
-    let play = sizes.play.slot;
-    if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * sizes.centre_distance }
+fn tolerance(play: f64, centre_distance: f64) -> f64 {
+    if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * centre_distance }
 }
 
 #[cfg(test)]
@@ -184,5 +203,24 @@ mod tests {
             let counted = 4.0 * corners(&parts, tolerance);
             assert!((counted / triangles as f64 - 1.0).abs() < 0.15, "{stations}: {counted} and {triangles}");
         }
+    }
+
+    #[test]
+    fn an_internal_wheel_has_files_too_and_a_spherical_one_has_none() {
+        let question = |kind| WheelQuestion {
+            stations: Some(6),
+            kind: Some(kind),
+            crank_radius: Some(40.0),
+            thickness: Some(6.0),
+            ..WheelQuestion::default()
+        };
+        let internal = WheelDesign::new(question(WheelKind::Internal)).expect("a wheel");
+        for file in [internal.dxf(), internal.svg_parts(), internal.stl(), internal.step()] {
+            assert!(file.expect("a file").len() > 1000);
+        }
+        assert!(internal.three_mf().is_ok() && internal.scad().is_err());
+        let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
+        let said = spherical.step().expect_err("no parts").to_string();
+        assert!(said.contains("spherical wheels"), "{said}");
     }
 }
