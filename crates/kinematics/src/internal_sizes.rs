@@ -13,7 +13,7 @@
 use crate::error::length;
 use crate::indexing::Indexing;
 use crate::internal_wheel::InternalWheel;
-use crate::wheel::{Choices, Edge, Face, Loop, Play, Remedy, Scale, ShaftOf, SizesError};
+use crate::wheel::{Choices, Edge, Face, Loop, Play, Remedy, ShaftOf, SizesError};
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -32,10 +32,10 @@ const BESIDE: f64 = 0.05;
 /// ```
 /// use geneva_kinematics::internal_sizes::InternalSizes;
 /// use geneva_kinematics::internal_wheel::InternalWheel;
-/// use geneva_kinematics::wheel::{Choices, Play, Scale};
+/// use geneva_kinematics::wheel::{Choices, Play};
 ///
 /// let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::from_slot(0.2)), ..Choices::default() }; // mm
-/// let sizes = InternalSizes::new(InternalWheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+/// let sizes = InternalSizes::new(InternalWheel::new(6)?, 50.0, &choices)?;
 /// assert!((sizes.centre_distance - 100.0).abs() < 1e-12); // mm: 50 / sin 30°
 /// // Of the crank a half slot and a horn as thick as the pin are left for the locking arc.
 /// assert!((sizes.locking_arc_radius - (50.0 - 4.1 - 8.0)).abs() < 1e-12); // mm
@@ -79,18 +79,15 @@ pub struct InternalSizes {
 }
 
 impl InternalSizes {
-    /// The sizes of a wheel from one length and the designer's choices; a driver's shaft in the plane of the wheel is none.
+    /// The sizes of a wheel from its crank radius in millimetres and the designer's choices. A driver's shaft in the plane of the
+    /// wheel is none, and the mouths of the slots are sharp.
     ///
     /// # Errors
     ///
     /// As of [`Sizes::new`](crate::wheel::Sizes::new).
-    pub fn new(wheel: InternalWheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
+    pub fn new(wheel: InternalWheel, crank_radius: f64, choices: &Choices) -> Result<Self, SizesError> {
         let (ratio, radius) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
-        let a = match scale {
-            Scale::CrankRadius(a) => length("crank radius", a)?,
-            Scale::CentreDistance(c) => length("centre distance", c)? / ratio,
-            Scale::WheelRadius(r) => length("wheel radius", r)? / radius,
-        };
+        let a = length("crank radius", crank_radius)?;
         let (c, wheel_radius) = (length("centre distance", a * ratio)?, length("wheel radius", a * radius)?);
         let pin_diameter = length("pin diameter", choices.pin_diameter.unwrap_or(OF_CRANK_RADIUS * a))?;
         let play = choices.play.unwrap_or_else(|| Play::from_slot((c / 1000.0).min(pin_diameter / 20.0)));
@@ -105,9 +102,11 @@ impl InternalSizes {
                 return Err(SizesError::Play { name, asked });
             }
         }
-        let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
         let slot_width = pin_diameter + play.slot;
         let half = slot_width / 2.0;
+        let of_arc = choices.locking_arc_radius.map(|radius| a - half - radius);
+        let horn = of_arc.or(choices.horn_thickness).unwrap_or(pin_diameter);
+        let horn_thickness = length("horn thickness", horn)?;
         let mouth_radius = libm::hypot(wheel_radius, half);
         let locking_arc_radius = a - half - horn_thickness;
         let fits = |room: f64, what, remedies| {

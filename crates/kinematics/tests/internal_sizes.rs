@@ -6,7 +6,7 @@
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_sizes::{InternalOutline, InternalSizes};
 use geneva_kinematics::internal_wheel::InternalWheel;
-use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, SizesError};
+use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, SizesError};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -110,7 +110,7 @@ impl Pair {
 }
 
 fn sizes(stations: u32, choices: &Choices) -> Result<InternalSizes, SizesError> {
-    InternalSizes::new(InternalWheel::new(stations).unwrap(), Scale::CrankRadius(30.0), choices)
+    InternalSizes::new(InternalWheel::new(stations).unwrap(), 30.0, choices)
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Does a model whose variables are changed either refuse itself or still run? OpenSCAD itself runs it, and says what wheel and
 //! driver have in common at moments of a turn. Without OpenSCAD on the path these tests say that they are skipped.
 
-use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
 use geneva_workshop::{Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit, Thread, scad};
 use std::path::PathBuf;
 use std::process::Command;
@@ -112,6 +112,22 @@ fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
 }
 
 #[test]
+fn a_model_with_mouths_runs_too() {
+    if !has_openscad() {
+        return;
+    }
+    for mouth in [Mouth::Chamfer { width: 2.0, angle: 0.4 }, Mouth::Round { radius: 2.0 }] {
+        let sizes = sizes(6, 1, &Choices { mouth, ..Choices::default() });
+        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        assert_eq!(overlap("mouths", &text, &[]), Said::Runs, "{mouth:?}");
+        let (is_done, said, result) = run("mouths", &text, &[], "wheel", "part.stl");
+        assert!(is_done, "{said}");
+        let area = sizes.outline().wheel.area();
+        approx::assert_relative_eq!(volume(&result.unwrap()), 6.0 * area, max_relative = 1e-3);
+    }
+}
+
+#[test]
 fn a_model_with_a_changed_variable_refuses_itself_or_runs() {
     if !has_openscad() {
         return;
@@ -190,4 +206,39 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
             approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
         }
     }
+}
+
+/// The mouth of the text, point by point, is the face of the outline.
+#[test]
+fn a_model_has_the_mouths_of_the_outline() {
+    for mouth in [
+        Mouth::Chamfer { width: 2.0, angle: 0.4 },
+        Mouth::Round { radius: 1.5 },
+        Mouth::LeadIn { length: 5.0, flare: 0.6 },
+    ] {
+        let wheel = Wheel::new(6).expect("possible");
+        let sizes =
+            Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() }).expect("fits");
+        let text = scad(&sizes, 6.0, 0.001, &Mounting::default()).expect("a model");
+        let list = text.lines().find_map(|line| line.strip_prefix("mouth = [")?.strip_suffix("];")).expect("a mouth");
+        let points: Vec<[f64; 2]> = list
+            .trim_matches(['[', ']'])
+            .split("], [")
+            .map(|point| point.split_once(", ").expect("two numbers"))
+            .map(|(x, y)| [x.parse::<f64>().expect("a number"), y.parse::<f64>().expect("a number")])
+            .collect();
+        let half = sizes.slot_width / 2.0;
+        let placed: Vec<[f64; 2]> = points.iter().map(|[x, y]| [x + sizes.wheel_radius, y + half]).collect();
+        // It begins on the wall and ends on the rim; between, it is on the face.
+        assert!(points[0][1].abs() < 1e-12, "{mouth:?}: {points:?}");
+        let end = placed.last().expect("points");
+        approx::assert_relative_eq!(end[0].hypot(end[1]), sizes.tip_radius, max_relative = 1e-12);
+        let outline = sizes.outline().wheel.outer.corners(0.001).expect("corners");
+        for [x, y] in &placed {
+            let nearest = outline.iter().map(|p| (p.x - x).hypot(p.y - y)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-9, "{mouth:?}: {x} {y} is {nearest} mm from a corner of the outline");
+        }
+    }
+    let sharp = sizes(6, 1, &Choices::default());
+    assert!(scad(&sharp, 6.0, 0.01, &Mounting::default()).expect("a model").contains("\nmouth = [];\n"));
 }

@@ -413,7 +413,7 @@ fn solids_of_an_internal_wheel_are_closed_too() {
         (24, Choices::default(), Mounting::default()),
     ] {
         let wheel = InternalWheel::new(stations).unwrap();
-        let sizes = InternalSizes::new(wheel, Scale::CrankRadius(60.0), &choices).unwrap();
+        let sizes = InternalSizes::new(wheel, 60.0, &choices).unwrap();
         let list = internal_parts(&sizes, 8.0, &mounting).unwrap().parts;
         let found = volumes(&step(&list).unwrap());
         let all: f64 = found.iter().map(|(_, volume)| volume).sum();

@@ -1,13 +1,15 @@
 //! Files from which a wheel is made.
 
-use super::design::{WheelDesign, choices, scale, with_arguments as with_choices};
+use super::design::{WheelDesign, choices, with_arguments as with_choices};
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting::with_arguments;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Sizes};
-use geneva_workshop::{Part, PartLayout, PartList, dxf, internal_parts, parts, scad, step, stl, svg_parts, three_mf};
+use geneva_workshop::{
+    Mounting, Part, PartLayout, PartList, dxf, internal_parts, parts, scad, step, stl, svg_parts, three_mf,
+};
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
 const OF_PLAY: f64 = 0.1;
@@ -17,7 +19,71 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
+/// A file from which a wheel is made.
+#[derive(Clone, Copy, Debug)]
+pub struct ShapeFile {
+    /// Its name with its ending.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Whether it needs the parts of an external wheel with a size.
+    pub needs_parts: bool,
+    /// Makes it.
+    pub make: fn(&WheelDesign) -> Result<Vec<u8>, Error>,
+}
+
+/// All files from which a wheel is made: what the command writes to a folder and the page offers.
+pub const SHAPE_FILES: &[ShapeFile] = &[
+    ShapeFile {
+        name: "drawing.svg",
+        label: "Drawing with sizes (SVG)",
+        needs_parts: false,
+        make: |design| Ok(design.drawing().standalone().into_bytes()),
+    },
+    ShapeFile {
+        name: "wheel.dxf",
+        label: "Outlines for the machine (DXF)",
+        needs_parts: true,
+        make: |design| design.dxf().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "parts.svg",
+        label: "Parts to cut (SVG)",
+        needs_parts: true,
+        make: |design| design.svg_parts().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.step",
+        label: "Solids (STEP)",
+        needs_parts: true,
+        make: |design| design.step().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.3mf",
+        label: "Meshes with names and units (3MF)",
+        needs_parts: true,
+        make: |design| design.three_mf(),
+    },
+    ShapeFile {
+        name: "wheel.stl",
+        label: "Meshes for a printer (STL)",
+        needs_parts: true,
+        make: |design| design.stl().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.scad",
+        label: "Moving model (OpenSCAD)",
+        needs_parts: true,
+        make: |design| design.scad().map(String::into_bytes),
+    },
+];
+
 impl WheelDesign {
+    /// Whether there is what a file needs.
+    pub fn can_make(&self, file: &ShapeFile) -> bool {
+        !file.needs_parts || self.sizes.is_some()
+    }
+
     /// Outlines of all parts side by side, in millimetres, with true arcs.
     ///
     /// # Errors
@@ -44,7 +110,7 @@ impl WheelDesign {
     /// A wheel that isn't external, has no size or no thickness, or can't be mounted as it is asked for.
     pub fn scad(&self) -> Result<String, Error> {
         let sizes = self.sized("scad")?;
-        let (thickness, mounting) = (self.thickness("scad")?, self.question.mounting.mounting()?);
+        let (thickness, mounting) = (self.thickness("scad")?, self.mounting()?);
         scad(sizes, thickness, tolerance(sizes.play.slot, sizes.centre_distance), &mounting)
             .map_err(|error| with_arguments(error, &self.question))
     }
@@ -88,9 +154,9 @@ impl WheelDesign {
     /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
         let question = &self.question;
-        let mounting = question.mounting.mounting()?;
+        let mounting = self.mounting()?;
         // Drawings of outlines have nothing of the thickness.
-        let thickness = |pin: f64| question.thickness.unwrap_or(pin);
+        let thickness = |pin: f64| self.made_thickness().unwrap_or(pin);
         let list = match (&self.sizes, self.internal_sizes()?) {
             (Some(sizes), _) => parts(sizes, thickness(sizes.pin_diameter), &mounting),
             (None, Some(sizes)) => internal_parts(&sizes, thickness(sizes.pin_diameter), &mounting),
@@ -99,10 +165,14 @@ impl WheelDesign {
         list.map(Some).map_err(|error| with_arguments(error, question))
     }
 
+    fn mounting(&self) -> Result<Mounting, Error> {
+        Ok(Mounting { axial_play: self.question.axial_play, ..self.question.mounting.mounting()? })
+    }
+
     /// The sizes of an internal wheel with a size.
     fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
-        let (AnyWheel::Internal(wheel), Some(scale)) = (&self.wheel, scale(&self.question)) else { return Ok(None) };
-        let sizes = InternalSizes::new(*wheel, scale, &choices(&self.question));
+        let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
+        let sizes = InternalSizes::new(*wheel, radius, &choices(&self.question));
         sizes.map(Some).map_err(|error| with_choices(error, &self.question))
     }
 
@@ -156,8 +226,13 @@ impl WheelDesign {
         self.sizes.as_ref().ok_or_else(|| without_size(ending))
     }
 
+    /// The thickness of the parts; the program chooses none for an internal wheel.
+    fn made_thickness(&self) -> Option<f64> {
+        self.thickness.or(self.question.thickness)
+    }
+
     fn thickness(&self, ending: &str) -> Result<f64, Error> {
-        self.question.thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))
+        self.made_thickness().ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))
     }
 }
 

@@ -104,6 +104,7 @@ impl MountingQuestion {
             disc_dowels: self.dowels()?,
             is_stacked: self.stacked,
             base: self.base()?,
+            axial_play: None,
         })
     }
 

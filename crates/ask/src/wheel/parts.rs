@@ -1,9 +1,10 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
+use super::mouth;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
 use geneva_workshop::ThinWall;
 
 /// Between which parts a least distance is, and where.
@@ -33,12 +34,15 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
-    vec![
+    let (of_wheel, of_driver) = (Needs::SIZE.union(Needs::WHEEL_SHAFT), Needs::SIZE.union(Needs::DRIVER_SHAFT));
+    let mut fields = vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
-        mm("play_mm", of(|sizes| sizes.play.slot))
-            .line("play", "how much wider slots and locking arcs are than what runs in them"),
+        mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "how much wider a slot is than the pin"),
+        mm("locking_play_mm", of(|sizes| sizes.play.locking))
+            .line("locking play", "how much wider a locking arc is than the disc, as a difference of diameters"),
         mm("bore_play_mm", of(|sizes| sizes.play.bore))
             .line("bore play", "how much wider bores are than the shafts that run in them"),
+        mm("axial_play_mm", design.axial_play()).line("axial play", "gap between wheel and plate along the axes"),
         mm("slot_width_mm", of(|sizes| sizes.slot_width)).line("slot width", "pin diameter plus play"),
         mm("slot_depth_mm", of(|sizes| sizes.slot_depth))
             .line("slot depth", "from the wheel radius to the bottom of its round end"),
@@ -47,12 +51,14 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
         mm("slot_end_mm", of(|sizes| sizes.slot_end)).line("slot end", "wheel's axis to the centre of the round end"),
         mm("tip_radius_mm", of(|sizes| sizes.tip_radius))
             .line("tip radius", "wheel's axis to the corners of the slots: the blank"),
+        mm("outside_diameter_mm", of(|sizes| 2.0 * sizes.tip_radius)).line("outside diameter", "of the blank"),
+        mm("thickness_mm", design.thickness).line("thickness", "of wheel, locking disc and plate"),
         mm("horn_thickness_mm", of(|sizes| sizes.horn_thickness))
             .line("horn thickness", "least thickness between a slot and a locking arc"),
         mm("slot_web_mm", of(|sizes| sizes.web))
             .line("web between slots", "least thickness between the ends of two slots"),
         mm("bore_web_mm", sizes.filter(|sizes| sizes.wheel_bore() > 0.0).map(Sizes::bore_web))
-            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
+            .needing(of_wheel)
             .line("web at the bore", "least thickness between a slot's end and the bore"),
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
@@ -63,52 +69,55 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
-        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft))
-            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
-            .line("wheel shaft", "diameter"),
+        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).needing(of_wheel).line("wheel shaft", "diameter"),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
             .line("wheel shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
         mm("wheel_bore_mm", shaft(Sizes::wheel_bore))
-            .needing(Needs::SIZE.union(Needs::WHEEL_SHAFT))
+            .needing(of_wheel)
             .line("wheel bore", "diameter: shaft plus bore play"),
         mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .needing(of_driver)
             .line("driver shaft", "diameter in the plane of the wheel"),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
         mm("driver_bore_mm", shaft(Sizes::driver_bore))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .needing(of_driver)
             .line("driver bore", "diameter: shaft plus bore play"),
         mm("plate_shaft_mm", shaft(|sizes| sizes.plate_shaft))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .needing(of_driver)
             .line("plate shaft", "driver's shaft in the plate, diameter"),
         mm("plate_shaft_limit_mm", of(|sizes| sizes.plate_shaft_limit))
             .line("plate shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
         mm("plate_bore_mm", shaft(Sizes::plate_bore))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .needing(of_driver)
             .line("plate bore", "diameter: shaft plus bore play"),
-        mm("plate_web_mm", sizes.and_then(Sizes::plate_web))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
-            .line("web of the plate", "least thickness between pin and bore"),
         mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
-            .needing(Needs::SIZE.union(Needs::DRIVER_SHAFT))
+            .needing(of_driver)
             .line("web of the disc", "least thickness between crescent and bore"),
+        mm("plate_web_mm", sizes.and_then(Sizes::plate_web))
+            .needing(of_driver)
+            .line("web of the plate", "least thickness between pin and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
             .line("web between crescents", "least thickness of the disc between two of them")
             .needing(Needs::SIZE.union(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
-    ]
+    ];
+    fields.extend(mouth::mouth(design));
+    fields
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
 pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
+    // With the axes apart the backlash is another, and so is the knock.
+    let is_moved = design.centre_error() != 0.0;
+    let in_place = sizes.filter(|_| !is_moved);
     // What is less than the tolerance is not known to be more than none; without play it is none.
-    let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
+    let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight || is_moved);
     let least = found.map(|(least, _)| least);
     let tolerance = design.centre_tolerance()?;
     let not_found = |field: ReportField, name, is_found: bool| {
@@ -129,23 +138,20 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
         .rounded(SOUGHT);
-    let play = sizes.and_then(Sizes::dwell_play);
+    let play = in_place.and_then(Sizes::dwell_play);
     let degrees =
         |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(Needs::SIZE);
     let at_greatest = play.map_or_else(String::new, |play| {
-        let until = degrees_told(play.until_entry);
-        format!(
-            "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
-        )
+        let until = degrees_told(play.until_entry.abs());
+        if play.until_entry < 0.0 {
+            format!("to one side: forwards {until}° of crank angle after a pin enters, in the mouth, backwards as far before it leaves")
+        } else {
+            format!(
+                "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
+            )
+        }
     });
-    let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
-    let speed = |key, of: fn(&Knock) -> f64| {
-        let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        ReportField::in_unit(key, speed, "mm/s")
-            .needing(Needs::SIZE.union(Needs::SPEED))
-            .rounded(Rounding::Significant(3))
-    };
-    Ok(vec![
+    let mut fields = vec![
         not_found(nearest, "least clearance", least.is_some()),
         degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
@@ -177,13 +183,9 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
-        speed("knock_mm_s", |knock| knock.centred)
-            .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
-        speed("knock_within_backlash_mm_s", |knock| knock.within)
-            .line("", "at most, if the wheel is within the backlash of mid-dwell"),
-        speed("greatest_knock_mm_s", |knock| knock.drifted)
-            .line("", "at most, on a horn's corner, if the wheel is within the greatest backlash"),
-    ])
+    ];
+    fields.extend(mouth::knock(design, in_place));
+    Ok(fields)
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
@@ -214,13 +216,17 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 }
 
 /// What a maker should know about sizes that do fit.
-pub(super) fn warnings(design: &WheelDesign) -> Vec<ReportField> {
-    let of_sizes = design.warnings().into_iter().map(|warning| warning.to_string());
+///
+/// # Errors
+///
+/// A distance of the axes at which the parts can't work together.
+pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
+    let mut found = design.warnings()?;
     // What can't be mounted is refused where the files are made.
     let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
-    let found: Vec<String> = of_sizes.chain(thin.iter().map(ThinWall::to_string)).collect();
-    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.clone())).collect();
+    found.extend(thin.iter().map(ThinWall::to_string));
     let said = found.join("; ");
+    let texts: Vec<FieldValue> = found.into_iter().map(FieldValue::Text).collect();
     let field = ReportField::new("warnings", texts);
-    vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
+    Ok(vec![if said.is_empty() { field } else { field.words("before you make it", said) }])
 }

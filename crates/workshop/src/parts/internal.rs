@@ -21,10 +21,10 @@ use std::f64::consts::PI;
 /// ```
 /// use geneva_kinematics::internal_sizes::InternalSizes;
 /// use geneva_kinematics::internal_wheel::InternalWheel;
-/// use geneva_kinematics::wheel::{Choices, Scale};
+/// use geneva_kinematics::wheel::Choices;
 /// use geneva_workshop::{Layer, Mounting, internal_parts, step};
 ///
-/// let sizes = InternalSizes::new(InternalWheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
+/// let sizes = InternalSizes::new(InternalWheel::new(6)?, 50.0, &Choices::default())?; // mm
 /// let list = internal_parts(&sizes, 6.0, &Mounting::default()).expect("bare parts").parts;
 /// let layers: Vec<Layer> = list.iter().map(|part| part.layer).collect();
 /// assert_eq!(layers, [Layer::Wheel, Layer::RingPlate, Layer::LockingSegment, Layer::Plate, Layer::Pins]);
@@ -44,7 +44,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
     }
     mounting.validate()?;
     let (outline, half_pitch) = (sizes.outline(), sizes.wheel.half_pitch_angle());
-    let play = sizes.play.slot;
+    let play = mounting.axial_play.unwrap_or(sizes.play.slot);
     let still = Place { turn: half_pitch, at: Point::zeros(), bottom: 0.0 };
     let driver = Place { turn: PI, at: Point::new(sizes.centre_distance, 0.0), bottom: -play };
     let plain = |layer, outer: Loop, place: Place| Part {

@@ -52,7 +52,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     let (outline, pins) = (sizes.outline(), sizes.wheel.pins());
     let (half_pitch, between) = (sizes.wheel.half_pitch_angle(), PI / f64::from(pins));
     let driver = Place { turn: PI - between, at: Point::new(sizes.centre_distance, 0.0), bottom: 0.0 };
-    let play = axial_play(sizes);
+    let play = axial_play(sizes, mounting);
     let plain = |layer, face: Face, places| Part {
         layer,
         outer: face.outer,
@@ -117,15 +117,15 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     Ok(PartList { parts: all, thin_walls })
 }
 
-/// The play between wheel and plate along the axes, in millimetres: that of the slots.
-pub(crate) fn axial_play(sizes: &Sizes) -> f64 {
-    sizes.play.slot
+/// The gap between wheel and plate along the axes, in millimetres.
+pub(crate) fn axial_play(sizes: &Sizes, mounting: &Mounting) -> f64 {
+    mounting.axial_play.unwrap_or(sizes.play.slot)
 }
 
 /// A pin: a dowel through the plate, or what stands on the plate in one piece with it.
 fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Point)], driver: Place) -> Part {
     let is_joined = mounting.pins == PinMount::Solid && !mounting.disc_is_apart();
-    let play = axial_play(sizes);
+    let play = axial_play(sizes, mounting);
     let through = if is_joined { 0.0 } else { thickness };
     let places = middles.iter().map(|(_, middle)| Place {
         at: driver.at + turned(*middle, driver.turn),
@@ -162,6 +162,9 @@ impl Mounting {
             ("the driver's hub", self.driver_hub),
             ("the dowels of the disc", self.disc_dowels),
         ];
+        if let Some(asked) = self.axial_play.filter(|play| !(*play >= 0.0 && play.is_finite())) {
+            return Err(MountingError::Pattern { what: "axial play in mm", asked, range: "zero or more and finite" });
+        }
         patterns.into_iter().try_for_each(|(what, pattern)| pattern.map_or(Ok(()), |pattern| pattern.validate(what)))
     }
 }

@@ -100,6 +100,8 @@ fn wall<'l>(hole: &Loop, other: &'l Loop, is_around: bool) -> Option<(&'l Edge, 
 fn rim(layer: Layer, edge: &Edge) -> &'static str {
     match (layer, edge) {
         (Layer::Wheel, Edge::Line { .. }) => "a slot",
+        // The corner of a rounded mouth.
+        (Layer::Wheel, Edge::Arc { centre, sweep, .. }) if centre.norm() > 0.0 && *sweep > 0.0 => "a slot",
         (Layer::Wheel, Edge::Arc { centre, radius, .. }) if centre.norm() > *radius => {
             // The end of a slot is nearer to the axis than its mouth; a locking arc is about the driver's axis.
             if edge.start_point().norm() > centre.norm() { "a slot" } else { "a locking arc" }
