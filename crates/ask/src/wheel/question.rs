@@ -2,6 +2,7 @@
 
 use super::arguments::{Argument, ArgumentSlot, arguments};
 use super::kind::WheelKind;
+use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
@@ -71,6 +72,10 @@ pub struct WheelQuestion {
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, if it ends there; that in the plane of the wheel unless it is given.
+    pub plate_shaft: Option<f64>,
+    /// Holes for mounting, and what the files have besides wheel and driver.
+    pub mounting: MountingQuestion,
     /// By how much the axes are too far apart, for clearance and knock.
     pub centre_error: Option<f64>,
     /// Mass in kg of a round table that turns with the wheel.
@@ -264,7 +269,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 1 + 9] = [
+    const GIVEN: [(&str, Needs); 12] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -273,6 +278,8 @@ mod tests {
         ("--pins 2", Needs::SECOND_PIN),
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
+        ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
+        ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
         ("--process mill", Needs::PROCESS),
     ];

@@ -150,25 +150,28 @@ pub(super) const ROWS: &[Argument] = &[
     Argument::new(
         "wheel-shaft",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.wheel_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.wheel_shaft),
         &[Parts],
-        "Diameter of the wheel's shaft, in millimetres",
+        "Diameter of the wheel's shaft, in millimetres; 0 for none, and no bore [default: 0]",
     )
-    .with_knob(
-        Knob::follows("diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5, "wheel_shaft_mm")
-            .typed([0.001, 10_000.0]),
-    ),
+    .with_knob(Knob::at("diameter of the wheel's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
         "driver-shaft",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.driver_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.driver_shaft),
         &[Parts],
-        "Diameter of the driver's shaft in the plane of the wheel, in millimetres",
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres; 0 if it ends in the plate [default: 0]",
     )
-    .with_knob(
-        Knob::follows("diameter of the driver's shaft", "mm", [1.0, 100.0], 0.5, "driver_shaft_mm")
-            .typed([0.001, 10_000.0]),
-    ),
+    .with_knob(Knob::at("diameter of the driver's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
+    Argument::new(
+        "plate-shaft",
+        "MM",
+        ArgumentSlot::LengthOrZero(|question| &mut question.plate_shaft),
+        &[Parts],
+        "Diameter of the driver's shaft in its plate, in millimetres, for a shaft that ends there; 0 as in the plane of the \
+         wheel [default: as --driver-shaft]",
+    )
+    .with_knob(Knob::at("diameter of the driver's shaft in the plate", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
         "centre-error",
         "MM",
