@@ -106,7 +106,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("drifted_blow_energy_mj", blows[1], "mJ")
-            .line("", "with the wheel anywhere in its greatest play")
+            .line("blow after drift", "its energy with the wheel anywhere in its greatest play")
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
     ])
