@@ -10,6 +10,7 @@ mod kind;
 mod loads;
 mod making;
 mod materials;
+mod mouth;
 mod parts;
 mod pin_load;
 mod question;

@@ -52,6 +52,16 @@ pub struct WheelQuestion {
     pub locking_arc_radius: Option<f64>,
     /// How much deeper the slots are than the pins need.
     pub bottom_clearance: Option<f64>,
+    /// How much of each wall of a slot a chamfer takes at its mouth: this or one of the next but one.
+    pub mouth_chamfer: Option<f64>,
+    /// Angle of the chamfer to the wall in degrees.
+    pub mouth_angle: Option<f64>,
+    /// Radius of rounded mouths of the slots.
+    pub mouth_radius: Option<f64>,
+    /// How much of each wall of a slot a lead-in takes at its mouth.
+    pub lead_in: Option<f64>,
+    /// How far the lead-in has left the wall at the wheel radius.
+    pub lead_in_flare: Option<f64>,
     /// Diameter of the wheel's shaft.
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
