@@ -42,7 +42,8 @@ pub struct Material {
 /// | hardened steel | a third of the hardness of 513 HV: 50 HRC, the least of a hardened dowel pin (ASME B18.8.2); the third by D. Tabor, *The Hardness of Metals* |
 /// | aluminium | least proof stress of EN AW-6061-T6 (EN 755-2) |
 ///
-/// Of these, the two strengths from Shigley's book and that of aluminium are from memory: we haven't had those tables before us.
+/// From memory, as we haven't had the tables before us: the two strengths from Shigley's book, strength and modulus of aluminium, and
+/// that 50 HRC are 513 HV.
 ///
 /// Plastics creep, and with time and heat they get softer. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5,
 /// tensile modulus of the homopolymer at room temperature; its strength is 60 MPa, our choice below what data sheets give. Nylon and
