@@ -6,10 +6,11 @@
 use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
+use crate::wheel_check::CheckArguments;
 use anstream::adapter::strip_str;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use geneva_ask::MechanismReport;
 use geneva_ask::wheel::{
     ActsOn, Argument, ArgumentSlot, GROUPS, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion, arguments,
@@ -22,7 +23,11 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub(crate) struct WheelArguments {
+    /// What is done instead with a wheel that exists.
+    #[command(subcommand)]
+    pub action: Option<WheelAction>,
     /// What is asked of the wheel.
     #[command(flatten)]
     pub asked: WheelOptions,
@@ -45,6 +50,20 @@ pub(crate) struct WheelArguments {
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
+}
+
+/// What else is done with wheels.
+#[derive(Debug, Subcommand)]
+pub(crate) enum WheelAction {
+    /// Check a wheel that exists by its measured sizes: does it turn, and which size is wrong?
+    #[command(after_help = "\
+Examples:
+  geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
+  geneva wheel check --stations 4 --crank-radius 25+-0.02 --centre-distance 35.4 --slot-width 1:6.1,2:6.0 --pin-diameter 6
+  geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
+
+Give what you have measured. What is missing is taken from the nearest right wheel.")]
+    Check(Box<CheckArguments>),
 }
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
