@@ -50,7 +50,7 @@ pub struct Culprit {
     pub measured: f64,
     /// What the others ask for, in millimetres or radians.
     pub expected: f64,
-    /// By how many of its uncertainties it is off.
+    /// By how many of its uncertainties it is off, dimensionless.
     pub uncertainties: f64,
     /// Whether without it the rest agrees.
     pub rest_agrees: bool,
