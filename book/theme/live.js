@@ -333,7 +333,7 @@
             moved();
         });
         figure.addEventListener('click', event => {
-            const { do: what, set: values, file } = event.target.dataset;
+            const { do: what, set: values, whole, file } = event.target.dataset;
             ignored.textContent = '';
             if (what && what !== 'link') {
                 if (what !== 'play') {
@@ -341,6 +341,9 @@
                 }
                 actions[what](event.target);
             } else if (values) {
+                if (whole !== undefined) {
+                    set(first);
+                }
                 set(values);
             } else if (file) {
                 save(file);

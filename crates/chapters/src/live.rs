@@ -109,7 +109,12 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
     });
     let rows: Vec<String> = rows.collect();
     let presets = live.presets.iter().map(|preset| {
-        format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
+        let whole = if preset.is_whole { " data-whole" } else { "" };
+        format!(
+            "<button type=\"button\" data-set=\"{}\"{whole}>{}</button>",
+            escape(preset.arguments),
+            escape(preset.name)
+        )
     });
     let files: Vec<String> = live
         .files

@@ -16,6 +16,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 pub(crate) use geneva_ask::number_format::{as_typed, rounded};
+use geneva_ask::wheel::in_millimetres;
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -34,10 +35,30 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     above_zero(text, "number")
 }
 
-/// A length in millimetres, above zero: the unit of all lengths of a wheel.
+/// A length in millimetres, above zero: the unit of all lengths of a wheel. It can be typed in inches, `2.5in`.
 pub(crate) fn millimetres(text: &str) -> Result<f64, String> {
-    above_zero(text, "length in millimetres")
+    let (number, unit) = in_millimetres(text);
+    above_zero(number, LENGTH).map(|length| length * unit)
 }
+
+/// A length in millimetres that is zero or more, or in inches.
+pub(crate) fn millimetres_or_zero(text: &str) -> Result<f64, String> {
+    let (number, unit) = in_millimetres(text);
+    zero_or_more(number).map(|length| length * unit)
+}
+
+/// A length in millimetres of either sign, or in inches.
+pub(crate) fn signed_millimetres(text: &str) -> Result<f64, String> {
+    let (typed, unit) = in_millimetres(text);
+    let most = COMPUTABLE.end();
+    let length = number(typed).ok_or_else(|| {
+        format!("not a number; give a {LENGTH} from −{most:e} to {most:e}, with a decimal point, not a comma")
+    })?;
+    if length == 0.0 { Ok(length) } else { computable(typed, length).map(|length| length * unit) }
+}
+
+/// What a length is, in messages.
+const LENGTH: &str = "length in millimetres";
 
 /// A number that is zero or more.
 pub(crate) fn zero_or_more(text: &str) -> Result<f64, String> {

@@ -6,27 +6,31 @@
 use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
-use anyhow::bail;
+use crate::wheel_check::CheckArguments;
+use anstream::adapter::strip_str;
+use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
+use geneva_ask::MechanismReport;
 use geneva_ask::wheel::{
-    ARGUMENTS, ActsOn, Argument, ArgumentSlot, Times, WheelDesign, WheelKind, WheelQuestion, proposals, speeds,
+    ActsOn, Argument, ArgumentSlot, GROUPS, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion, arguments,
+    proposals, proposals_for_angle, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_host::files::{NewFile, OutputOption};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub(crate) struct WheelArguments {
+    /// What is done instead with a wheel that exists.
+    #[command(subcommand)]
+    pub action: Option<WheelAction>,
     /// What is asked of the wheel.
     #[command(flatten)]
     pub asked: WheelOptions,
-    /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --rpm, to get the wheels that
-    /// come nearest. With --stations it is the longest that you allow, and you get the pins and speeds that fulfil both
-    #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
-    pub index_time: Option<f64>,
-    /// Time that one dwell should take, in seconds; with --stations, the shortest that you allow
-    #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "index_time")]
-    pub dwell_time: Option<f64>,
     /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
         (CommandFormat::Text, "A readable sheet, which says where everything is measured from"),
@@ -39,9 +43,27 @@ pub(crate) struct WheelArguments {
         (CommandFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
     pub format: CommandFormat,
+    /// Write the sheet, the numbers, the drawing and all files for making to this folder, which is made if it isn't there;
+    /// without a size, the wheel gets the one that suits its load
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["format", "output"])]
+    pub out: Option<PathBuf>,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
+}
+
+/// What else is done with wheels.
+#[derive(Debug, Subcommand)]
+pub(crate) enum WheelAction {
+    /// Check a wheel that exists by its measured sizes: does it turn, and which size is wrong?
+    #[command(after_help = "\
+Examples:
+  geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
+  geneva wheel check --stations 4 --crank-radius 25+-0.02 --centre-distance 35.4 --slot-width 1:6.1,2:6.0 --pin-diameter 6
+  geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
+
+Give what you have measured. What is missing is taken from the nearest right wheel.")]
+    Check(Box<CheckArguments>),
 }
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
@@ -50,7 +72,9 @@ pub(crate) struct WheelOptions(WheelQuestion);
 
 impl Args for WheelOptions {
     fn augment_args(command: Command) -> Command {
-        command.args(ARGUMENTS.iter().map(option))
+        let options =
+            GROUPS.iter().flat_map(|group| group.rows.iter().map(|row| option(row).help_heading(group.heading)));
+        command.args(options)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -70,14 +94,16 @@ impl FromArgMatches for WheelOptions {
             matches.get_one(name).cloned()
         }
         let Self(question) = self;
-        for Argument { name, place, .. } in &ARGUMENTS {
+        for Argument { name, place, .. } in arguments() {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
-                ArgumentSlot::Length(at) | ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
-                    *at(question) = typed(matches, name)
-                }
+                ArgumentSlot::Length(at)
+                | ArgumentSlot::LengthOrZero(at)
+                | ArgumentSlot::SignedLength(at)
+                | ArgumentSlot::AboveZero(at)
+                | ArgumentSlot::ZeroOrMore(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Degrees(at) => {
                     *at(question) = matches.get_many(name).into_iter().flatten().copied().collect()
                 }
@@ -87,36 +113,26 @@ impl FromArgMatches for WheelOptions {
     }
 }
 
-/// An argument as an option. Of the sizes and of the speeds one is given, and both materials or none.
+/// An argument as an option.
 fn option(argument: &Argument) -> Arg {
-    let Argument { name, unit, place, acts_on, help } = *argument;
+    let Argument { name, unit, place, help, .. } = *argument;
     let option = Arg::new(name).long(name).value_name(unit).help(help);
-    let others = |are_like_it: &dyn Fn(&Argument) -> bool| {
-        let others = ARGUMENTS.iter().filter(|other| other.name != name && are_like_it(other));
-        others.map(|other| other.name).collect::<Vec<_>>()
-    };
-    let option = match place {
-        ArgumentSlot::Stations(_) => option
-            .value_parser(typed::stations)
-            .allow_negative_numbers(true)
-            .required_unless_present_any(["index_time", "dwell_time"]),
+    match place {
+        ArgumentSlot::Stations(_) => option.value_parser(typed::stations).allow_negative_numbers(true),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
         ArgumentSlot::Kind(_) => {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
         }
         ArgumentSlot::Length(_) => option.value_parser(typed::millimetres).allow_hyphen_values(true),
+        ArgumentSlot::LengthOrZero(_) => option.value_parser(typed::millimetres_or_zero).allow_hyphen_values(true),
+        ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        ArgumentSlot::Material(_) => option
-            .value_parser(materials())
-            .requires_all(others(&|argument| matches!(argument.place, ArgumentSlot::Material(_)))),
+        ArgumentSlot::Material(_) => option.value_parser(materials()),
         ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
         }
-    };
-    // Of each of these, one is enough.
-    let one_of = [ActsOn::Size, ActsOn::Speed].into_iter().filter(|of| acts_on.contains(of));
-    one_of.fold(option, |option, of| option.conflicts_with_all(others(&|argument| argument.acts_on.contains(&of))))
+    }
 }
 
 /// One of the materials whose moduli are known, by its name.
@@ -125,24 +141,23 @@ fn materials() -> impl TypedValueParser<Value = Material> {
         .try_map(|name| MATERIALS.into_iter().find(|material| material.name == name).ok_or("not a known material"))
 }
 
-/// The wheel that is wanted, in the format that is wanted.
+/// The wheel that is wanted, in the format that is wanted, or in all of them.
 pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
-    if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
-        reject_with_times(&question, format)?;
-        let times = Times { index, dwell };
-        let answer = match question.stations {
-            Some(stations) => speeds(times, stations, question.kind)?,
-            None => proposals(times, question.kind),
-        };
+    if let Some(proposed) = proposed(&question)? {
+        reject_with_proposals(&question, wanted)?;
         return match format {
-            CommandFormat::Csv => fields::csv(answer.rows().next(), answer.rows().cloned()),
-            CommandFormat::Json => fields::json(&answer),
-            _ => Ok(fields::sheet(&answer, layout)),
+            CommandFormat::Csv => fields::csv(proposed.rows().next(), proposed.rows().cloned()),
+            CommandFormat::Json => fields::json(&proposed),
+            _ => Ok(fields::sheet(&proposed, layout)),
         };
     }
+    if let Some(folder) = &wanted.out {
+        let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
+        return write_all(&design, folder, layout);
+    }
     let design = WheelDesign::new(question)?;
-    if matches!(format, CommandFormat::Dxf | CommandFormat::Scad | CommandFormat::Stl) {
+    if is_shape(format) && format != CommandFormat::Svg {
         design.require_external(format.name())?;
     }
     reject_without_effect(&design.question, format)?;
@@ -151,15 +166,66 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Dxf => design.dxf()?,
         CommandFormat::Scad => design.scad()?,
         CommandFormat::Stl => design.stl()?,
-        CommandFormat::Csv => {
-            let rows = design.cycle()?;
-            fields::csv(rows.first(), rows.iter().cloned())?
-        }
+        CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
         CommandFormat::Fields => fields::table(&design.answer()?)?,
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
+
+/// The cycle as rows.
+fn cycle(design: &WheelDesign) -> anyhow::Result<String> {
+    let rows = design.cycle()?;
+    fields::csv(rows.first(), rows.iter().cloned())
+}
+
+/// Wheels for wanted times or for a wanted dwell, if these are asked for.
+fn proposed(question: &WheelQuestion) -> anyhow::Result<Option<MechanismReport>> {
+    let WheelQuestion { stations, kind, .. } = *question;
+    Ok(match (question.index_time, question.dwell_time, question.dwell_angle) {
+        (_, _, Some(dwell)) => Some(proposals_for_angle(dwell, kind)),
+        (Some(index), Some(dwell), None) => {
+            let times = Times { index, dwell };
+            Some(stations.map_or_else(|| Ok(proposals(times, kind)), |stations| speeds(times, stations, kind))?)
+        }
+        _ => None,
+    })
+}
+
+/// Writes all that is said of a wheel to a folder: each file is complete or not there. Tells what is where.
+fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow::Result<String> {
+    // All of them before the first is written: what can't be made leaves nothing.
+    let answer = design.answer()?;
+    let mut files = vec![
+        ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
+        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("cycle.csv", cycle(design)?.into_bytes()),
+    ];
+    if let Some(figure) = design.sizes_figure() {
+        files.push(("sizes.csv", figure.series.to_csv().into_bytes()));
+        files.push(("sizes.svg", figure.standalone().into_bytes()));
+    }
+    for file in SHAPE_FILES {
+        if design.can_make(file) {
+            files.push((file.name, (file.make)(design)?));
+        }
+    }
+    fs::create_dir_all(folder).with_context(|| {
+        format!("--out {}: the folder cannot be made; give one where you may write", folder.display())
+    })?;
+    let mut written = String::new();
+    for (name, bytes) in &files {
+        let path = folder.join(name);
+        let mut file = NewFile::new(&path, OUT).map_err(Error::msg)?;
+        file.add(bytes).map_err(Error::msg)?;
+        file.finish().map_err(Error::msg)?;
+        written += &format!("  {name}\n");
+    }
+    let sheet = fields::sheet(&answer, layout);
+    Ok(format!("{sheet}\nWritten to {}\n{written}", folder.display()))
+}
+
+const OUT: OutputOption = OutputOption { name: "--out", instead: "" };
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
 fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
@@ -169,56 +235,64 @@ fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: 
     }
 }
 
-/// Refuses options that have no effect beside the wanted times.
-fn reject_with_times(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
+/// Refuses a material that was given; `why` ends the sentence "… has no effect".
+fn reject_materials(wanted: &WheelQuestion, why: &str) -> anyhow::Result<()> {
+    for (option, material) in [("wheel-material", wanted.wheel_material), ("pin-material", wanted.pin_material)] {
+        if let Some(material) = material {
+            bail!("--{option} {} has no effect {why}", material.name);
+        }
+    }
+    Ok(())
+}
+
+/// Refuses options that have no effect where wheels are proposed.
+fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> anyhow::Result<()> {
+    let (by, counts): (_, &[&str]) = if wanted.dwell_angle.is_some() {
+        ("--dwell-angle", &["dwell-angle"])
+    } else {
+        ("--index-time and --dwell-time", &["stations", "index-time", "dwell-time"])
+    };
     reject_any(
         wanted,
-        |argument| argument.name != "stations",
-        "with --index-time and --dwell-time, which propose wheels and their speeds; leave it out now, and give it with the \
-         --stations and --rpm of the wheel you choose",
+        |argument| !counts.contains(&argument.name),
+        &format!(
+            "with {by}, which propose wheels; leave it out now, and give it with the --stations and --rpm of the wheel you \
+             choose"
+        ),
     )?;
-    if let Some(material) = wanted.pin_material {
+    reject_materials(wanted, &format!("with {by}, which propose wheels without loads; leave it out"))?;
+    if options.format == CommandFormat::Fields {
         bail!(
-            "--pin-material {} has no effect with --index-time and --dwell-time, which propose wheels without loads; leave it \
-             out",
-            material.name
+            "--format fields is for one wheel, but {by} propose several; choose --format csv, which has a row for each"
         );
     }
-    if format == CommandFormat::Fields {
+    if is_shape(options.format) {
         bail!(
-            "--format fields is for one wheel, but --index-time and --dwell-time propose several; choose --format csv, which has \
-             a row for each"
+            "--format {}: {by} propose several wheels; to draw one of them, give its --stations without them",
+            options.format.name()
         );
     }
-    if !gives_numbers(format) {
+    if let Some(folder) = &options.out {
         bail!(
-            "--format {}: --index-time and --dwell-time propose several wheels; to draw one of them, give its --stations \
-             without the times",
-            format.name()
+            "--out {}: {by} propose several wheels; to make one of them, give its --stations and --rpm, or --stations and one \
+             of the times",
+            folder.display()
         );
     }
     Ok(())
 }
 
-/// Refuses options that have no effect for this one wheel.
+/// Refuses options that have no effect for this one wheel. What only numbers need is no fault beside a file of shapes.
 fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_materials(wanted, why)?;
     }
-    if !gives_numbers(format) {
-        let name = format.name();
-        let why = format!(
-            "on --format {name}, a file of shapes without motion or loads; leave it out, or choose --format text, json or csv"
-        );
-        reject_any(wanted, acts_on(ActsOn::Motion), &why)?;
-        if !is_external {
-            let why = format!(
-                "on --format {name}, whose drawing is not to scale; leave it out, or choose --format text, json or csv"
-            );
-            reject_any(wanted, acts_on(ActsOn::Size), &why)?;
-        }
+    if format == CommandFormat::Svg && !is_external {
+        let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
+        reject_any(wanted, acts_on(ActsOn::Size), why)?;
     }
     if format == CommandFormat::Fields {
         let why =
@@ -227,47 +301,24 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     }
     let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
     if !is_sized {
-        let why = "without a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
+        let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
-    }
-    if wanted.thickness.is_none() {
-        reject_any(wanted, is_named(&["density"]), "without a thickness; add --thickness MM")?;
-    }
-    if gives_numbers(format) && wanted.density.is_none() && wanted.pin_material.is_none() {
-        let why = "without a density or materials; add --density KGM3 for the mass, or --pin-material and --wheel-material \
-                   for the pressure";
-        reject_any(wanted, is_named(&["thickness"]), why)?;
-    }
-    if matches!(format, CommandFormat::Svg | CommandFormat::Dxf) {
-        let why = format!(
-            "on --format {}, whose drawing is flat; leave it out, or choose --format scad or stl",
-            format.name()
-        );
-        reject_any(wanted, is_named(&["thickness"]), &why)?;
+        reject_materials(wanted, why)?;
     }
     if wanted.speed().is_none() {
-        reject_any(wanted, is_named(&["inertia", "friction-torque"]), "without a speed; add --rpm R or --rad-s W")?;
+        let why = "without a speed; add --rpm R or --index-time S";
+        reject_any(
+            wanted,
+            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.name == "friction-torque",
+            why,
+        )?;
     }
-    if wanted.inertia.is_none() && wanted.density.is_none() {
+    let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
+    if !has_inertia && !(is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
         reject_any(wanted, is_named(&["friction-torque"]), why)?;
     }
-    let Some(material) = wanted.pin_material else { return Ok(()) };
-    let has_load = wanted.speed().is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
-    let why = if !is_external {
-        "because only external wheels have parts in mm; leave it out, or choose --type external"
-    } else if !gives_numbers(format) {
-        "on a file of shapes, which has no loads; leave it out, or choose --format text or json"
-    } else if format == CommandFormat::Csv {
-        "on --format csv, which has no pressures; leave it out, or choose --format text or json"
-    } else if !has_load || !is_sized {
-        "without a load; add --crank-radius MM, --rpm R and --inertia KGM2"
-    } else if wanted.thickness.is_none() {
-        "without a thickness, which is the length of the contact; add --thickness MM"
-    } else {
-        return Ok(());
-    };
-    bail!("--pin-material {} has no effect {why}", material.name)
+    Ok(())
 }
 
 /// Whether an argument acts on this.
@@ -280,9 +331,9 @@ fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
     move |argument| names.contains(&argument.name)
 }
 
-/// Whether a format gives numbers, and not shapes.
-fn gives_numbers(format: CommandFormat) -> bool {
-    matches!(format, CommandFormat::Text | CommandFormat::Json | CommandFormat::Csv | CommandFormat::Fields)
+/// Whether a format gives shapes, and not numbers.
+fn is_shape(format: CommandFormat) -> bool {
+    matches!(format, CommandFormat::Svg | CommandFormat::Dxf | CommandFormat::Scad | CommandFormat::Stl)
 }
 
 #[cfg(test)]
@@ -291,18 +342,17 @@ mod tests {
 
     #[test]
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
-        let words = "--stations 6 --pins 2 --type internal --crank-radius 50 --pin-diameter 8 --play 0.1 --horn 9 --bottom-clearance 1 \
-                     --wheel-shaft 20 --driver-shaft 10 --rpm 60 --inertia 0.002 --thickness 8 --density 7800 --friction-torque 0.1 \
-                     --pin-material steel --wheel-material acetal --at -20 --at 5 --at-wheel 3";
-        let given = |argument: &Argument| words.contains(&format!("--{} ", argument.name));
-        assert_eq!(
-            ARGUMENTS.iter().filter(|argument| given(argument)).count() + 3,
-            ARGUMENTS.len(),
-            "one size of three, one speed of two"
-        );
+        let value = |argument: &Argument| match argument.place {
+            ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Material(_) => "acetal",
+            ArgumentSlot::Length(_) => "2in",
+            ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",
+            _ => "4",
+        };
+        let words: String = arguments().map(|argument| format!("--{} {} ", argument.name, value(argument))).collect();
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
         let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
-        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
+        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
     }
 }

@@ -36,7 +36,7 @@ pub struct Live {
 }
 
 /// One thing that may be moved.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Control {
     /// Its name among the arguments.
     pub name: &'static str,
@@ -214,6 +214,20 @@ pub struct Preset {
     pub name: &'static str,
     /// Its arguments; those left out keep their values, and `*2` makes a value twice what it is.
     pub arguments: &'static str,
+    /// Whether those left out are as at first instead.
+    pub is_whole: bool,
+}
+
+impl Preset {
+    /// A setting of some controls; the others keep their values.
+    pub const fn new(name: &'static str, arguments: &'static str) -> Self {
+        Self { name, arguments, is_whole: false }
+    }
+
+    /// A setting of all controls; those that are not named are as at first.
+    pub const fn whole(name: &'static str, arguments: &'static str) -> Self {
+        Self { name, arguments, is_whole: true }
+    }
 }
 
 /// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.

@@ -2,11 +2,11 @@
 
 use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
 use crate::control::{Control, ControlKind, Live, LiveFile, Preset, Settings};
-use geneva_ask::wheel::{SearchEffort, WheelDesign, WheelQuestion};
-use geneva_ask::{Error, Rounding};
+use geneva_ask::wheel::{Argument, ArgumentSlot, GROUPS, Knob, SearchEffort, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, Warning};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
 pub const LIVE: Live = Live {
     name: "design",
@@ -15,60 +15,11 @@ pub const LIVE: Live = Live {
            hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
            grows fourfold. With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm, and the \
            pin knocks less hard. At 0.06 mm it meets a corner of its slot.",
-    controls: &[
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0)
-            .with_typed_range([3.0, 100.0])
-            .in_fold(NEED),
-        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).with_typed_range([1.0, 50.0]).in_fold(NEED),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
-            .with_typed_range([0.001, 100_000.0])
-            .in_fold(NEED),
-        Control::slider("radius", "size", "mm", [5.0, 100.0], 0.5, 25.0)
-            .with_typed_range([0.1, 10_000.0])
-            .in_fold(SIZE),
-        Control::choice("size", "this size is the", &["crank radius", "centre distance"], 0).in_fold(SIZE),
-        Control::slider("thickness", "thickness of the wheel", "mm", [1.0, 50.0], 0.5, 10.0)
-            .with_typed_range([0.001, 10_000.0])
-            .in_fold(SIZE),
-        Control::choice("material", "the wheel is made of", &OF, 3).in_fold(SIZE),
-        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1)
-            .with_typed_range([0.001, 10_000.0])
-            .in_fold(FIT),
-        Control::following("play", "play of slot and locking arc", "mm", [0.0, 0.5], 0.01)
-            .with_typed_range([0.0, 1000.0])
-            .in_fold(FIT),
-        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0)
-            .with_typed_range([-10_000.0, 10_000.0])
-            .in_fold(FIT),
-        Control::following("wheel-shaft", "diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5)
-            .with_typed_range([0.001, 10_000.0])
-            .in_fold(FIT),
-        Control::following("bore-play", "play of the bores", "mm", [0.0, 0.2], 0.001)
-            .with_typed_range([0.0, 1000.0])
-            .in_fold(FIT),
-        Control::slider("inertia", "inertia of the table", "kg m²", [0.0, 0.05], 0.0005, 0.002)
-            .with_typed_range([0.0, 1e6])
-            .in_fold(LOAD),
-        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1)
-            .with_typed_range([0.0, 1e6])
-            .in_fold(LOAD),
-    ],
+    controls: &CONTROLS,
     presets: &[
-        Preset {
-            name: "six stations",
-            arguments: "stations=6&pins=1&radius=25&size=0&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
-                        bore-play=&thickness=10&material=3",
-        },
-        Preset {
-            name: "eight stations, two pins",
-            arguments: "stations=8&pins=2&radius=20&size=0&pin=&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
-                        bore-play=&thickness=10&material=3",
-        },
-        Preset {
-            name: "a pin too thick",
-            arguments: "stations=6&pins=1&radius=25&size=0&pin=20&play=&speed=60&inertia=0.002&friction=0.1&error=0&wheel-shaft=&\
-                        bore-play=&thickness=10&material=3",
-        },
+        Preset::whole("six stations", "stations=6&crank-radius=25"),
+        Preset::whole("eight stations, two pins", "stations=8&pins=2&crank-radius=20"),
+        Preset::whole("a pin too thick", "stations=6&crank-radius=25&pin-diameter=20"),
     ],
     given: &[],
     // The three for which most readers move something; they stay in sight.
@@ -88,9 +39,9 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("power", "greatest power", "peak_power_w"),
         LiveQuantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
         LiveQuantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
-        LiveQuantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
+        LiveQuantity::field("blow", "knock of the pin at entry", "knock_mm_s"),
         LiveQuantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
-        LiveQuantity::new("crank-radius", "crank radius"),
+        LiveQuantity::field("crank-radius", "crank radius", "crank_radius_mm"),
         LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
         LiveQuantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
         LiveQuantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
@@ -105,7 +56,8 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("wheel", "wheel radius, to the pin at entry", "wheel_radius_mm"),
         LiveQuantity::field("slot", "slot, width × depth", "slot_width_mm"),
         LiveQuantity::field("disc", "radius of the locking disc", "locking_radius_mm"),
-        LiveQuantity::field("locking-play", "locking play", "play_mm"),
+        LiveQuantity::field("slot-play", "slot play", "play_mm"),
+        LiveQuantity::field("locking-play", "locking play", "locking_play_mm"),
         LiveQuantity::field("bore-play", "bore play", "bore_play_mm"),
         LiveQuantity::field("slot-bottom-clearance", "slot bottom clearance", "bottom_clearance_mm"),
         LiveQuantity::field("locking-arc-radius", "locking arc radius", "locking_arc_radius_mm"),
@@ -141,40 +93,115 @@ pub const LIVE: Live = Live {
     draw,
 };
 
-/// Folds of the controls.
-const NEED: &str = "What the wheel is to do";
-const SIZE: &str = "How large it is";
-const FIT: &str = "How it fits";
-const LOAD: &str = "What it carries";
+/// Materials as they are called, in the order of [`MATERIALS`].
+const NAMES: [&str; MATERIALS.len()] = {
+    let mut names = [""; MATERIALS.len()];
+    let mut k = 0;
+    while k < names.len() {
+        names[k] = MATERIALS[k].name;
+        k += 1;
+    }
+    names
+};
 
-/// Materials of the wheel, as they are called and in the order of [`MATERIALS`].
-const OF: [&str; 5] = ["steel", "stainless steel", "cast iron", "phosphor bronze", "acetal"];
+/// How many arguments have a control.
+const MOVED: usize = {
+    let (mut moved, mut group) = (0, 0);
+    while group < GROUPS.len() {
+        let mut row = 0;
+        while row < GROUPS[group].rows.len() {
+            moved += GROUPS[group].rows[row].knob.is_some() as usize;
+            row += 1;
+        }
+        group += 1;
+    }
+    moved
+};
 
-/// The wheel of these settings, whose clearances are looked for no longer than a tenth of a second.
-fn design(settings: &Settings) -> Result<WheelDesign, String> {
-    let wall = *MATERIALS.get(settings.choice("material")?).ok_or("no such material")?;
-    let (size, is_crank) = (settings.value("radius")?, settings.choice("size")? == 0);
-    let question = WheelQuestion {
-        stations: Some(settings.count("stations")?),
-        pins: Some(settings.count("pins")?),
-        crank_radius: Some(size).filter(|_| is_crank),
-        centre_distance: Some(size).filter(|_| !is_crank),
-        pin_diameter: settings.value_if_moved("pin")?,
-        play: settings.value_if_moved("play")?,
-        bore_play: settings.value_if_moved("bore-play")?,
-        wheel_shaft: settings.value_if_moved("wheel-shaft")?,
-        rpm: Some(settings.value("speed")?),
-        inertia: Some(settings.value("inertia")?),
-        friction_torque: Some(settings.value("friction")?),
-        thickness: Some(settings.value("thickness")?),
-        density: Some(wall.density),
-        pin_material: Some(MATERIALS[0]),
-        wheel_material: Some(wall),
-        centre_error: settings.value("error")?,
-        effort: SearchEffort { clearance: 40_000, tolerance: 12_000 },
-        ..WheelQuestion::default()
+/// A control for each argument that has one, in the fold of its group.
+const CONTROLS: [Control; MOVED] = {
+    let mut controls = [Control::number("", "", "", [0.0, 0.0], 0.0); MOVED];
+    let (mut at, mut group) = (0, 0);
+    while group < GROUPS.len() {
+        let mut row = 0;
+        while row < GROUPS[group].rows.len() {
+            let argument = &GROUPS[group].rows[row];
+            if let Some(knob) = argument.knob {
+                controls[at] = control(argument, knob).in_fold(GROUPS[group].fold);
+                at += 1;
+            }
+            row += 1;
+        }
+        group += 1;
+    }
+    controls
+};
+
+const fn control(argument: &Argument, knob: Knob) -> Control {
+    let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
+    let control = match (argument.place, first) {
+        (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
+        (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
+        (_, None) => Control::following(argument.name, label, unit, slider, step).with_typed_range(typed),
     };
-    WheelDesign::new(question).map_err(words)
+    match side {
+        Some((group, number)) => control.on_side(group, number),
+        None => control,
+    }
+}
+
+/// The side of a group that the reader gave last: the first unless another was moved.
+fn given_side(settings: &Settings, group: &str) -> Result<usize, String> {
+    for argument in arguments() {
+        if let Some(Knob { side: Some((of, number)), .. }) = argument.knob
+            && of == group
+            && number > 0
+            && settings.value_if_moved(argument.name)?.is_some()
+        {
+            return Ok(number);
+        }
+    }
+    Ok(0)
+}
+
+/// The question of these settings; clearances are looked for no longer than a tenth of a second.
+fn question(settings: &Settings) -> Result<WheelQuestion, String> {
+    let effort = SearchEffort { clearance: 40_000, tolerance: 12_000 };
+    let mut question = WheelQuestion { effort, ..WheelQuestion::default() };
+    for argument in arguments() {
+        let Some(knob) = argument.knob else { continue };
+        let is_given = match knob.side {
+            Some((group, number)) => number == given_side(settings, group)?,
+            None => true,
+        };
+        if !is_given {
+            continue;
+        }
+        let name = argument.name;
+        match argument.place {
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(settings.count(name)?),
+            ArgumentSlot::Material(at) => {
+                *at(&mut question) = Some(*MATERIALS.get(settings.choice(name)?).ok_or("no such material")?);
+            }
+            ArgumentSlot::Length(at)
+            | ArgumentSlot::LengthOrZero(at)
+            | ArgumentSlot::SignedLength(at)
+            | ArgumentSlot::AboveZero(at)
+            | ArgumentSlot::ZeroOrMore(at) => {
+                *at(&mut question) = match knob.first {
+                    Some(_) => Some(settings.value(name)?),
+                    None => settings.value_if_moved(name)?,
+                };
+            }
+            ArgumentSlot::Kind(_) | ArgumentSlot::Degrees(_) => {}
+        }
+    }
+    Ok(question)
+}
+
+/// The wheel of these settings.
+fn design(settings: &Settings) -> Result<WheelDesign, String> {
+    WheelDesign::new(question(settings)?).map_err(words)
 }
 
 /// A wheel without a size, which the controls always give.
@@ -221,18 +248,8 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
-    let (sizes, error) = (design.sizes.as_ref().ok_or(NO_SIZES)?, design.question.centre_error);
-    let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
-    let blow = design.blow(sizes);
-    let is_met = blow.number().is_some();
-    // With the axes apart the backlash is another.
-    let is_known = |key: &str| match key {
-        BACKLASH | HELD | GREATEST | BEFORE => error == 0.0,
-        "greatest_knock_mm_s" => error == 0.0 && is_met,
-        _ => true,
-    };
-    fields.retain(|field| is_known(field.key));
-    fields.push(blow);
+    let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
+    let fields = design.live_fields(&sizes.wheel).map_err(words)?;
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
         Some(key) => {
@@ -241,7 +258,6 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
             LiveNumber::from_field(of.name, &rounded).map(|number| worded(number, key, sizes))
         }
         None => match of.name {
-            "crank-radius" => Some(LiveNumber::new("crank-radius", sizes.crank_radius, 3, "mm")),
             "clearance" => clearance
                 .map(|(nearest, tolerance)| LiveNumber::new("clearance", nearest.distance, decimals(tolerance), "mm")),
             "where" => clearance.map(|(nearest, _)| place(&nearest)),
@@ -255,18 +271,32 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
         .collect();
     let numbers: Vec<LiveNumber> =
         LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
-    let followers = vec![
-        ("pin", sizes.pin_diameter),
-        ("play", sizes.play.slot),
-        ("wheel-shaft", sizes.wheel_shaft),
-        ("bore-play", sizes.play.bore),
-    ];
-    // What is less than the tolerance is no overlap: without play the parts touch.
-    let overlaps = clearance.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
+    let warnings = design.warnings().map_err(words)?;
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
-    let message = message(&design.warnings(), error, is_met, overlaps, is_late);
+    let message = message(&warnings, design.centre_error(), is_late);
+    let followers = followers(&design, &fields);
     Ok(LiveReply { further, followers, message, ..LiveReply::new(stations::dimensions_on_a_page(sizes), numbers) })
 }
+
+/// Where the controls stand that follow the others.
+fn followers(design: &WheelDesign, fields: &[ReportField]) -> Vec<(&'static str, f64)> {
+    let of = |argument: &Argument| {
+        let knob = argument.knob.filter(|knob| !knob.key.is_empty())?;
+        let told = fields.iter().find(|field| field.key == knob.key).and_then(ReportField::number);
+        let table = design.table_inertia.unwrap_or(0.0);
+        let value = told.unwrap_or(match knob.key {
+            // A round table of this size would have the same inertia.
+            "table_diameter_mm" => TABLE,
+            "table_mass_kg" => 2.0 * table / (TABLE / 2000.0 * (TABLE / 2000.0)),
+            _ => 0.0,
+        });
+        Some((argument.name, value))
+    };
+    arguments().filter_map(of).collect()
+}
+
+/// Diameter in millimetres of the round table that is shown while its inertia is given.
+const TABLE: f64 = 300.0;
 
 /// A rounding to three digits that count where it is to more: a fourth says nothing of a wheel that is still to be made.
 fn at_most_three(rounding: Rounding) -> Rounding {
@@ -277,17 +307,12 @@ fn at_most_three(rounding: Rounding) -> Rounding {
     }
 }
 
-const BACKLASH: &str = "dwell_backlash_deg";
-const HELD: &str = "dwell_backlash_held_fraction";
-const GREATEST: &str = "greatest_dwell_backlash_deg";
-const BEFORE: &str = "greatest_dwell_backlash_until_entry_deg";
-
 /// A field's number with the words that the figure puts beside it.
 fn worded(number: LiveNumber, key: &str, sizes: &Sizes) -> LiveNumber {
     let text = match key {
-        BACKLASH => format!("±{}", number.text),
-        HELD => format!("{} of the dwell", number.text),
-        BEFORE => format!("{} of the crank", number.text),
+        "dwell_backlash_deg" => format!("±{}", number.text),
+        "dwell_backlash_held_fraction" => format!("{} of the dwell", number.text),
+        "greatest_dwell_backlash_until_entry_deg" => format!("{} of the crank", number.text),
         "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
         _ => return number,
     };
@@ -302,29 +327,21 @@ fn place(nearest: &ClosestApproach) -> LiveNumber {
     LiveNumber { text, ..at }
 }
 
-/// What is to be said of the setting: first what is wrong with it, then the warnings of the command.
-fn message(warnings: &[Warning], error: f64, is_met: bool, overlaps: bool, is_late: bool) -> Option<String> {
-    let wrong = if overlaps {
-        Some("With the axes at this distance, driver and wheel overlap. A clearance below zero says by how much.")
-    } else if !is_met {
-        Some("With the axes at this distance the pin does not meet the slot.")
-    } else {
-        None
-    };
-    let warnings = warnings.iter().map(|warning| format!("Before you make it: {warning}."));
-    let moved = (error != 0.0 && wrong.is_none()).then_some(
+/// What is to be said of the setting: the warnings of the command, and which numbers are for other axes or are missing.
+fn message(warnings: &[String], error: f64, is_late: bool) -> Option<String> {
+    let warnings = warnings.iter().map(|warning| {
+        let mut letters = warning.chars();
+        let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+        format!("{}{}.", first.unwrap_or_default(), letters.as_str())
+    });
+    let moved = (error != 0.0).then_some(
         "Clearance and knock are for the axes as you moved them. Sizes, times and loads are for the right distance, \
          and we know the backlash only there.",
     );
-    let late = (is_late && wrong.is_none()).then_some(
+    let late = is_late.then_some(
         "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
          computes them.",
     );
-    let all: Vec<String> = wrong
-        .map(str::to_owned)
-        .into_iter()
-        .chain(warnings)
-        .chain([moved, late].into_iter().flatten().map(str::to_owned))
-        .collect();
+    let all: Vec<String> = warnings.chain([moved, late].into_iter().flatten().map(str::to_owned)).collect();
     Some(all.join(" ")).filter(|text| !text.is_empty())
 }

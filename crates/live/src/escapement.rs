@@ -30,9 +30,9 @@ pub const LIVE: Live = Live {
         Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).with_typed_range([0.001, 1e6]),
     ],
     presets: &[
-        Preset { name: "hardly any friction", arguments: "friction=0.02" },
-        Preset { name: "twice the torque", arguments: "torque=*2" },
-        Preset { name: "four pins, may jam", arguments: "mechanism=1&ratio=0.1&friction=0.9" },
+        Preset::new("hardly any friction", "friction=0.02"),
+        Preset::new("twice the torque", "torque=*2"),
+        Preset::new("four pins, may jam", "mechanism=1&ratio=0.1&friction=0.9"),
     ],
     given: &["follower"],
     quantities: &[

@@ -30,9 +30,9 @@ pub const LIVE: Live = Live {
         Control::choice("late", "sign of friction", &["at once, as in the mechanism", "late, as in the program"], 1),
     ],
     presets: &[
-        Preset { name: "the mechanisms as they are", arguments: "own=1&six=1&late=0&phase=0" },
-        Preset { name: "reset after 90°", arguments: "reset=90&own=0&six=1&late=0&phase=0" },
-        Preset { name: "the program as listed", arguments: "reset=90&own=0&six=1&interval=0.5&late=1&phase=0" },
+        Preset::new("the mechanisms as they are", "own=1&six=1&late=0&phase=0"),
+        Preset::new("reset after 90°", "reset=90&own=0&six=1&late=0&phase=0"),
+        Preset::new("the program as listed", "reset=90&own=0&six=1&interval=0.5&late=1&phase=0"),
     ],
     given: &["rows", "inertias", "headed", "duration", "delay", "pi"],
     quantities: &[

@@ -42,10 +42,7 @@ pub const LIVE: Live = Live {
         Control::number("speed", "speed of the driver", "rad/s", [1e-6, 1e6], 10.0).on_side("speed", 0),
         Control::number("rpm", "or in turns a minute", "rpm", [1e-6, 1e7], 0.0).on_side("speed", 1),
     ],
-    presets: &[
-        Preset { name: "six slots", arguments: "stations=6" },
-        Preset { name: "pin on the line of centres", arguments: "theta=0" },
-    ],
+    presets: &[Preset::new("six slots", "stations=6"), Preset::new("pin on the line of centres", "theta=0")],
     given: &[],
     quantities: &[
         LiveQuantity::field("wheel-speed", "wheel’s velocity φ̇", "wheel_speed_rad_s"),

@@ -41,10 +41,10 @@ pub const LIVE: Live = Live {
         Control::number("factor", "factor of φ̇ vᵣₑₗ in the Coriolis term", "", [-10.0, 10.0], 2.0),
     ],
     presets: &[
-        Preset { name: "forgotten: 0", arguments: "factor=0" },
-        Preset { name: "half of it: 1", arguments: "factor=1" },
-        Preset { name: "right: 2", arguments: "factor=2" },
-        Preset { name: "too much: 3", arguments: "factor=3" },
+        Preset::new("forgotten: 0", "factor=0"),
+        Preset::new("half of it: 1", "factor=1"),
+        Preset::new("right: 2", "factor=2"),
+        Preset::new("too much: 3", "factor=3"),
     ],
     given: &[],
     quantities: &[

@@ -19,10 +19,10 @@ pub const LIVE: Live = Live {
             .with_typed_range([-50.0, 50.0]),
     ],
     presets: &[
-        Preset { name: "four slots", arguments: "stations=4&pins=1&error=0&crank=-30" },
-        Preset { name: "eight slots, two pins", arguments: "stations=8&pins=2&error=0&crank=-40" },
-        Preset { name: "axes 1 % too far apart", arguments: "error=1" },
-        Preset { name: "axes 1 % too near", arguments: "error=-1" },
+        Preset::new("four slots", "stations=4&pins=1&error=0&crank=-30"),
+        Preset::new("eight slots, two pins", "stations=8&pins=2&error=0&crank=-40"),
+        Preset::new("axes 1 % too far apart", "error=1"),
+        Preset::new("axes 1 % too near", "error=-1"),
     ],
     given: &[],
     quantities: &[

@@ -1,7 +1,12 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
 use super::WheelQuestion;
+use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
+use super::materials::materials;
+use super::mouth::{asked_mouth, check_mouth, mouth_argument};
+use super::recommended::recommended_crank_radius;
+use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
 use crate::worked::DriverSpeed;
@@ -12,8 +17,7 @@ use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
-    Warning, Wheel,
+    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Wheel,
 };
 use std::sync::OnceLock;
 
@@ -28,11 +32,19 @@ pub struct WheelDesign {
     pub crank_radius: Option<f64>,
     /// Sizes of the parts of an external wheel.
     pub sizes: Option<Sizes>,
+    /// Thickness of the wheel in millimetres, if it has a size.
+    pub thickness: Option<f64>,
+    /// Density of the wheel in kg/m³.
+    pub density: f64,
+    /// Materials of pins and wheel.
+    pub materials: [Material; 2],
     /// Moment of inertia of the wheel and what turns with it, in kg m².
     pub inertia: Option<f64>,
-    /// The wheel's own part of it, if thickness and density are given.
+    /// The wheel's own part of it, if it has a size.
     pub wheel_inertia: Option<f64>,
-    /// The pin on the wall of its slot, if thickness and materials are given.
+    /// The part of the table and all else that turns with the wheel, if it is given.
+    pub table_inertia: Option<f64>,
+    /// The pin on the wall of its slot, if the wheel has a size.
     pub contact: Option<LineContact>,
     /// What takes long to find, once it has been asked for.
     clearance: OnceLock<Option<(ClosestApproach, f64)>>,
@@ -51,7 +63,16 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
-        let scale = scale(&question);
+        refuse_contradictions(&question)?;
+        let question = with_speed(question, &wheel)?;
+        check_mouth(&question)?;
+        let table_inertia = table_inertia(&question)?;
+        let materials = materials(&question)?;
+        let density = question.density.unwrap_or(materials[1].density);
+        let mut scale = scale(&question);
+        if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
+            scale = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
+        }
         let sizes = match (&wheel, scale) {
             (AnyWheel::External(wheel), Some(scale)) => {
                 Some(sizes(*wheel, scale, &question).map_err(|error| with_arguments(error, &question))?)
@@ -63,23 +84,33 @@ impl WheelDesign {
             (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
             (None, None) => None,
         };
-        let own = |density| own_inertia(sizes.as_ref(), question.thickness, density);
-        let wheel_inertia = question.density.map(own).transpose()?.flatten();
-        let inertia = match (wheel_inertia, question.inertia) {
-            (Some(wheel), others) => Some(wheel + others.unwrap_or(0.0)),
-            (None, all) => all,
+        let thickness = sizes.map(|sizes| question.thickness.unwrap_or_else(|| usual_thickness(sizes.pin_diameter)));
+        let wheel_inertia = own_inertia(sizes.as_ref(), thickness, density)?;
+        let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
+            // A thickness that the program chose is no reason to refuse what was given.
+            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),
+            (None, None, None) => None,
+            (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };
-        if let (None, Some(all), Some(material)) = (question.density, question.inertia, question.wheel_material) {
-            holds_the_wheel(all, own(material.density)?, material)?;
-        }
-        let contact = match (sizes, question.thickness, question.pin_material, question.wheel_material) {
-            (Some(sizes), Some(thickness), Some(pin), Some(wall)) => {
-                Some(LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &pin, &wall)?)
-            }
-            _ => None,
-        };
-        let (clearance, centre_tolerance) = (OnceLock::new(), OnceLock::new());
-        Ok(Self { question, wheel, crank_radius, sizes, inertia, wheel_inertia, contact, clearance, centre_tolerance })
+        let [pin, wall] = &materials;
+        let contact = sizes
+            .zip(thickness)
+            .map(|(sizes, thickness)| LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, pin, wall));
+        Ok(Self {
+            question,
+            wheel,
+            crank_radius,
+            sizes,
+            thickness,
+            density,
+            materials,
+            inertia,
+            wheel_inertia,
+            table_inertia,
+            contact: contact.transpose()?,
+            clearance: OnceLock::new(),
+            centre_tolerance: OnceLock::new(),
+        })
     }
 
     /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
@@ -111,8 +142,7 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        let friction = self.question.friction_torque.unwrap_or(0.0);
-        Ok(Some(WheelLoads::new(wheel, inertia, friction, speed)?))
+        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -125,11 +155,6 @@ impl WheelDesign {
         self.speed().zip(self.crank_radius).map(|(speed, radius)| speed * radius)
     }
 
-    /// Moment of inertia, in kg m², of what turns with the wheel, if it is given and the wheel's own is known besides.
-    pub fn table_inertia(&self) -> Option<f64> {
-        self.question.inertia.filter(|_| self.wheel_inertia.is_some())
-    }
-
     /// The pressure in MPa between pin and slot under a force in N, if thickness and materials are given.
     ///
     /// # Errors
@@ -139,11 +164,42 @@ impl WheelDesign {
         Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
     }
 
-    /// What a maker should know about sizes that do fit: also that the play which the program chose is more than a fit has.
-    pub fn warnings(&self) -> Vec<Warning> {
-        let Some(sizes) = &self.sizes else { return Vec::new() };
+    /// By how much the axes stand too far apart in millimetres.
+    pub fn centre_error(&self) -> f64 {
+        self.question.centre_error.unwrap_or(0.0)
+    }
+
+    /// Gap between wheel and plate along the axes in millimetres, if the wheel has a size.
+    pub fn axial_play(&self) -> Option<f64> {
+        self.sizes.map(|sizes| self.question.axial_play.unwrap_or(sizes.play.slot))
+    }
+
+    /// What a maker should know about sizes that do fit: what is wrong with them, with the place of the axes, and with the play
+    /// that the program chose.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn warnings(&self) -> Result<Vec<String>, Error> {
+        let Some(sizes) = &self.sizes else { return Ok(Vec::new()) };
         let loose = sizes.looser_than_fit().filter(|_| self.question.play.is_none());
-        sizes.warnings().into_iter().chain(loose).collect()
+        let of_sizes = sizes.warnings().into_iter().chain(loose).map(|warning| warning.to_string());
+        // Parts without play touch; only what is deeper than the tolerance is an overlap.
+        let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
+        let error = self.centre_error();
+        let placed = if overlaps {
+            Some("with the axes at this distance, driver and wheel overlap; a clearance below zero says by how much")
+        } else if sizes.entry(error).is_none() {
+            Some("with the axes at this distance the pin does not meet the slot")
+        } else {
+            None
+        };
+        let many = (self.wheel.indexing().stations() > MOST_MADE).then(|| {
+            format!(
+                "with more than {MOST_MADE} stations, slots, horns and plays are too fine to be made: take this as geometry"
+            )
+        });
+        Ok(placed.map(str::to_owned).into_iter().chain(of_sizes).chain(many).collect())
     }
 
     /// Where driver and wheel come nearest over a whole turn, and the tolerance of the distance in millimetres; none without
@@ -154,7 +210,7 @@ impl WheelDesign {
     /// A distance of the axes at which the parts can't work together.
     pub fn clearance(&self) -> Result<Option<(ClosestApproach, f64)>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
-        let centres = sizes.centre_distance + self.question.centre_error;
+        let centres = sizes.centre_distance + self.centre_error();
         let find = || in_time(sizes.least_clearance_within(centres, self.question.effort.clearance));
         once(&self.clearance, find)
     }
@@ -181,26 +237,68 @@ impl WheelDesign {
     }
 }
 
+/// Stations up to which parts can be made: the same as are proposed for times.
+const MOST_MADE: u32 = 60;
+
 /// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
 
 /// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
-fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
+pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
     let outline = sizes.zip(thickness);
     Ok(outline.map(|(sizes, thickness)| sizes.outline().wheel.moment_of_inertia(thickness, density)).transpose()?)
 }
 
-/// Refuses a moment of inertia of everything that turns if it is less than the wheel's own.
-fn holds_the_wheel(all: f64, wheel: Option<f64>, material: Material) -> Result<(), Error> {
-    let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(()) };
-    let Material { name, density, .. } = material;
+/// A moment of inertia of everything that turns, unless it is less than the wheel's own.
+fn holds_the_wheel(all: f64, wheel: Option<f64>) -> Result<f64, Error> {
+    let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(all) };
     Err(refused!(
-        "--inertia {}: a wheel of {name} alone has {} kg m², so with everything that turns with it, it has more; give that, or \
-         add --density {} if the wheel is to be added to what you gave",
+        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give \
+         the inertia of the table alone with --inertia",
         as_typed(all),
-        rounded_up(wheel),
-        as_typed(density)
+        rounded_up(wheel)
     ))
+}
+
+/// The moment of inertia, in kg m², of what turns with the wheel, in one of the ways to say it.
+fn table_inertia(question: &WheelQuestion) -> Result<Option<f64>, Error> {
+    match (question.table_mass, question.table_diameter) {
+        (Some(mass), Some(diameter)) => {
+            let radius = diameter / 2.0 / 1000.0;
+            Ok(Some(mass * radius * radius / 2.0))
+        }
+        (None, None) => Ok(question.inertia),
+        (Some(mass), None) => {
+            Err(refused!("--table-mass {}: the table's size is missing; add --table-diameter MM", as_typed(mass)))
+        }
+        (None, Some(diameter)) => {
+            Err(refused!("--table-diameter {}: the table's mass is missing; add --table-mass KG", as_typed(diameter)))
+        }
+    }
+}
+
+/// Thickness in millimetres of a wheel of which none is given: as thick as its pin is wide, in whole millimetres if it has one.
+fn usual_thickness(pin_diameter: f64) -> f64 {
+    if pin_diameter < 1.0 { pin_diameter } else { libm::ceil(pin_diameter) }
+}
+
+/// The question with the speed that the time of an index or of a dwell asks for.
+fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion, Error> {
+    let wheel = wheel.indexing();
+    let (time, option, fraction) = match (question.index_time, question.dwell_time) {
+        (None, None) => return Ok(question),
+        (Some(time), _) => (time, "index-time", wheel.motion_fraction()),
+        (None, Some(time)) => (time, "dwell-time", wheel.dwell_fraction()),
+    };
+    if fraction <= SAME {
+        return Err(refused!(
+            "--{option} {}: with {} pins the wheel has no dwell; give fewer --pins, or --index-time",
+            as_typed(time),
+            wheel.pins()
+        ));
+    }
+    let rpm = 60.0 * fraction / (time * f64::from(wheel.pins()));
+    Ok(WheelQuestion { rpm: Some(rpm), ..question })
 }
 
 /// What is found at the first time, and kept.
@@ -219,26 +317,60 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
     }
 }
 
+/// Arguments that say the same: of each of these, one is given.
+const SAY_THE_SAME: [&[&str]; 4] = [
+    &["crank-radius", "centre-distance", "wheel-radius", "outside-diameter"],
+    &["rpm", "rad-s", "index-time", "dwell-time"],
+    &["inertia", "total-inertia", "table-mass"],
+    &["horn", "locking-arc-radius"],
+];
+
+/// Refuses two arguments that say the same.
+fn refuse_contradictions(question: &WheelQuestion) -> Result<(), Error> {
+    let given = question.numbers();
+    for group in SAY_THE_SAME {
+        let mut of_group = given.iter().filter(|(argument, _)| group.contains(&argument.name));
+        if let (Some((one, value)), Some((other, second))) = (of_group.next(), of_group.next()) {
+            return Err(refused!(
+                "--{} {} and --{} {} say the same in two ways; leave one of them out",
+                one.name,
+                as_typed(*value),
+                other.name,
+                as_typed(*second)
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// The one length that was given.
 fn scale(question: &WheelQuestion) -> Option<Scale> {
     let crank = question.crank_radius.map(Scale::CrankRadius);
     let centres = question.centre_distance.map(Scale::CentreDistance);
-    crank.or(centres).or(question.wheel_radius.map(Scale::WheelRadius))
+    let radius = question.wheel_radius.map(Scale::WheelRadius);
+    crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
 }
 
-fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
     let choices = Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
+        locking_arc_radius: question.locking_arc_radius,
         wheel_shaft: question.wheel_shaft,
         driver_shaft: question.driver_shaft,
+        mouth: asked_mouth(question).unwrap_or_default(),
     };
-    let Some(bore) = question.bore_play else { return Sizes::new(wheel, scale, &choices) };
-    // The other play is the one that it has without.
-    let others = Sizes::new(wheel, scale, &Choices { wheel_shaft: None, ..choices })?;
-    Sizes::new(wheel, scale, &Choices { play: Some(Play { bore, ..others.play }), ..choices })
+    let (locking, bore) = (question.locking_play, question.bore_play);
+    if locking.or(bore).is_none() {
+        return Sizes::new(wheel, scale, &choices);
+    }
+    // The other plays are those that it has without.
+    let Play { slot, locking: as_slot, bore: of_slot } =
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, ..choices })?.play;
+    let play = Play { slot, locking: locking.unwrap_or(as_slot), bore: bore.unwrap_or(of_slot) };
+    Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
@@ -248,21 +380,24 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         Remedy::ThinnerHorn => ("horn", question.horn),
         Remedy::LessPlay => ("play", question.play),
         Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
+        Remedy::ThickerHorn => ("horn", question.horn),
     };
     let arguments = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Mouth { name, remedies, .. } => {
+            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
+        }
+        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }
 }
 
-/// The error of numbers that are not finite.
-pub(super) fn too_large() -> Error {
-    refused!(
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
-    )
+/// The error of a number that is not finite, by its key.
+pub(super) fn too_large(key: &str) -> Error {
+    refused!("`{key}` of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",)
 }
 
 /// The crank radius in millimetres of a wheel of this scale.
@@ -270,6 +405,13 @@ fn crank_radius(wheel: &AnyWheel, scale: Scale) -> Result<f64, Error> {
     Ok(match scale {
         Scale::CrankRadius(radius) => radius,
         Scale::WheelRadius(radius) => radius / wheel.wheel_radius_ratio(),
+        Scale::OutsideDiameter(diameter) => {
+            return Err(refused!(
+                "--outside-diameter {}: only external wheels have parts in mm, and so an outside diameter; give --crank-radius or \
+                 --wheel-radius",
+                as_typed(diameter)
+            ));
+        }
         Scale::CentreDistance(distance) => match wheel.centre_distance_ratio() {
             Some(ratio) => distance / ratio,
             None => {

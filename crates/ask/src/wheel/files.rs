@@ -15,7 +15,53 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
+/// A file from which a wheel is made.
+#[derive(Clone, Copy, Debug)]
+pub struct ShapeFile {
+    /// Its name with its ending.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Whether it needs the parts of an external wheel with a size.
+    pub needs_parts: bool,
+    /// Makes it.
+    pub make: fn(&WheelDesign) -> Result<Vec<u8>, Error>,
+}
+
+/// All files from which a wheel is made: what the command writes to a folder and the page offers.
+pub const SHAPE_FILES: &[ShapeFile] = &[
+    ShapeFile {
+        name: "drawing.svg",
+        label: "Drawing with sizes (SVG)",
+        needs_parts: false,
+        make: |design| Ok(design.drawing().standalone().into_bytes()),
+    },
+    ShapeFile {
+        name: "wheel.dxf",
+        label: "Outlines for the machine (DXF)",
+        needs_parts: true,
+        make: |design| design.dxf().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.stl",
+        label: "Meshes for a printer (STL)",
+        needs_parts: true,
+        make: |design| design.stl().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.scad",
+        label: "Moving model (OpenSCAD)",
+        needs_parts: true,
+        make: |design| design.scad().map(String::into_bytes),
+    },
+];
+
 impl WheelDesign {
+    /// Whether there is what a file needs.
+    pub fn can_make(&self, file: &ShapeFile) -> bool {
+        !file.needs_parts || self.sizes.is_some()
+    }
+
     /// Outlines of all parts side by side, in millimetres, with true arcs.
     ///
     /// # Errors
@@ -80,8 +126,8 @@ impl WheelDesign {
     }
 
     fn solid(&self, ending: &str, sizes: &Sizes) -> Result<Solid, Error> {
-        let thickness = self.question.thickness;
-        let thickness = thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
+        let thickness =
+            self.thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
         Ok(Solid { thickness, tolerance: tolerance(sizes) })
     }
 }

@@ -34,7 +34,7 @@ impl WheelDesign {
     fn drive(&self) -> Vec<ReportField> {
         let fourth = |radius: f64| libm::pow(radius / 1000.0, 4.0);
         let own = self.wheel_inertia.zip(self.crank_radius).map(|(own, radius)| own / fourth(radius));
-        let share = self.wheel_inertia.zip(self.table_inertia()).map(|(own, table)| own / table);
+        let share = self.wheel_inertia.zip(self.table_inertia).map(|(own, table)| own / table);
         vec![
             ReportField::in_unit("driver_speed_rad_s", self.speed(), "rad/s")
                 .line("driver", "speed")
@@ -45,15 +45,12 @@ impl WheelDesign {
             ReportField::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s")
                 .line("pin", "speed on the crank circle")
                 .needing(Needs::SIZE.union(Needs::SPEED)),
-            ReportField::in_unit("thickness_mm", self.question.thickness, "mm")
-                .line("thickness", "of the wheel")
-                .needing(Needs::THICKNESS),
             ReportField::in_unit("wheel_inertia_factor_kg_m2", own, "kg/m²")
                 .line("wheel's inertia", "over the fourth power of the crank radius")
-                .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY)),
+                .needing(Needs::SIZE),
             ReportField::new("wheel_inertia_share", share)
                 .line("", "over the table's inertia")
-                .needing(Needs::SIZE.union(Needs::THICKNESS).union(Needs::DENSITY).union(Needs::TABLE_INERTIA))
+                .needing(Needs::SIZE.union(Needs::TABLE_INERTIA))
                 .rounded(Rounding::Percent(0)),
         ]
     }
@@ -63,30 +60,22 @@ impl WheelDesign {
         let wheel = self.wheel.indexing();
         let loads = self.loads(wheel)?;
         let question = &self.question;
-        let modulus =
-            question.pin_material.zip(question.wheel_material).map(|(pin, wall)| contact_modulus(&pin, &wall));
+        let [pin, wall] = &self.materials;
+        let modulus = self.contact.map(|_| contact_modulus(pin, wall));
         let force = loads.as_ref().and_then(|loads| self.force(loads.pin_moment().driving.value));
         let width = self.contact.zip(force).map(|(contact, force)| contact.width(force)).transpose()?;
-        let rubbing = loads.zip(question.pin_friction).map(|(loads, friction)| loads.rubbing_crank_torque(friction));
-        let (peak, mean) = rubbing.transpose()?.unzip();
+        let rubbing = loads.filter(|_| question.pin_friction.is_some());
+        let peak = rubbing.as_ref().map(|loads| loads.crank_torque().driving.value);
+        let mean = rubbing.as_ref().map(|loads| loads.mean_crank_torque());
         Ok(vec![
             ReportField::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
                 .line("modulus of the contact", "E* of pin and wall")
-                .needing(Needs::MATERIALS),
+                .needing(Needs::SIZE),
             ReportField::in_unit("contact_width_um", width.map(|width| width * MICROMETRES), "µm")
                 .line("width of the contact", "at the peak pin force")
-                .needing(
-                    Needs::SPEED
-                        .union(Needs::INERTIA)
-                        .union(Needs::SIZE)
-                        .union(Needs::THICKNESS)
-                        .union(Needs::MATERIALS),
-                ),
+                .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE)),
             ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
-            ReportField::new("pin_friction", question.pin_friction)
-                .line("pin friction", "coefficient in the slot")
-                .needing(Needs::PIN_FRICTION),
             ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
                 .line("peak crank torque", "with the pin's friction in the slot")
                 .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::PIN_FRICTION)),
@@ -120,7 +109,7 @@ impl WheelDesign {
         let play = sizes.dwell_play();
         let held = play.zip(sizes.dwell_angle()).map(|(play, dwell)| play.held * dwell);
         let before = question.before_entry.and_then(|degrees| sizes.dwell_play_at(degrees.to_radians()));
-        let entry = sizes.entry(question.centre_error);
+        let entry = sizes.entry(self.centre_error());
         let late = entry.map(|entry| entry.crank_angle + sizes.wheel.engagement_half_angle());
         let direction = sizes.slot_direction_tolerance().map(|angle| angle * sizes.wheel_radius);
         let tolerance = self.clearance()?.map(|(_, tolerance)| tolerance);
@@ -144,18 +133,18 @@ impl WheelDesign {
                 "× mid-dwell's",
             )
             .line("", ""),
-            mm("centre_error_mm", Some(question.centre_error)).line("axes", "too far apart by"),
-            mm("locking_overlap_mm", sizes.locking_gap().map(|gap| question.centre_error - gap))
+            mm("centre_error_mm", Some(self.centre_error())).line("axes", "too far apart by"),
+            mm("locking_overlap_mm", sizes.locking_gap().map(|gap| self.centre_error() - gap))
                 .line("disc", "deeper in the arc than it fits, with the axes nearer by as much"),
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
-            self.blow(sizes),
+            self.blow_at_entry(),
         ];
         Ok(ReportField::all_needing(fields, Needs::SIZE))
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
-    pub fn blow(&self, sizes: &Sizes) -> ReportField {
-        let entry = sizes.entry(self.question.centre_error).zip(self.pin_speed());
+    pub(super) fn blow_at_entry(&self) -> ReportField {
+        let entry = self.sizes.as_ref().and_then(|sizes| sizes.entry(self.centre_error())).zip(self.pin_speed());
         ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
             .needing(Needs::SIZE.union(Needs::SPEED))

@@ -1,9 +1,10 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
+use super::mouth;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes, Warning};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
@@ -35,12 +36,14 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
         if given.is_some() { words } else { placeholder }
     };
-    vec![
+    let mut fields = vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
-        mm("play_mm", of(|sizes| sizes.play.slot))
-            .line("play", "how much wider slots and locking arcs are than what runs in them"),
+        mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "how much wider a slot is than the pin"),
+        mm("locking_play_mm", of(|sizes| sizes.play.locking))
+            .line("locking play", "how much wider a locking arc is than the disc, as a difference of diameters"),
         mm("bore_play_mm", of(|sizes| sizes.play.bore))
             .line("bore play", "how much wider bores are than the shafts that run in them"),
+        mm("axial_play_mm", design.axial_play()).line("axial play", "gap between wheel and plate along the axes"),
         mm("slot_width_mm", of(|sizes| sizes.slot_width)).line("slot width", "pin diameter plus play"),
         mm("slot_depth_mm", of(|sizes| sizes.slot_depth))
             .line("slot depth", "from the wheel radius to the bottom of its round end"),
@@ -49,6 +52,8 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
         mm("slot_end_mm", of(|sizes| sizes.slot_end)).line("slot end", "wheel's axis to the centre of the round end"),
         mm("tip_radius_mm", of(|sizes| sizes.tip_radius))
             .line("tip radius", "wheel's axis to the corners of the slots: the blank"),
+        mm("outside_diameter_mm", of(|sizes| 2.0 * sizes.tip_radius)).line("outside diameter", "of the blank"),
+        mm("thickness_mm", design.thickness).line("thickness", "of wheel, locking disc and plate"),
         mm("horn_thickness_mm", of(|sizes| sizes.horn_thickness))
             .line("horn thickness", "least thickness between a slot and a locking arc"),
         mm("slot_web_mm", of(|sizes| sizes.web))
@@ -94,15 +99,20 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("web between crescents", "least thickness of the disc between two of them")
             .needing(Needs::SIZE.union(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
-    ]
+    ];
+    fields.extend(mouth::mouth(design));
+    fields
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
 pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sizes = design.sizes.as_ref();
     let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
+    // With the axes apart the backlash is another, and so is the knock.
+    let is_moved = design.centre_error() != 0.0;
+    let in_place = sizes.filter(|_| !is_moved);
     // What is less than the tolerance is not known to be more than none; without play it is none.
-    let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight);
+    let found = design.clearance()?.filter(|(least, tolerance)| least.distance > *tolerance || is_tight || is_moved);
     let least = found.map(|(least, _)| least);
     let tolerance = design.centre_tolerance()?;
     let not_found = |field: ReportField, name, is_found: bool| {
@@ -123,23 +133,20 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch")
         .rounded(SOUGHT);
-    let play = sizes.and_then(Sizes::dwell_play);
+    let play = in_place.and_then(Sizes::dwell_play);
     let degrees =
         |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(Needs::SIZE);
     let at_greatest = play.map_or_else(String::new, |play| {
-        let until = degrees_told(play.until_entry);
-        format!(
-            "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
-        )
+        let until = degrees_told(play.until_entry.abs());
+        if play.until_entry < 0.0 {
+            format!("to one side: forwards {until}° of crank angle after a pin enters, in the mouth, backwards as far before it leaves")
+        } else {
+            format!(
+                "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
+            )
+        }
     });
-    let knock = sizes.and_then(Sizes::knock).zip(design.pin_speed());
-    let speed = |key, of: fn(&Knock) -> f64| {
-        let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        ReportField::in_unit(key, speed, "mm/s")
-            .needing(Needs::SIZE.union(Needs::SPEED))
-            .rounded(Rounding::Significant(3))
-    };
-    Ok(vec![
+    let mut fields = vec![
         not_found(nearest, "least clearance", least.is_some()),
         degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
@@ -171,13 +178,9 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
-        speed("knock_mm_s", |knock| knock.centred)
-            .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
-        speed("knock_within_backlash_mm_s", |knock| knock.within)
-            .line("", "at most, if the wheel is within the backlash of mid-dwell"),
-        speed("greatest_knock_mm_s", |knock| knock.drifted)
-            .line("", "at most, on a horn's corner, if the wheel is within the greatest backlash"),
-    ])
+    ];
+    fields.extend(mouth::knock(design, in_place));
+    Ok(fields)
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
@@ -208,10 +211,14 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 }
 
 /// What a maker should know about sizes that do fit.
-pub(super) fn warnings(design: &WheelDesign) -> Vec<ReportField> {
-    let found = design.warnings();
-    let texts: Vec<FieldValue> = found.iter().map(|warning| FieldValue::Text(warning.to_string())).collect();
-    let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
+///
+/// # Errors
+///
+/// A distance of the axes at which the parts can't work together.
+pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
+    let found = design.warnings()?;
+    let said = found.join("; ");
+    let texts: Vec<FieldValue> = found.into_iter().map(FieldValue::Text).collect();
     let field = ReportField::new("warnings", texts);
-    vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
+    Ok(vec![if said.is_empty() { field } else { field.words("before you make it", said) }])
 }

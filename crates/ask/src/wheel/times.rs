@@ -48,13 +48,21 @@ fn candidates(kind: WheelKind) -> Vec<Candidate> {
     stations.flat_map(|stations| (1..=6).filter_map(move |pins| of(stations, pins))).collect()
 }
 
-/// The nearest to a wanted part of the cycle, the nearest first; of equals the one with fewer stations.
-fn nearest(wanted: f64, kind: Option<WheelKind>) -> Vec<Candidate> {
+impl Candidate {
+    /// Turn of the driver in an index and in a dwell, in degrees.
+    fn angles(&self) -> [f64; 2] {
+        let cycle = 360.0 / f64::from(self.pins);
+        [self.motion * cycle, (1.0 - self.motion) * cycle]
+    }
+}
+
+/// Those of one kind, or of all, of which something comes nearest to what is wanted, the nearest first; of equals the one with
+/// fewer stations.
+fn nearest(wanted: f64, kind: Option<WheelKind>, of: impl Fn(&Candidate) -> f64) -> Vec<Candidate> {
     let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut all: Vec<_> = kinds.flat_map(candidates).collect();
-    all.sort_by(|a, b| {
-        (a.motion - wanted).abs().total_cmp(&(b.motion - wanted).abs()).then(a.stations.cmp(&b.stations))
-    });
+    let error = |candidate: &Candidate| (of(candidate) - wanted).abs();
+    all.sort_by(|a, b| error(a).total_cmp(&error(b)).then(a.stations.cmp(&b.stations)));
     all.truncate(PROPOSED.len());
     all
 }
@@ -81,7 +89,7 @@ last as long as you want.";
 pub fn proposals(times: Times, kind: Option<WheelKind>) -> MechanismReport {
     let Times { index, dwell } = times;
     let (cycle, wanted) = (index + dwell, index / (index + dwell));
-    let found = nearest(wanted, kind);
+    let found = nearest(wanted, kind, |of| of.motion);
     let items = PROPOSED.into_iter().zip(&found);
     let items = items.map(|(heading, of)| Item { heading, fields: lines(of, cycle, wanted), row: row(of, cycle) });
     let is_exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
@@ -101,12 +109,59 @@ pub fn proposals(times: Times, kind: Option<WheelKind>) -> MechanismReport {
     }
 }
 
-fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<ReportField> {
+/// Its kind and its numbers in words.
+fn name(of: &Candidate) -> String {
     let numbers = match of.stations {
         Some(stations) => count(stations as usize, "station"),
         None => "any number of stations".to_owned(),
     };
-    let name = format!("{}, {numbers}, {}", of.kind.name(), count(of.pins as usize, "pin"));
+    format!("{}, {numbers}, {}", of.kind.name(), count(of.pins as usize, "pin"))
+}
+
+const OF_ANGLES: &str = "\
+While the wheel stands still, the driver turns through an angle that depends only on the kind of wheel and its numbers of \
+stations and pins. Of these wheels it comes nearest to the one you want.";
+
+/// Which wheels come nearest to a wanted turn of the driver in each dwell, in degrees: of one kind, or of all.
+pub fn proposals_for_angle(dwell: f64, kind: Option<WheelKind>) -> MechanismReport {
+    let found = nearest(dwell, kind, |of| of.angles()[1]);
+    let item = |(heading, of): (&'static str, &Candidate)| {
+        let [moving, standing] = of.angles();
+        let row = DataRow(vec![
+            ("type", of.kind.name().into()),
+            ("stations", of.stations.into()),
+            ("pins", of.pins.into()),
+            ("index_angle_deg", moving.into()),
+            ("dwell_angle_deg", standing.into()),
+            ("dwell_over_index", (standing / moving).into()),
+        ]);
+        let fields = vec![
+            ReportField::in_unit("dwell_angle_deg", standing, "°").line("dwell", name(of)),
+            ReportField::in_unit("index_angle_deg", moving, "°").line("index", "turn of the driver"),
+            ReportField::in_unit("dwell_over_index", standing / moving, "× index").line("", "dwell"),
+        ];
+        Item { heading, fields, row }
+    };
+    let is_exact = found.first().is_some_and(|of| (of.angles()[1] / dwell - 1.0).abs() <= SAME);
+    let note = if is_exact {
+        String::new()
+    } else {
+        format!("No such wheel with up to {} stations has the dwell you want.", STATIONS.end())
+    };
+    MechanismReport {
+        title: format!("Wheels nearest to a dwell of {}° of the driver's turn", as_typed(dwell)),
+        introduction: OF_ANGLES,
+        sections: vec![(
+            "Wanted",
+            vec![ReportField::in_unit("dwell_angle_deg", dwell, "°").line("dwell", "turn of the driver")],
+        )],
+        list: Some(("proposals", PROPOSED.into_iter().zip(&found).map(item).collect())),
+        note,
+    }
+}
+
+fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<ReportField> {
+    let name = name(of);
     let change = 100.0 * (of.motion / wanted - 1.0);
     let index = match change {
         _ if (of.motion - wanted).abs() <= SAME => "index, as wanted".to_owned(),

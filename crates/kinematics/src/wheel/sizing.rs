@@ -2,7 +2,7 @@
 
 use super::Wheel;
 use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
-use super::fit::{ShaftOf, SizesError};
+use super::fit::{Remedy, ShaftOf, SizesError};
 use super::sizes::{Choices, Crescent, LockingDisc, OF_CRANK_RADIUS, Play, Scale, Sizes};
 use crate::error::length;
 use crate::indexing::Indexing;
@@ -31,22 +31,20 @@ impl Sizes {
     /// # Errors
     ///
     /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play or a
-    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
-    /// [`SizesError::Shaft`] for a shaft that is too thick.
+    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way,
+    /// [`SizesError::Mouth`] and [`SizesError::ChamferAngle`] for a mouth that leaves too little, and [`SizesError::Shaft`] for a
+    /// shaft that is too thick.
     pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
-        let [a, c, wheel_radius] = lengths(&wheel, scale)?;
-        // a tan(α/2), without the difference of nearly equal lengths.
-        let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
-        let pin_diameter = match choices.pin_diameter {
-            Some(asked) => length("pin diameter", asked)?,
-            None => default_pin(a, c, from_axis),
-        };
-        let play = match choices.play {
-            Some(play) => fitting_play(play)?,
-            None => Play::from_slot((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
-        };
-        let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
+        let [a, c, wheel_radius] = lengths(&wheel, scale, choices)?;
+        let (pin_diameter, play) = pin_and_play(&wheel, [a, c], choices)?;
         let slot_width = pin_diameter + play.slot;
+        let horn_thickness = match choices.locking_arc_radius {
+            Some(asked) => {
+                let horn = a - slot_width / 2.0 - length("locking arc radius", asked)?;
+                fits(horn, "a locking arc runs into the slots beside it", &[ThinnerPin, LessPlay])?
+            }
+            None => length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?,
+        };
         let bottom_clearance = match choices.bottom_clearance {
             Some(asked) => zero_or_more("clearance at the slot's bottom", asked)?,
             None => OF_BOTTOM * pin_diameter,
@@ -54,9 +52,6 @@ impl Sizes {
         let (half, slot_end) = (slot_width / 2.0, c - a - bottom_clearance);
         let sine = libm::sin(wheel.half_pitch_angle());
         let web = 2.0 * slot_end * sine - slot_width;
-        let fits = |room: f64, what, remedies| {
-            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
-        };
         fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay, LessDepth])?;
         let locking_arc_radius = a - half - horn_thickness;
         let tip_radius = libm::hypot(wheel_radius, half);
@@ -72,6 +67,7 @@ impl Sizes {
             pin_diameter,
             play,
             slot_width,
+            mouth: choices.mouth,
             bottom_clearance,
             slot_end,
             slot_depth: wheel_radius - slot_end + half,
@@ -85,6 +81,7 @@ impl Sizes {
             wheel_shaft: 0.0,
             driver_shaft: 0.0,
         };
+        sizes.check_mouth()?;
         if wheel.dwell_fraction() > SHORTEST_DWELL {
             let radius = fits(locking_arc_radius - play.locking / 2.0, "the play leaves no locking disc", &[LessPlay])?;
             let crescent = Crescent::shallowest(&sizes, radius)?;
@@ -100,7 +97,49 @@ impl Sizes {
 }
 
 /// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
-fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
+/// The room, if there is some; otherwise what is in the way.
+fn fits(room: f64, what: &'static str, remedies: &'static [Remedy]) -> Result<f64, SizesError> {
+    if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
+}
+
+/// Diameter of a pin and the plays, in millimetres, with this crank radius and centre distance: those that were chosen, or their
+/// defaults.
+fn pin_and_play(wheel: &Wheel, [a, c]: [f64; 2], choices: &Choices) -> Result<(f64, Play), SizesError> {
+    // a tan(α/2), without the difference of nearly equal lengths.
+    let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
+    let pin_diameter = match choices.pin_diameter {
+        Some(asked) => length("pin diameter", asked)?,
+        None => default_pin(a, c, from_axis),
+    };
+    let play = match choices.play {
+        Some(play) => fitting_play(play)?,
+        None => Play::from_slot((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
+    };
+    Ok((pin_diameter, play))
+}
+
+/// How often the interval in which a crank radius is looked for is halved: to the last digit.
+const HALVINGS: u32 = 64;
+
+/// The crank radius in millimetres of a wheel that measures this much over the corners of its slots. They stand at the wheel
+/// radius along a slot, half its width beside it, so the diameter grows with the crank radius.
+fn crank_radius_of_rim(wheel: &Wheel, diameter: f64, choices: &Choices) -> Result<f64, SizesError> {
+    let rim = length("outside diameter", diameter)? / 2.0;
+    let ratio = wheel.wheel_radius_ratio();
+    let (mut below, mut above) = (0.0, rim / ratio);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (below + above);
+        if !(below < middle && middle < above) {
+            break;
+        }
+        let (pin, play) = pin_and_play(wheel, [middle, middle * wheel.centre_distance_ratio()], choices)?;
+        let corners = libm::hypot(ratio * middle, (pin + play.slot) / 2.0);
+        if corners < rim { below = middle } else { above = middle }
+    }
+    fits(below, "the slots are wider than the wheel", &[ThinnerPin, LessPlay])
+}
+
+fn lengths(wheel: &Wheel, scale: Scale, choices: &Choices) -> Result<[f64; 3], SizesError> {
     let (c, r) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
     let lengths = match scale {
         Scale::CrankRadius(a) => {
@@ -114,6 +153,10 @@ fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
         Scale::WheelRadius(radius) => {
             let radius = length("wheel radius", radius)?;
             [radius / r, radius / r * c, radius]
+        }
+        Scale::OutsideDiameter(diameter) => {
+            let a = crank_radius_of_rim(wheel, diameter, choices)?;
+            [a, a * c, a * r]
         }
     };
     for (name, of) in ["crank radius", "centre distance", "wheel radius"].into_iter().zip(lengths) {

@@ -1,0 +1,161 @@
+//! The one table of what can be said of a wheel: an option at the command line and a control on the page for each row.
+//!
+//! The rows stand by what they are about, in the order of a designer's questions: what the wheel must do, how large it is, how
+//! its parts fit, how they are mounted, and what they carry.
+
+mod fit;
+mod instants;
+mod load;
+mod need;
+mod size;
+
+use super::WheelQuestion;
+use super::kind::WheelKind;
+use geneva_dynamics::line_contact::Material;
+
+/// An argument of a question about a wheel.
+#[derive(Clone, Copy, Debug)]
+pub struct Argument {
+    /// Its name, which stands behind two hyphens at the command line and is that of the control on the page.
+    pub name: &'static str,
+    /// A word for its value, which says the unit: `MM`.
+    pub unit: &'static str,
+    /// Where it is in the question, and so what it may be.
+    pub place: ArgumentSlot,
+    /// What it acts on: without that, it has no effect. Some act on all that is said of a wheel.
+    pub acts_on: &'static [ActsOn],
+    /// What it means, with its range and what it is by default.
+    pub help: &'static str,
+    /// How a page moves it; none if no page has it.
+    pub knob: Option<Knob>,
+}
+
+/// How an argument is moved on a page.
+#[derive(Clone, Copy, Debug)]
+pub struct Knob {
+    /// What it is called there.
+    pub label: &'static str,
+    /// Its unit there; nothing for a pure number.
+    pub unit: &'static str,
+    /// The least and the greatest value of its slider, in its unit.
+    pub slider: [f64; 2],
+    /// The step of the slider, in its unit.
+    pub step: f64,
+    /// The least and the greatest value that can be typed, in its unit.
+    pub typed: [f64; 2],
+    /// Where it stands at first, in its unit; none if it follows the others until it is moved.
+    pub first: Option<f64>,
+    /// The key of the field of the answer that says where it stands while it follows the others; empty if it never does.
+    pub key: &'static str,
+    /// The group of arguments that say the same, and its number among them, of which the reader gives one.
+    pub side: Option<(&'static str, usize)>,
+}
+
+/// The place of an argument in a question, by what it may be.
+#[derive(Clone, Copy, Debug)]
+pub enum ArgumentSlot {
+    /// A number of stations.
+    Stations(fn(&mut WheelQuestion) -> &mut Option<u32>),
+    /// A number of pins.
+    Pins(fn(&mut WheelQuestion) -> &mut Option<u32>),
+    /// A kind of wheel, by its name.
+    Kind(fn(&mut WheelQuestion) -> &mut Option<WheelKind>),
+    /// A length in millimetres, above zero.
+    Length(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A length in millimetres that is zero or more.
+    LengthOrZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A length in millimetres of either sign.
+    SignedLength(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A number above zero.
+    AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A number that is zero or more.
+    ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A material, by its name.
+    Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
+    /// Angles in degrees; the argument can be repeated.
+    Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
+}
+
+/// What an argument acts on besides the wheel as such.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActsOn {
+    /// The size of the wheel: one such argument gives it.
+    Size,
+    /// The parts in millimetres, which only an external wheel with a size has.
+    Parts,
+    /// Motion and loads.
+    Motion,
+    /// The speed of the driver: one such argument gives it.
+    Speed,
+    /// The moment of inertia of what the wheel carries: one way to say it.
+    Inertia,
+}
+
+/// What the arguments of a group are about.
+#[derive(Clone, Copy, Debug)]
+pub struct ArgumentGroup {
+    /// What they are about, as a heading of the command's help.
+    pub heading: &'static str,
+    /// The same as the title of a fold of controls.
+    pub fold: &'static str,
+    /// The rows.
+    pub rows: &'static [Argument],
+}
+
+/// All arguments, by what they are about, in the order of command and page.
+pub const GROUPS: &[ArgumentGroup] = &[
+    ArgumentGroup { heading: "What the wheel must do", fold: "What the wheel is to do", rows: need::ROWS },
+    ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
+    ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
+    ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
+    ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
+];
+
+/// All arguments in their order.
+pub fn arguments() -> impl Iterator<Item = &'static Argument> {
+    GROUPS.iter().flat_map(|group| group.rows)
+}
+
+impl Argument {
+    const fn new(
+        name: &'static str,
+        unit: &'static str,
+        place: ArgumentSlot,
+        acts_on: &'static [ActsOn],
+        help: &'static str,
+    ) -> Self {
+        Self { name, unit, place, acts_on, help, knob: None }
+    }
+
+    /// The argument with a control on the page.
+    const fn with_knob(self, knob: Knob) -> Self {
+        Self { knob: Some(knob), ..self }
+    }
+}
+
+impl Knob {
+    /// A slider between two values in steps, which begins at a value.
+    const fn at(label: &'static str, unit: &'static str, slider: [f64; 2], step: f64, first: f64) -> Self {
+        Self { label, unit, slider, step, typed: slider, first: Some(first), key: "", side: None }
+    }
+
+    /// A slider between two values in steps, which follows the others until it is moved.
+    const fn follows(label: &'static str, unit: &'static str, slider: [f64; 2], step: f64, key: &'static str) -> Self {
+        Self { label, unit, slider, step, typed: slider, first: None, key, side: None }
+    }
+
+    /// The control with a wider range for what is typed.
+    const fn typed(self, typed: [f64; 2]) -> Self {
+        Self { typed, ..self }
+    }
+
+    /// The control as one of several ways to say the same, of which the answer tells the others.
+    const fn on_side(self, group: &'static str, number: usize) -> Self {
+        Self { side: Some((group, number)), ..self }
+    }
+
+    /// The control with the field that says where it stands while another of its group is given.
+    const fn told_by(self, key: &'static str) -> Self {
+        Self { key, ..self }
+    }
+}

@@ -1,0 +1,98 @@
+//! A size for a wheel of which none is given.
+//!
+//! A small wheel needs a large force at the pin to turn its table, and a large one spends it on itself. With the table's moment
+//! of inertia `J` and the wheel's `b aⁿ` on a crank `a` (n = 5 where pin and thickness grow with the size), the force goes as
+//! (J + b aⁿ)/a and the crank torque as J + b aⁿ. The force is least where the wheel has a fair share of the inertia, but the
+//! minimum is flat: where the wheel has a tenth of the table's, the crank torque is only a tenth above that of the table alone.
+//! That share is our choice.
+
+use super::design::{WheelDesign, own_inertia, sizes};
+use super::question::WheelQuestion;
+use crate::Error;
+use geneva_figures::Figure;
+use geneva_figures::stations::{LoadsAtSize, over_sizes};
+use geneva_kinematics::wheel::{Scale, Wheel};
+
+/// The wheel's moment of inertia over the table's at the recommended size, dimensionless.
+const SHARE: f64 = 0.1;
+/// The crank radius in millimetres of a wheel that turns nothing but itself: a size for the hand.
+const WITHOUT_LOAD: f64 = 25.0;
+/// The least and the greatest recommended crank radius, in millimetres.
+const LEAST: f64 = 6.3;
+const MOST: f64 = 1000.0;
+/// The preferred numbers R20 of ISO 3 in one decade, as they are rounded there.
+const R20: [f64; 20] =
+    [1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0];
+
+/// The crank radius in millimetres that suits a load: the least preferred number (ISO 3, R20) at which the wheel has at least a
+/// tenth of its table's moment of inertia, in kg m².
+///
+/// # Errors
+///
+/// Choices of the question that fit no such wheel.
+pub(super) fn recommended_crank_radius(
+    wheel: &Wheel,
+    question: &WheelQuestion,
+    table_inertia: Option<f64>,
+    density: f64,
+) -> Result<f64, Error> {
+    let Some(table) = table_inertia.filter(|inertia| *inertia > 0.0) else { return Ok(WITHOUT_LOAD) };
+    let own = |radius: f64| {
+        let sizes = sizes(*wheel, Scale::CrankRadius(radius), question).ok()?;
+        own_inertia(Some(&sizes), question.thickness.or(Some(sizes.pin_diameter)), density).ok()?
+    };
+    let is_enough = |radius: &f64| own(*radius).is_some_and(|own| own >= SHARE * table);
+    Ok(preferred_numbers().find(is_enough).unwrap_or(MOST))
+}
+
+/// The preferred numbers in the range of recommended crank radii, in millimetres.
+pub(super) fn preferred_numbers() -> impl Iterator<Item = f64> {
+    [1.0, 10.0, 100.0, 1000.0]
+        .into_iter()
+        .flat_map(|decade| R20.map(|number| number * decade))
+        .filter(|radius| (LEAST..=MOST).contains(radius))
+}
+
+/// How much smaller and larger the sizes are between which loads are compared.
+const COMPARED: f64 = 2.0;
+
+impl WheelDesign {
+    /// The loads of the same wheel in other sizes: at the preferred numbers (ISO 3, R20) from half of the crank radius to twice
+    /// as much, and at its own. What is given in millimetres besides the size stays. Empty without a size, a speed or an inertia;
+    /// sizes that don't fit are left out.
+    pub fn loads_over_sizes(&self) -> Vec<LoadsAtSize> {
+        let Some(own) = self.sizes.map(|sizes| sizes.crank_radius) else { return Vec::new() };
+        let range = own / COMPARED..=own * COMPARED;
+        let mut radii: Vec<f64> =
+            preferred_numbers().filter(|radius| range.contains(radius) && *radius != own).collect();
+        radii.push(own);
+        radii.sort_by(f64::total_cmp);
+        radii.into_iter().filter_map(|radius| self.loads_at(radius)).collect()
+    }
+
+    fn loads_at(&self, crank_radius: f64) -> Option<LoadsAtSize> {
+        let question = WheelQuestion {
+            crank_radius: Some(crank_radius),
+            centre_distance: None,
+            wheel_radius: None,
+            outside_diameter: None,
+            index_time: None,
+            dwell_time: None,
+            ..self.question.clone()
+        };
+        let design = Self::new(question).ok()?;
+        let loads = design.loads(design.wheel.indexing()).ok()??;
+        Some(LoadsAtSize {
+            crank_radius,
+            pin_force: design.force(loads.pin_moment().driving.value)?,
+            crank_torque: loads.crank_torque().driving.value,
+            wheel_inertia: design.wheel_inertia?,
+            inertia: design.inertia?,
+        })
+    }
+
+    /// The loads over the size as a figure, if there are some.
+    pub fn sizes_figure(&self) -> Option<Figure> {
+        over_sizes(&self.loads_over_sizes(), self.sizes?.crank_radius)
+    }
+}
