@@ -7,7 +7,7 @@ use super::{EscapementDesign, EscapementQuestion, unsteady};
 use crate::{Error, ReportField, Rounding};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::joints::{self, Joints};
-use geneva_dynamics::timer::{self, Accelerations, BuiltBlow, Crossing, Sensitivities, Settling, SignedPeak};
+use geneva_dynamics::timer::{self, Accelerations, Crossing, EntryBlow, Sensitivities, Settling, SignedPeak};
 use geneva_dynamics::{DynamicsError as Motion, Parameters};
 
 /// Seconds and hours of a day.
@@ -130,7 +130,7 @@ impl EscapementDesign {
     /// How hard a pin with play strikes, where the contact changes and as it enters.
     fn blows(&self, play: f64) -> Result<Vec<ReportField>, Error> {
         let crossing = Crossing::new(&self.parameters, play)?;
-        let entry = BuiltBlow::new(&self.parameters, play)?;
+        let entry = EntryBlow::new(&self.parameters, play)?;
         let radius = self.question.units.and(self.question.further.crank_radius).map(|radius| radius / 1000.0);
         let speed = radius.zip(crossing).map(|(radius, blow)| radius * blow.closing_speed);
         let share = |key, share: Option<f64>, meaning| {

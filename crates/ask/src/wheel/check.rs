@@ -341,16 +341,20 @@ fn verdict(
         }
         None => "yes, every station".to_owned(),
     };
-    let culprit = nearest.culprit.map(|culprit| culprit_words(&culprit, &nearest.suspects));
+    let first = nearest.culprit.iter().map(|culprit| culprit_words(culprit, &nearest.suspects));
+    let further = nearest.further_culprits.iter().map(|culprit| culprit_words(culprit, &[]));
+    let culprits: Vec<String> = first.chain(further).collect();
+    let without = match &nearest.refusal {
+        Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {error}"),
+        None => "none: all measured sizes fit one right wheel".to_owned(),
+    };
     let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
     let first = first_change(nearest, changes);
     vec![
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
-            "contradiction",
-            culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned()),
-        ),
+        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
+            .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
@@ -361,7 +365,7 @@ fn verdict(
 }
 
 fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
-    let rest = if culprit.rest_agrees { "all others agree" } else { "even without it the others do not agree" };
+    let rest = if culprit.rest_agrees { "all others agree" } else { "but these contradict each other, too" };
     let others: Vec<String> = suspects.iter().map(|size| named(*size)).collect();
     let or = if others.is_empty() { String::new() } else { format!("; it could also be {}", others.join(", ")) };
     format!(
@@ -377,7 +381,6 @@ fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
 fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
     let by_culprit = nearest
         .culprit
-        .filter(|culprit| culprit.rest_agrees)
         .map(|culprit| format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)));
     let by_change = changes.first().map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
@@ -477,6 +480,16 @@ mod tests {
         assert_eq!(text(&report, "culprit"), "slot width 2");
         assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
         assert!(text(&report, "change_first").starts_with("make slot width 2 4.2"));
+    }
+
+    #[test]
+    fn two_wrong_sizes_are_both_named() {
+        let report = report(
+            "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
+             --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
+        );
+        let words = &report.sections[0].1[1].line.as_ref().expect("a line").meaning;
+        assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
     }
 
     #[test]

@@ -151,3 +151,16 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
         assert!(wheel(stations, &right).is_empty(), "{stations}");
     }
 }
+
+#[test]
+fn sizes_of_which_no_wheel_can_be_made_are_told_to_be_so() {
+    // A worn wheel of nine stations: outside diameter 55 mm, slots of 3.1 mm, hollows of 4.3 mm. Nothing contradicts, but the
+    // crescent would reach beyond the driver's axis.
+    let mut measured = MeasuredWheel::new(Wheel::new(9).unwrap());
+    measured.add(MeasuredSize::TipRadius, 27.5, 0.05).unwrap();
+    measured.add(MeasuredSize::SlotWidth(None), 3.1, 0.05).unwrap();
+    measured.add(MeasuredSize::ArcRadius(None), 4.3, 0.05).unwrap();
+    let nearest = measured.nearest().unwrap();
+    assert!(nearest.culprit.is_none());
+    assert!(nearest.refusal.is_some_and(|error| error.to_string().contains("driver's axis")), "{:?}", nearest.refusal);
+}
