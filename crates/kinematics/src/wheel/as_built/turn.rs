@@ -11,7 +11,7 @@ use super::free_angles::{Assembled, FreeAngles};
 use super::parts::AsBuiltWheel;
 use crate::indexing::Indexing;
 
-/// What the search leaves open of the least free angle, in radians; tests compare it with 20,000 places of each station.
+/// What the search leaves open of the least free angle, in radians; tests compare it with 10,000 places of each station.
 pub const WIDTH_TOLERANCE: f64 = 1e-7;
 
 /// Intervals between two changes at least and at most, and how long one is between them, in radians; twice as many where the whole
