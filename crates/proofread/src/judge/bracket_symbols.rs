@@ -109,7 +109,10 @@ fn is_all_bracketed(side: &[Token]) -> bool {
 
 /// Whether brackets are cycles of permutations or the sizes of matrices: both sides are nothing else.
 pub(crate) fn may_be_cycles(left: &[Token], right: &[Token]) -> bool {
-    is_all_bracketed(left) && is_all_bracketed(right)
+    let without_square = |side: &[Token]| -> Vec<Token> {
+        side.iter().filter(|token| !token.is_one_of("[]")).cloned().collect()
+    };
+    is_all_bracketed(&without_square(left)) && is_all_bracketed(&without_square(right))
 }
 
 /// Whether fractions in brackets are symbols of quadratic residues: they equal 1, −1 or 0, or other fractions in brackets.

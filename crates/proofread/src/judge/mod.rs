@@ -6,6 +6,7 @@ pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
+pub(crate) mod letter_units;
 mod lost_digits;
 mod notation;
 mod number_marks;

@@ -59,6 +59,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     if is_binary(&left.tokens) && is_binary(&right.tokens) {
         out.push(sides().map(|side| in_decimal(&side)));
     }
+    out.extend(all_in_degrees(&left.tokens, &right.tokens));
     out.extend(other_way_round(&right.tokens).map(|other| [left.tokens.clone(), other]));
     out.extend(as_congruence(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
@@ -266,6 +267,28 @@ fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
         }
     }
     None
+}
+
+/// Both sides with the sign of degrees on each number, if it is on one of the terms of a sum alone: `90 - 21.5° = 68.5`.
+fn all_in_degrees(left: &[Token], right: &[Token]) -> Option<Sides> {
+    let is_degree = |token: &Token| token.word() == Some("°");
+    let is_term = |token: &Token| token.number().is_some() || is_degree(token) || token.is_space() || token.is_one_of("+-()");
+    let adds = left.iter().skip(1).any(|token| token.is_one_of("+-"));
+    if !adds || !left.iter().any(is_degree) || !left.iter().chain(right).all(is_term) {
+        return None;
+    }
+    let [one, other] = [left, right].map(|side| {
+        let mut out: Vec<Token> = Vec::with_capacity(2 * side.len());
+        for (at, token) in side.iter().enumerate() {
+            out.push(token.clone());
+            let next = side[at + 1..].iter().find(|next| !next.is_space());
+            if token.number().is_some() && !next.is_some_and(is_degree) {
+                out.push(Token::new(TokenKind::Word("°".to_owned()), token.span));
+            }
+        }
+        out
+    });
+    Some([one, other])
 }
 
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
@@ -559,8 +582,22 @@ fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
     None
 }
 
-/// Whether a sign parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
+/// The least width of a space, in tenths of an em, that may part two equations.
+const GAP: u8 = 4;
+
+/// Whether a sign or a gap parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
+    let is_gap = |token: &Token| matches!(token.kind, TokenKind::Space(GAP..=8));
+    let gaps = sides[1].iter().enumerate().filter(|(_, token)| is_gap(token)).map(|(at, _)| at).take(4);
+    let parted = |at: usize| {
+        let holds = |left: &[Token], right: &[Token]| {
+            judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated
+        };
+        holds(sides[0], &sides[1][..at]) && holds(&sides[1][at + 1..], sides[2])
+    };
+    if gaps.clone().any(parted) {
+        return true;
+    }
     let Some((result, rest)) = parts(sides[1]) else { return false };
     let computes = |token: &Token| {
         token.is_one_of("+-×·/(√")

@@ -106,6 +106,21 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if example.contains("a proportion") && example.contains("hether") {
         return true;
     }
+    // An exercise that has the reader put in brackets, or say which of several statements hold.
+    const EXERCISES: [&str; 7] = [
+        "to make the following statements true",
+        "to make the statement true",
+        "to make each statement true",
+        "to make the equation true",
+        "are true, and which are false",
+        "are true and which are false",
+        "which of the following are true",
+    ];
+    let task = example.to_ascii_lowercase();
+    let asked = EXERCISES.iter().filter_map(|exercise| task.rfind(exercise)).max();
+    if asked.is_some_and(|at| !["solution", "answer", "example"].iter().any(|end| task[at..].contains(end))) {
+        return true;
+    }
     const REPORTS: [&str; 11] = [
         "mistake",
         "wrongly",
@@ -176,6 +191,14 @@ pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
     let near = format!("{before} {after}").to_ascii_lowercase();
     near.split(|c: char| !c.is_alphabetic())
         .any(|word| ["true", "false", "lie", "truth", "believe", "believes", "believed"].contains(&word))
+}
+
+/// Whether one of these words stands in the sentence before a place.
+pub(crate) fn speaks_before(text: &str, span: Span, words: &[&str]) -> bool {
+    let (before, _) = text_around(text, span);
+    let sentence = before.rsplit(['?', '!']).next().unwrap_or_default().rsplit(". ").next().unwrap_or_default();
+    let sentence = sentence.to_ascii_lowercase();
+    words.iter().any(|word| sentence.contains(word))
 }
 
 /// Whether the text near a formula says that something has no value.
@@ -252,6 +275,11 @@ pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
 pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
     if between.len() > 400 {
+        return false;
+    }
+    // Two cells of one row.
+    let has = |tags: [&str; 2]| tags.iter().any(|tag| between.contains(tag));
+    if has(["<entry", "<td"]) && !has(["<row", "<tr"]) {
         return false;
     }
     let plain = without_tags(between);
