@@ -207,7 +207,7 @@ fn text_around(text: &str, span: Span) -> [&str; 2] {
 }
 
 /// What is said of a chain of which it stays open whether two sides agree.
-const MAY_AGREE: &str = "sides that may agree if whole numbers were rounded";
+const MAY_AGREE: &str = "sides that may agree in another reading";
 
 /// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
 fn place_of_denial(tokens: &[Token]) -> Option<u32> {
@@ -422,7 +422,7 @@ impl DocumentCheck<'_> {
             self.results.record(formula.scope, left, right, &values);
         }
         let obstacle = judgement.obstacle.clone();
-        self.open_pairs += usize::from(judgement.verdict == ChainVerdict::Doubtful && judgement.explanation.is_none());
+        self.open_pairs += usize::from(judgement.verdict == ChainVerdict::Doubtful);
         self.record(formula, chain, [left, right], judgement, relation);
         obstacle
     }

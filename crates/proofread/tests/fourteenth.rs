@@ -61,7 +61,7 @@ fn cells_with_an_equation_of_their_own_stand_apart() {
             "$$\n\\begin{array}{c|c|c}\n3 & \\frac{3.5-3}{2}=\\frac{1}{3} & (1-\\frac{1}{4})(1)=\\frac{3}{4} \\\\\n\\end{array}\n$$",
             r"$\begin{aligned} 3\cdot 4 & = 13\end{aligned}$",
             r"$\begin{aligned} 3\cdot 4 = 12 & + 5 \cdot 6 = 42 + 1\end{aligned}$",
-            "12 = 5 + 7\t\t30 = 13 + 18\t\t50 = 19 + 31",
+            "112 = 100 + 12\t\t130 = 30 + 101\t\t50 = 19 + 31",
             "Group | Log | Value\n:---: | :---: | ---\nLow | 2.512 + 0.021 = 2.633 | exp(2.533) = 12.59",
         ],
     );
@@ -258,7 +258,7 @@ fn flags_that_were_seldom_real_are_doubts() {
         // A factor that only changes a number to per cent.
         (r"$80\% = \frac{80}{100} = .8 = .8*100 = 80\%$", Doubt::Fragment),
         // A quantity that stands for another one.
-        (r"$2\,\text{mol} = 44.8\,\text{L}$", Doubt::Fragment),
+        (r"$1250\,\text{m}^3 = 12500\,\text{kWh}$", Doubt::Fragment),
     ] {
         unlisted(Markdown, &[text]);
         assert_eq!(doubt(text), Some(why), "{text}");
@@ -268,10 +268,11 @@ fn flags_that_were_seldom_real_are_doubts() {
         &[
             r"$P = 0.9137\cdot 0.53164 = 0.4957632$",
             r"$768\pi = 2413.3$",
+            r"$0.5\times 0.2\times 54.6^2=309.136$",
             "We find the sum, e.g., $2-5 = 3$ here.",
             "Factor A has $-3.12^2 = 9.73$.",
             r"$.8 = .7*100 + 10 = 80\%$",
-            r"$2\,\text{mol} \cdot 3 = 44.8\,\text{L}$",
+            r"$1250\,\text{m}^3 \cdot 3 = 12500\,\text{kWh}$",
         ],
     );
 }

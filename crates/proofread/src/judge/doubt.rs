@@ -35,6 +35,9 @@ const EXACT: f64 = 0.01;
 /// terms explain, none was real (0 of 9, in nine texts), while of those with fewer digits half were.
 const MANY_DIGITS: usize = 5;
 
+/// How far such a result is from the computed one at most, relative to it: what a digit more in each term may give.
+const BY_DIGITS: f64 = 0.002;
+
 /// Tokens of the longest formula that is looked at as a whole.
 const LONGEST: usize = 1000;
 
@@ -49,7 +52,7 @@ pub enum Doubt {
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
     Fragment,
-    /// The result is truncated where it should have been rounded.
+    /// The result is truncated where it should have been rounded, or a statistic was rounded twice.
     Truncated,
     /// Other digits of the terms of a small difference would give the result, or digits that are not printed a result of many digits.
     Inputs,
@@ -71,7 +74,7 @@ impl Doubt {
     ///
     /// let report = proofread("$1/18 = 0.0555$", TextFormat::Markdown, CheckOptions::default())?;
     /// assert_eq!(report.findings[0].doubt, Some(Doubt::Truncated));
-    /// assert_eq!(Doubt::Truncated.reason(), "a truncated result is seldom meant to be rounded");
+    /// assert_eq!(Doubt::Truncated.reason(), "a result that is cut off or rounded twice is seldom meant otherwise");
     /// # Ok::<(), proofread::UnreadableText>(())
     /// ```
     pub fn reason(self) -> &'static str {
@@ -79,7 +82,7 @@ impl Doubt {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
-            Self::Truncated => "a truncated result is seldom meant to be rounded",
+            Self::Truncated => "a result that is cut off or rounded twice is seldom meant otherwise",
             Self::Inputs => "other digits of the terms would give the result",
             Self::Approximation => "what stands behind ≈ is exact, and may be a coarse approximation",
             Self::Habit => "other formulas of the document differ by the same factor",
@@ -110,7 +113,7 @@ impl PlacedPair<'_> {
         if self.is_fragment(judgement) {
             return Some(Doubt::Fragment);
         }
-        if self.leaves_sign_out(judgement) || self.is_change_to_percent() || self.stands_for(judgement) {
+        if self.leaves_sign_out(judgement) || self.is_change_to_percent() {
             return Some(Doubt::Fragment);
         }
         if self.is_coarse_approximation() {
@@ -121,6 +124,9 @@ impl PlacedPair<'_> {
         }
         if judgement.verdict == ChainVerdict::Dimensions && self.is_free_fall() {
             return Some(Doubt::Unknown);
+        }
+        if self.stands_for(judgement) {
+            return Some(Doubt::Fragment);
         }
         // Each pair looks at the whole formula, which takes too long if both are many.
         let short = self.formula.tokens.len() <= LONGEST;
@@ -397,7 +403,8 @@ impl PlacedPair<'_> {
     /// 6.32091`.
     fn may_have_more_digits(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
-        if left.is_literal() || !right.is_literal() || !judgement.used.is_empty() {
+        let is_near = left.difference(right) < BY_DIGITS;
+        if left.is_literal() || !right.is_literal() || !is_near || !judgement.used.is_empty() {
             return false;
         }
         let digits = self.right.tokens.iter().find_map(Token::number).unwrap_or_default();

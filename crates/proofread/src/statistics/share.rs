@@ -61,10 +61,10 @@ pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
     checked + judge_loose(chars, sentence..chars.len(), &mut loose, out)
 }
 
-/// A truncated share is meant to be one.
+/// A truncated share is meant to be one, and one that was rounded twice follows its author's digits.
 fn outcome_of(share: &PrintedShare, whole: f64) -> Outcome {
     let computed = 100.0 * share.part / whole;
-    let is_cut = computed >= share.share.value && computed < share.share.value + 2.0 * share.share.half;
+    let is_cut = share.share.is_cut_or_rounded_twice(computed);
     // In 19.2 % (8/10) + …, a rate is multiplied by a share.
     let is_product = share.at.start == share.range.start && (computed - share.share.value).abs() > 0.5 * computed;
     match () {

@@ -476,7 +476,10 @@ fn report_shares(judged: &[(&TableCell, f64, f64, PrintedNumber, bool)], out: &m
             spans: [cell.at; 3],
             recomputed: format!("{:.decimals$}%", 100.0 * part / whole),
             why: Some("the other shares of the table are of this whole".to_owned()),
-            outcome: Outcome::Difference,
+            outcome: match share.is_cut_or_rounded_twice(100.0 * part / whole) {
+                true => Outcome::Doubt(Doubt::Truncated),
+                false => Outcome::Difference,
+            },
         });
         out.push(TableFinding { finding, parts: Vec::new() });
     }
