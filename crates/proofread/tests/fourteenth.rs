@@ -245,6 +245,21 @@ fn a_value_far_below_the_printed_one_is_shown_as_it_is() {
     assert_eq!(found[0].recomputed.as_deref(), Some("3.2 × 10^−40"));
 }
 
+#[test]
+fn square_brackets_may_be_places_or_classes() {
+    unlisted(
+        Markdown,
+        &[
+            "I write place values in square brackets, so [6][3] = 63, and [4][12] = [5][2] = 52.",
+            "e.g. 13 × 17 = [1 × 2][3 × 7] = [2][21] = 221",
+            "$$+4 + -1 = [(5,1)] + [(1,2)] = [(5+1, 1+2)] = [(6,3)] = [(4,1)]$$",
+            "For example, what if $3^5 = 6^3$; then wouldn't we need both?",
+            "Since $31 = 14 + 17$, we have $31^3 = (14^3 + 17^3)$. This fallacy is known.",
+        ],
+    );
+    listed(Markdown, &["$[6][3] + 45 = 64$", "We have $31^3 = (14^3 + 17^3)$. This is known."]);
+}
+
 /// Each kind of flag that was real in less than two of five cases at first contact.
 #[test]
 fn flags_that_were_seldom_real_are_doubts() {

@@ -99,6 +99,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     let behind = after.split("\n\n").next().unwrap_or_default();
+    if sentence.contains("what if ") || behind.contains("This fallacy") || behind.contains("this fallacy") {
+        return true;
+    }
     if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
         return true;
     }

@@ -92,11 +92,13 @@ fn judge_loose(chars: &[char], sentence: Range<usize>, loose: &mut Vec<PrintedSh
     if loose.is_empty() || sentence.is_empty() {
         return 0;
     }
+    // Several parts of several wholes, in their order.
+    let in_order = chars[sentence.clone()].iter().collect::<String>().contains("respectively");
     let Some(whole) = whole_of(chars, sentence) else { return 0 };
     let fits: Vec<bool> = loose.iter().map(|share| is_share(share.part, whole, share.share)).collect();
     let agreeing = fits.iter().filter(|fits| **fits).count();
     for (share, _) in loose.iter().zip(&fits).filter(|(_, fits)| !**fits) {
-        let outcome = match agreeing > 0 && 2 * agreeing >= fits.len() {
+        let outcome = match agreeing > 0 && 2 * agreeing >= fits.len() && !in_order {
             true => outcome_of(share, whole),
             false => Outcome::Doubt(Doubt::OtherParts),
         };

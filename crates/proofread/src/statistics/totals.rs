@@ -214,6 +214,9 @@ impl<'t> Sum<'t> {
         if self.parts.len() > MOST_SHOWN {
             parts.push("…".to_owned());
         }
+        // The note of a part may say that it is not all of this sum.
+        let is_noted = self.parts.iter().any(|cell| cell.text.contains(['*', '†', '‡', '§']));
+        let outcome = if is_noted { Outcome::Doubt(Doubt::OtherParts) } else { outcome };
         let left = parts.join(" + ");
         let right = self.total.text.clone();
         let decimals = self.numbers().map(|number| number.decimals).max().unwrap_or_default();
