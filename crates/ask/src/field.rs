@@ -26,7 +26,7 @@ pub struct ReportField {
 
 /// What a value needs of those things that a question about a wheel may leave out: a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs(u16);
+pub struct Needs(u32);
 
 impl Needs {
     /// Nothing but what every question gives.
@@ -49,6 +49,23 @@ impl Needs {
     pub const PIN_FRICTION: Self = Self(1 << 6);
     /// A crank angle before a pin enters.
     pub const BEFORE_ENTRY: Self = Self(1 << 7);
+
+    /// The coefficient of friction of the locking disc.
+    pub const DISC_FRICTION: Self = Self(1 << 16);
+    /// The coefficient of friction of the bearings.
+    pub const BEARING_FRICTION: Self = Self(1 << 17);
+    /// A constant friction torque on the driver.
+    pub const DRIVER_FRICTION: Self = Self(1 << 18);
+    /// A torque that turns the wheel while it should stand.
+    pub const HELD_TORQUE: Self = Self(1 << 19);
+    /// An overload torque on the driver's arm.
+    pub const ARM_TORQUE: Self = Self(1 << 20);
+    /// The moment of inertia of what turns with the driver.
+    pub const DRIVER_INERTIA: Self = Self(1 << 21);
+    /// The torque with which the driver is started.
+    pub const DRIVE_TORQUE: Self = Self(1 << 22);
+    /// The ratio of the gear between motor and driver.
+    pub const GEAR_RATIO: Self = Self(1 << 23);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {
@@ -255,8 +272,14 @@ impl MechanismReport {
 
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
-        let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
-        self.fields().map(|field| &field.value).chain(in_rows).all(FieldValue::is_finite)
+        self.not_finite().is_none()
+    }
+
+    /// The key of the first number that is not finite, if there is one.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let in_rows = self.rows().flat_map(|row| &row.0).map(|(key, value)| (*key, value));
+        let all = self.fields().map(|field| (field.key, &field.value)).chain(in_rows);
+        all.into_iter().find(|(_, value)| !value.is_finite()).map(|(key, _)| key)
     }
 }
 

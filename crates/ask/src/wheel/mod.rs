@@ -1,13 +1,19 @@
 //! One wheel: its sizes, its times, its motion and loads, its drawing and files; or which wheels have wanted times.
 
 mod arguments;
+mod check;
 mod design;
+mod drive;
 mod files;
+mod friction;
 mod instant;
 mod kind;
 mod loads;
 mod making;
+mod materials;
+mod mouth;
 mod parts;
+mod pin_load;
 mod question;
 mod recommended;
 mod report;
@@ -15,6 +21,7 @@ mod speeds;
 mod times;
 
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, arguments};
+pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};

@@ -9,6 +9,7 @@
 //! the [`Outline`] of both parts and their [`Clearance`] over a whole turn.
 
 mod accurate;
+pub mod as_built;
 mod centres;
 mod clearance;
 mod crescent;
@@ -18,6 +19,8 @@ mod geometry;
 mod indexing;
 mod misplaced;
 mod motion;
+mod mouth;
+mod mouth_fit;
 mod outline;
 mod play;
 mod regions;
@@ -32,10 +35,11 @@ mod warnings;
 pub use centres::CentreTolerance;
 pub use clearance::{Clearance, ClosestApproach, ContactPair, TOLERANCE};
 pub use dwell_play::DwellPlay;
-pub use fit::{Remedy, ShaftOf, SizesError};
+pub use fit::{MouthSize, Remedy, ShaftOf, SizesError};
 pub use geometry::{STATIONS, Wheel, gamma};
 pub use misplaced::MisplacedWheel;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
+pub use mouth::Mouth;
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{EntryContact, Knock, PinEntry};
 pub use shared_tolerance::SharedTolerance;

@@ -1,6 +1,7 @@
 //! The external wheel: motion, sizes, outlines and clearances.
 
 mod accurate;
+mod as_built;
 mod assembly;
 mod centres;
 mod clearance;
@@ -11,6 +12,7 @@ mod geometry;
 mod indexing;
 mod misplaced;
 mod motion;
+mod mouth;
 mod shared_tolerance;
 mod sizes;
 mod standard_fit;
