@@ -7,7 +7,9 @@ use proofread::TextFormat::{Html, Latex, Markdown, Notebook, Plain, Xml};
 
 /// A document in CNXML around what is in a paragraph.
 fn cnxml(inner: &str) -> String {
-    format!("<document xmlns:m=\"http://www.w3.org/1998/Math/MathML\"><content><para>{inner}</para></content></document>")
+    format!(
+        "<document xmlns:m=\"http://www.w3.org/1998/Math/MathML\"><content><para>{inner}</para></content></document>"
+    )
 }
 
 /// A table in MathML, its rows from cells between `|`: numbers, signs, and words in quotes.
@@ -108,7 +110,11 @@ fn thousandths_make_mixed_numbers() {
 #[test]
 fn what_stands_behind_approximately_may_be_exact_and_coarse() {
     let doubt = |text: &str| report(text, Latex).findings.iter().find_map(|of| of.doubt);
-    for text in [r"$\sqrt{5}\approx \dfrac{5}{2}$", r"$\log(1.08)\approx \log(1)=0$", r"$2\tan(0.9) \approx 2\tan\left(\dfrac{\pi}{4}\right)=2$"] {
+    for text in [
+        r"$\sqrt{5}\approx \dfrac{5}{2}$",
+        r"$\log(1.08)\approx \log(1)=0$",
+        r"$2\tan(0.9) \approx 2\tan\left(\dfrac{\pi}{4}\right)=2$",
+    ] {
         unlisted(Latex, &[text]);
         assert_eq!(doubt(text), Some(Doubt::Approximation), "{text}");
     }
@@ -126,7 +132,13 @@ fn a_row_that_is_denied_denies_those_above() {
     listed(Xml, &[&check("")]);
     unlisted(Xml, &[&table(&["3 · 4|=|5 − 7", "12|≠|−2"])]);
     listed(Xml, &[&table(&["3 · 4|=|5 − 7", "12|=|−2"])]);
-    unlisted(Markdown, &[r"$9 \cancel{=} 81^2$, so $(81, 9) \notin R$", "Use parentheses to make the following statements true.\n\n1. $4 + 3^2 \\cdot 5 = 65$"]);
+    unlisted(
+        Markdown,
+        &[
+            r"$9 \cancel{=} 81^2$, so $(81, 9) \notin R$",
+            "Use parentheses to make the following statements true.\n\n1. $4 + 3^2 \\cdot 5 = 65$",
+        ],
+    );
     listed(Markdown, &["Here are sums.\n\n1. $4 + 3^2 \\cdot 5 = 65$"]);
 }
 
@@ -160,7 +172,14 @@ fn running_text_is_read_as_it_is_shown() {
     let cell = r#"{"cells": [{"cell_type": "markdown", "metadata": {}, "source": ["It is 2/5 &times; 7/24 = 7/60.\n"]}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}"#;
     unlisted(Notebook, &[cell]);
     listed(Notebook, &[&cell.replace("7/60", "7/61")]);
-    unlisted(Plain, &["The rest is 18 (70 - 52 = 18).", "So P (X = 2) = 0.3 and f(x = 3) = 9.", "Codes (1 = yes, 2 = no) and 3 (= 1 + 2)."]);
+    unlisted(
+        Plain,
+        &[
+            "The rest is 18 (70 - 52 = 18).",
+            "So P (X = 2) = 0.3 and f(x = 3) = 9.",
+            "Codes (1 = yes, 2 = no) and 3 (= 1 + 2).",
+        ],
+    );
     listed(Plain, &["The rest (70 - 52 = 19) is here."]);
     listed(Html, &["<p>The rest (70 - 52 = 19) is here.</p>"]);
     listed(Latex, &["The rest (70 - 52 = 19) is here.", r"so the point $(x=\log_2 2^3=3, y=3\cdot 4 = 13)$ is"]);
@@ -176,8 +195,20 @@ fn a_sign_of_degrees_on_one_term_is_for_all() {
 
 #[test]
 fn upright_sec_without_an_argument_is_the_second() {
-    unlisted(Markdown, &[r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 31.11\,\text{hours}$$", r"$\text{sec}(60^\circ) = 2$"]);
-    listed(Markdown, &[r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 41.11\,\text{hours}$$", r"$\text{sec}(60^\circ) = 3$"]);
+    unlisted(
+        Markdown,
+        &[
+            r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 31.11\,\text{hours}$$",
+            r"$\text{sec}(60^\circ) = 2$",
+        ],
+    );
+    listed(
+        Markdown,
+        &[
+            r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 41.11\,\text{hours}$$",
+            r"$\text{sec}(60^\circ) = 3$",
+        ],
+    );
 }
 
 #[test]
@@ -211,7 +242,10 @@ fn letters_behind_numbers_are_units_where_the_chain_makes_sense() {
 
 #[test]
 fn a_power_is_no_label() {
-    listed(Latex, &[r"So $10^{\log 1000} = 10^3 = 3$ as expected.", r"\[ 3.9 \times 10^6 = 3200000 \]", r"\[10000=10^9\]"]);
+    listed(
+        Latex,
+        &[r"So $10^{\log 1000} = 10^3 = 3$ as expected.", r"\[ 3.9 \times 10^6 = 3200000 \]", r"\[10000=10^9\]"],
+    );
     unlisted(Latex, &[r"So $10^{\log 1000} = 10^3 = 1000$ as expected.", r"\[ 3.9 \times 10^6 = 3900000 \]"]);
 }
 

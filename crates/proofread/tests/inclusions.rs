@@ -296,10 +296,7 @@ fn styles_of_a_folder_above_define_for_what_no_document_includes() {
     known(&[("book.sty", MACROS)]);
     known(&[("book.cls", MACROS), ("main.tex", "\\begin{document}Nothing.\\end{document}")]);
     // Two styles that say different things say nothing.
-    unknown(&[
-        ("book.sty", "\\newcommand{\\half}{\\frac{1}{2}}"),
-        ("other.sty", "\\newcommand{\\half}{\\frac{1}{3}}"),
-    ]);
+    unknown(&[("book.sty", "\\newcommand{\\half}{\\frac{1}{2}}"), ("other.sty", "\\newcommand{\\half}{\\frac{1}{3}}")]);
     // What a document includes has that document's macros alone.
     unknown(&[("book.sty", MACROS), ("main.tex", "\\begin{document}\\include{ch/one}\\end{document}")]);
 }

@@ -215,7 +215,8 @@ impl Evaluator<'_> {
             (NamedOperation::InBase, [digits, base]) => {
                 let base = small_integer(base).unwrap_or(10.0);
                 let digits = digits.first().and_then(Token::number).unwrap_or_default();
-                let value = digits.chars().filter_map(|c| c.to_digit(10)).fold(0.0, |sum, digit| sum * base + f64::from(digit));
+                let value =
+                    digits.chars().filter_map(|c| c.to_digit(10)).fold(0.0, |sum, digit| sum * base + f64::from(digit));
                 SideValue::from_interval(Interval::exact(value))
             }
             (NamedOperation::Determinant, rows) => self.determinant(rows)?,

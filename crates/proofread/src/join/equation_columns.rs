@@ -177,8 +177,10 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     }
     let columns = rows.iter().map(|row| row.len().div_ceil(2)).max().unwrap_or(0);
     // A column in which no row has a left side is none of equations: its cells go on with their rows.
-    let has_start = |column: usize| rows.iter().any(|row| row.get(2 * column).is_some_and(|of| !trim_space(of).is_empty()));
-    let is_used = |column: usize| rows.iter().any(|row| row.get(2 * column + 1).is_some_and(|of| !trim_space(of).is_empty()));
+    let has_start =
+        |column: usize| rows.iter().any(|row| row.get(2 * column).is_some_and(|of| !trim_space(of).is_empty()));
+    let is_used =
+        |column: usize| rows.iter().any(|row| row.get(2 * column + 1).is_some_and(|of| !trim_space(of).is_empty()));
     if (0..columns).any(|column| is_used(column) && !has_start(column)) {
         return None;
     }

@@ -294,16 +294,8 @@ fn join_scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token
 
 /// The base of numbers that a subscript names, in digits or as a word.
 fn base_of(sub: &[Token]) -> Option<u32> {
-    const WORDS: [(&str, u32); 8] = [
-        ("two", 2),
-        ("three", 3),
-        ("four", 4),
-        ("five", 5),
-        ("eight", 8),
-        ("ten", 10),
-        ("bin", 2),
-        ("dec", 10),
-    ];
+    const WORDS: [(&str, u32); 8] =
+        [("two", 2), ("three", 3), ("four", 4), ("five", 5), ("eight", 8), ("ten", 10), ("bin", 2), ("dec", 10)];
     let text = show(ungrouped(sub));
     let text = text.trim().trim_matches(['(', ')']);
     let word = WORDS.iter().find(|(word, _)| *word == text).map(|(_, base)| *base);

@@ -109,9 +109,8 @@ fn is_all_bracketed(side: &[Token]) -> bool {
 
 /// Whether brackets are cycles of permutations or the sizes of matrices: both sides are nothing else.
 pub(crate) fn may_be_cycles(left: &[Token], right: &[Token]) -> bool {
-    let without_square = |side: &[Token]| -> Vec<Token> {
-        side.iter().filter(|token| !token.is_one_of("[]")).cloned().collect()
-    };
+    let without_square =
+        |side: &[Token]| -> Vec<Token> { side.iter().filter(|token| !token.is_one_of("[]")).cloned().collect() };
     is_all_bracketed(&without_square(left)) && is_all_bracketed(&without_square(right))
 }
 

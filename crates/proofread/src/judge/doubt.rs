@@ -332,7 +332,8 @@ impl PlacedPair<'_> {
         // A power is no label: 10^3 = 3, 10000 = 10^9, 120 = 3.2 × 10².
         let is_power = |side: &ChainSide| side.tokens.iter().any(|token| matches!(token.kind, TokenKind::Power(_)));
         let is_raised = (is_power(self.left) || is_power(self.right)) && (!self.begins_chain() || self.is_whole());
-        let pair = both && bare(left) && bare(right) && alone && !is_raised && [left, right].into_iter().all(is_integer);
+        let pair =
+            both && bare(left) && bare(right) && alone && !is_raised && [left, right].into_iter().all(is_integer);
         lacks_unit
             || opposite
             || costs
@@ -351,11 +352,8 @@ impl PlacedPair<'_> {
             return false;
         }
         let solid = without_space(&self.left.tokens);
-        let is_difference =
-            matches!(solid.as_slice(), [one, minus, other] if one.number().is_some() && minus.is_sign('-') && other.number().is_some());
-        let is_square = |tokens: &[&Token]| {
-            matches!(tokens, [.., Token { kind: TokenKind::Power(power), .. }] if matches!(power.as_slice(), [two] if two.number() == Some("2")))
-        };
+        let is_difference = matches!(solid.as_slice(), [one, minus, other] if one.number().is_some() && minus.is_sign('-') && other.number().is_some());
+        let is_square = |tokens: &[&Token]| matches!(tokens, [.., Token { kind: TokenKind::Power(power), .. }] if matches!(power.as_slice(), [two] if two.number() == Some("2")));
         let is_squared = solid.len() == 3
             && solid[0].is_sign('-')
             && is_square(&solid)
@@ -396,7 +394,10 @@ impl PlacedPair<'_> {
     fn is_coarse_approximation(&self) -> bool {
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         let is_computed = |kind: &TokenKind| {
-            matches!(kind, TokenKind::Fraction(..) | TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Operator('/'))
+            matches!(
+                kind,
+                TokenKind::Fraction(..) | TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Operator('/')
+            )
         };
         let right = &self.right.tokens;
         self.right.relation == Some(Relation::Approximate) && any(right, &is_computed) && !any(right, &is_decimal)
@@ -414,7 +415,8 @@ impl PlacedPair<'_> {
         let significant = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
         // Whole numbers are as they are.
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
-        let is_long = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !digits.contains('.') && digits.len() > 2);
+        let is_long =
+            |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !digits.contains('.') && digits.len() > 2);
         let strict =
             |side: &ChainSide| Evaluator::new(Mode::Strict, judgement.reading, None).evaluate_side(&side.tokens).ok();
         digits.contains('.')

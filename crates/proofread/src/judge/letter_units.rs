@@ -89,7 +89,8 @@ pub(crate) fn units_in_letters(chain: &Chain) -> Option<Chain> {
         .filter_map(|(at, side)| evaluate_freely(&side.tokens, None).ok().map(|value| (at, value)))
         .collect();
     let (_, result) = values.last().filter(|(at, _)| at + 1 == sides.len())?;
-    let computed: Vec<&SideValue> = { values.iter() }.filter(|(at, _)| at + 1 < sides.len()).map(|(_, of)| of).collect();
+    let computed: Vec<&SideValue> =
+        { values.iter() }.filter(|(at, _)| at + 1 < sides.len()).map(|(_, of)| of).collect();
     let fits = |value: &&SideValue| !value.has_unit || value.dimension == result.dimension;
     if result.literal != Literal::Number || !result.has_unit || computed.is_empty() || !computed.iter().all(fits) {
         return None;

@@ -272,7 +272,8 @@ fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
 /// Both sides with the sign of degrees on each number, if it is on one of the terms of a sum alone: `90 - 21.5° = 68.5`.
 fn all_in_degrees(left: &[Token], right: &[Token]) -> Option<Sides> {
     let is_degree = |token: &Token| token.word() == Some("°");
-    let is_term = |token: &Token| token.number().is_some() || is_degree(token) || token.is_space() || token.is_one_of("+-()");
+    let is_term =
+        |token: &Token| token.number().is_some() || is_degree(token) || token.is_space() || token.is_one_of("+-()");
     let adds = left.iter().skip(1).any(|token| token.is_one_of("+-"));
     if !adds || !left.iter().any(is_degree) || !left.iter().chain(right).all(is_term) {
         return None;

@@ -38,7 +38,9 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
             pieces.push(from..whole.end);
         }
         let is_tabbed = is_row_of_equations(line);
-        let is_row = is_tabbed || is_row_of_table(line) || (line.contains(" | ") && *has_open_tables.get_or_insert_with(|| has_open_table(text)));
+        let is_row = is_tabbed
+            || is_row_of_table(line)
+            || (line.contains(" | ") && *has_open_tables.get_or_insert_with(|| has_open_table(text)));
         if is_row {
             let mark = if is_tabbed { '\t' } else { '|' };
             pieces = pieces.into_iter().flat_map(|piece| cells(text, piece, mark)).collect();
@@ -137,7 +139,8 @@ fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
     let mut at = 0;
     while let Some(sign) = decoded.get(at) {
         let end = (sign.c == '<').then(|| decoded[at..].iter().take(80).position(|sign| sign.c == '>')).flatten();
-        let inner: String = end.map(|end| decoded[at + 1..at + end].iter().map(|sign| sign.c).collect()).unwrap_or_default();
+        let inner: String =
+            end.map(|end| decoded[at + 1..at + end].iter().map(|sign| sign.c).collect()).unwrap_or_default();
         let (closes, name) = inner.strip_prefix('/').map_or((false, inner.as_str()), |name| (true, name));
         let name = name.split(char::is_whitespace).next().unwrap_or_default().to_ascii_lowercase();
         let script: &[char] = match (name.as_str(), closes) {
@@ -348,7 +351,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     && (touching || closes || !PROSE.contains(&word.as_str()))
                 {
                     TokenKind::Word(word)
-                } else if word == "Hg" && before.and_then(Token::word).is_some_and(|of| matches!(of, "mm" | "cm" | "in")) {
+                } else if word == "Hg"
+                    && before.and_then(Token::word).is_some_and(|of| matches!(of, "mm" | "cm" | "in"))
+                {
                     TokenKind::Word(word)
                 } else if named {
                     TokenKind::Name(word)

@@ -6,7 +6,9 @@ use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
-use crate::token::{ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show, trim_space};
+use crate::token::{
+    ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show, trim_space,
+};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;

@@ -44,7 +44,8 @@ impl Tex<'_> {
     /// Whether what follows may be the argument of a function: a bracket, an exponent, a letter or a number, or a command for one of them.
     fn has_argument_ahead(&self) -> bool {
         const NO_ARGUMENT: [&str; 14] = [
-            "times", "cdot", "quad", "qquad", "right", "approx", "to", "implies", "end", "text", "mathrm", "frac", "leq", "le",
+            "times", "cdot", "quad", "qquad", "right", "approx", "to", "implies", "end", "text", "mathrm", "frac",
+            "leq", "le",
         ];
         let rest: String = self.stack.iter().rev().take(12).map(|sign| sign.c).collect();
         let rest = rest.trim_start_matches([' ', '~', '\n', '}']);
