@@ -6,6 +6,7 @@ use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides;
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
@@ -313,7 +314,7 @@ impl DocumentCheck<'_> {
         self.report.tally.chains += 1;
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2);
         let before = self.report.tally.pairs;
-        let denied = chain.asked || is_denied || surroundings::is_meant_false(self.text, formula.span);
+        let denied = chain.asked || is_denied || denial::is_meant_false(self.text, formula.span);
         if denied {
             self.count_unchecked(Some((UncheckedKind::Denied, String::new())), chain, false);
         } else {
