@@ -1,8 +1,8 @@
-//! An answer as a sheet for reading, or as a table with a row for each number. In JSON its fields are an object; what has many
-//! rows of its own, such as a cycle or a run, is a series.
+//! An answer as a sheet for reading. In JSON its fields are an object; what has many rows of its own, such as a cycle or a run, is
+//! a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{FieldValue, MechanismReport, ReportField, SheetNumber};
+use geneva_ask::{MechanismReport, ReportField, SheetNumber};
 
 pub(crate) use geneva_press::fields::{DataRow, csv, json};
 
@@ -60,49 +60,6 @@ pub(crate) fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
         }
     }
     if answer.note.is_empty() { page } else { page + "\n" + &layout.wrapped("", &answer.note) }
-}
-
-/// An answer as CSV, a row for each number: `key`, `name`, `value`, `unit` and `meaning`.
-///
-/// The keys are those of the JSON, also of values that are missing. A vector has a row for each of its parts. Where a sheet leaves out
-/// the name because the line above has it, the row has it too.
-pub(crate) fn table(answer: &MechanismReport) -> anyhow::Result<String> {
-    let mut above = ("", "");
-    let rows = answer.fields().flat_map(|field| {
-        let (name, meaning) = field.line.as_ref().map_or(("", ""), |line| {
-            above = match (line.name, &*line.meaning) {
-                ("", "") => above,
-                ("", meaning) => (above.0, meaning),
-                own => own,
-            };
-            above
-        });
-        parts(field).into_iter().map(move |(key, value, unit)| {
-            DataRow(vec![
-                ("key", key.into()),
-                ("name", name.into()),
-                ("value", value),
-                ("unit", unit.into()),
-                ("meaning", meaning.into()),
-            ])
-        })
-    });
-    let rows: Vec<_> = rows.collect();
-    csv(rows.first(), rows.iter().cloned())
-}
-
-/// The numbers of a field with their keys and units: one, or those of a vector.
-fn parts(field: &ReportField) -> Vec<(String, FieldValue, &'static str)> {
-    match &field.value {
-        FieldValue::Object(DataRow(parts)) => parts
-            .iter()
-            .map(|(part, value)| {
-                let unit = if part.ends_with("_deg") { "°" } else { field.unit };
-                (format!("{}_{part}", field.key), value.clone(), unit)
-            })
-            .collect(),
-        value => vec![(field.key.to_owned(), value.clone(), field.unit)],
-    }
 }
 
 /// What stands before the point, and the rest with it.

@@ -149,7 +149,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Stl => design.stl()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
-        CommandFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Fields => design.answer()?.table(),
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -179,7 +179,7 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
     let answer = design.answer()?;
     let mut files = vec![
         ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
-        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
     for file in SHAPE_FILES {

@@ -1,13 +1,14 @@
 //! The one table of what can be said of a wheel: an option at the command line and a control on the page for each row.
 //!
 //! The rows stand by what they are about, in the order of a designer's questions: what the wheel must do, how large it is, how
-//! its parts fit, how they are mounted, and what they carry.
+//! its parts fit, how they are mounted, what they carry, and what is not as drawn.
 
 mod fit;
 mod instants;
 mod load;
 mod need;
 mod size;
+mod wrong;
 
 use super::WheelQuestion;
 use super::kind::WheelKind;
@@ -102,12 +103,16 @@ pub struct ArgumentGroup {
     pub rows: &'static [Argument],
 }
 
+/// The fold of controls for sizes that are wrong: a page has more of them than the command.
+pub const WRONG_SIZES: &str = "What if a size is wrong";
+
 /// All arguments, by what they are about, in the order of command and page.
 pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What the wheel must do", fold: "What the wheel is to do", rows: need::ROWS },
     ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
     ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
+    ArgumentGroup { heading: "What is not as drawn", fold: WRONG_SIZES, rows: wrong::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
 
