@@ -1,0 +1,131 @@
+//! Do points on the outlines say the same of wheels with errors: free between the same angles, and jammed or not?
+
+use super::super::assembly::sized;
+use super::points::Outlines;
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, Assemblies, ErrorShape, SizeErrors};
+use geneva_kinematics::wheel::{Choices, Play};
+
+/// Wheels of several numbers of stations and pins, with play and errors of different sizes, so that about half of them jam.
+fn perturbed(count: u64) -> Vec<AsBuiltWheel> {
+    let counts = [(4, 1), (6, 1), (3, 1), (5, 1), (8, 1), (6, 2), (4, 2), (12, 1), (4, 3), (7, 1)];
+    let one = |k: u64| {
+        let (stations, pins) = counts[k as usize % counts.len()];
+        let play = [0.2, 0.35, 0.1, 0.5][(k / 10) as usize % 4];
+        let error = play * [0.25, 0.5, 0.8, 1.2][(k / 3) as usize % 4];
+        let sizes = sized(stations, pins, &Choices { play: Some(Play::from_slot(play)), ..Choices::default() });
+        Assemblies::new(&sizes, SizeErrors::all(error), ErrorShape::Uniform, 17).assembly(k)
+    };
+    (0..count).map(one).collect()
+}
+
+/// How deep the parts are in each other at least, wherever the wheel is, at a crank angle: in millimetres.
+fn least_depth(outlines: &Outlines<'_>, event: i32, theta: f64, around: f64, half: f64) -> f64 {
+    const PLACES: i32 = 10;
+    let at = |angle: f64| outlines.depth(event, theta, angle);
+    let place = |k: i32| around + half * f64::from(k) / f64::from(PLACES);
+    let depths: Vec<f64> = (-PLACES..=PLACES).map(|k| at(place(k))).collect();
+    let k = (0..=2 * PLACES).min_by(|k, l| depths[*k as usize].total_cmp(&depths[*l as usize])).unwrap() - PLACES;
+    let (mut from, mut to) = (place(k - 1), place(k + 1));
+    let mut least = at(place(k));
+    // Deep on both sides, and in between one valley.
+    for _ in 0..18 {
+        let (left, right) = (from + (to - from) * 0.382, from + (to - from) * 0.618);
+        let (deep_left, deep_right) = (at(left), at(right));
+        least = least.min(deep_left).min(deep_right);
+        if least <= 0.0 {
+            return least;
+        }
+        if deep_left < deep_right { to = right } else { from = left }
+    }
+    least
+}
+
+#[test]
+fn the_wheel_is_free_between_the_told_angles_and_nowhere_beside_them() {
+    const NEAR: f64 = 4e-5;
+    let mut looked_at = 0;
+    for (number, built) in perturbed(60).iter().enumerate() {
+        let outlines = Outlines::new(built);
+        let half = std::f64::consts::PI / built.pins().len() as f64;
+        for k in 0..24 {
+            let event = (k + number) as i32 % built.events() as i32;
+            let theta = half * ((k as f64 + 0.37) / 12.0 - 1.0);
+            let free = built.free_angles(i64::from(event), theta).unwrap();
+            if free.width() < 4.0 * NEAR {
+                continue;
+            }
+            looked_at += 1;
+            let depth = |angle: f64| outlines.depth(event, theta, angle);
+            let name = format!("wheel {number}, event {event}, crank angle {theta}: {free:?}");
+            for inside in [free.backward.angle + NEAR, free.middle(), free.forward.angle - NEAR] {
+                assert!(depth(inside) <= 0.0, "{name}: {} deep at {inside}", depth(inside));
+            }
+            for outside in [free.backward.angle - NEAR, free.forward.angle + NEAR] {
+                assert!(depth(outside) > 0.0, "{name}: free at {outside}");
+            }
+        }
+    }
+    assert!(looked_at > 1000, "{looked_at}");
+}
+
+#[test]
+fn a_wheel_jams_if_points_of_its_outlines_cannot_pass() {
+    /// A wheel that passes or jams by less, in millimetres, is not judged by points.
+    const BAND: f64 = 0.002;
+    let (mut jammed, mut judged) = (0, 0);
+    let wheels = perturbed(130);
+    for (number, built) in wheels.iter().enumerate() {
+        let (turn, outlines) = (built.turn().unwrap(), Outlines::new(built));
+        assert_eq!(turn.jam.is_none(), built.turns().unwrap(), "wheel {number}");
+        if turn.tightest.free.room().abs() < BAND {
+            continue;
+        }
+        judged += 1;
+        let half = std::f64::consts::PI / built.pins().len() as f64;
+        let half_pitch = built.wheel().half_pitch_angle();
+        let mut worst = f64::NEG_INFINITY;
+        for event in 0..built.events() as i32 {
+            for k in 0..=32 {
+                let theta = half * (f64::from(k) / 16.0 - 1.0);
+                let right = built.wheel().motion(0, theta).unwrap();
+                let angle = right.angle + 2.0 * half_pitch * right.stations as f64;
+                worst = worst.max(least_depth(&outlines, event, theta, angle, 0.12 * half_pitch));
+            }
+        }
+        let is_jammed = worst > 0.0;
+        // The points are at some crank angles only: a jam that they miss must be between these.
+        if turn.jam.is_some() != is_jammed {
+            let tightest = turn.tightest;
+            let event = (0..built.events() as i64)
+                .find(|event| {
+                    event.rem_euclid(built.pins().len() as i64) as usize == tightest.pin
+                        && (-event).rem_euclid(built.slots().len() as i64) as usize == tightest.slot
+                })
+                .unwrap() as i32;
+            let around = tightest.free.middle();
+            let depth = least_depth(&outlines, event, tightest.crank_angle, around, 0.12 * half_pitch);
+            assert_eq!(turn.jam.is_some(), depth > 0.0, "wheel {number}: {tightest:?}, {worst} and {depth} mm deep");
+            assert!(turn.jam.is_some(), "wheel {number} turns, but its points are {worst} mm deep: {tightest:?}");
+        }
+        jammed += usize::from(turn.jam.is_some());
+    }
+    assert!(judged >= 100 && jammed >= 30 && judged - jammed >= 30, "{judged} judged, {jammed} jam");
+}
+
+#[test]
+fn nothing_is_tighter_than_the_tightest_place() {
+    use geneva_kinematics::wheel::as_built::WIDTH_TOLERANCE;
+    for (number, built) in perturbed(30).iter().enumerate() {
+        let tightest = built.turn().unwrap().tightest;
+        let half = std::f64::consts::PI / built.pins().len() as f64;
+        for event in 0..built.events() as i64 {
+            for k in 0..20_000 {
+                let theta = half * (f64::from(k) / 10_000.0 - 1.0);
+                let free = built.free_angles(event, theta).unwrap();
+                let less = tightest.free.width() - free.width();
+                assert!(less < WIDTH_TOLERANCE, "wheel {number}, event {event}, {theta}: {less} {free:?} {tightest:?}");
+            }
+        }
+    }
+}
