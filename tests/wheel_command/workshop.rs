@@ -15,6 +15,7 @@ fn chosen() -> Sizes {
         play: Some(Play::from_slot(0.1)),
         bottom_clearance: Some(0.2),
         horn_thickness: Some(7.5),
+        locking_arc_radius: None,
         wheel_shaft: Some(12.0),
         driver_shaft: Some(5.0),
     };
@@ -63,12 +64,6 @@ fn what_a_file_needs_is_said() {
     for (options, said) in [
         (&["--format", "dxf"][..], "--crank-radius MM"),
         (&["--format", "stl", "--thickness", "5"], "--crank-radius MM"),
-        (&[&["--format", "stl"][..], &sized].concat(), "--thickness MM"),
-        (&[&["--format", "scad"][..], &sized].concat(), "--thickness MM"),
-        (&[&["--format", "dxf", "--thickness", "5"][..], &sized].concat(), "scad or stl"),
-        (&[&["--format", "svg", "--thickness", "5"][..], &sized].concat(), "scad or stl"),
-        (&[&["--format", "stl", "--thickness", "5", "--density", "1000"][..], &sized].concat(), "--density 1000"),
-        (&[&["--format", "dxf", "--rpm", "60"][..], &sized].concat(), "--rpm 60"),
         (&["--format", "dxf", "--type", "internal"], "internal wheels"),
         (&["--format", "scad", "--type", "spherical"], "spherical wheels"),
         (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "internal wheels"),

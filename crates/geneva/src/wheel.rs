@@ -212,6 +212,16 @@ fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: 
     }
 }
 
+/// Refuses a material that was given; `why` ends the sentence "… has no effect".
+fn reject_materials(wanted: &WheelQuestion, why: &str) -> anyhow::Result<()> {
+    for (option, material) in [("wheel-material", wanted.wheel_material), ("pin-material", wanted.pin_material)] {
+        if let Some(material) = material {
+            bail!("--{option} {} has no effect {why}", material.name);
+        }
+    }
+    Ok(())
+}
+
 /// Refuses options that have no effect where wheels are proposed.
 fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> anyhow::Result<()> {
     let (by, counts): (_, &[&str]) = if wanted.dwell_angle.is_some() {
@@ -227,14 +237,7 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
              choose"
         ),
     )?;
-    for (option, material) in [("pin-material", wanted.pin_material), ("wheel-material", wanted.wheel_material)] {
-        if let Some(material) = material {
-            bail!(
-                "--{option} {} has no effect with {by}, which propose wheels without loads; leave it out",
-                material.name
-            );
-        }
-    }
+    reject_materials(wanted, &format!("with {by}, which propose wheels without loads; leave it out"))?;
     if options.format == CommandFormat::Fields {
         bail!(
             "--format fields is for one wheel, but {by} propose several; choose --format csv, which has a row for each"
@@ -262,6 +265,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_materials(wanted, why)?;
     }
     if format == CommandFormat::Svg && !is_external {
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
@@ -276,6 +280,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_materials(wanted, why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";

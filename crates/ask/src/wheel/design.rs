@@ -60,11 +60,12 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
+        refuse_contradictions(&question)?;
         let question = with_speed(question, &wheel)?;
         let table_inertia = table_inertia(&question)?;
         let materials = [question.pin_material, question.wheel_material].map(|of| of.unwrap_or(MATERIALS[0]));
         let density = question.density.unwrap_or(materials[1].density);
-        let mut scale = scale(&question)?;
+        let mut scale = scale(&question);
         if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
             scale = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
         }
@@ -82,7 +83,8 @@ impl WheelDesign {
         let thickness = sizes.map(|sizes| question.thickness.unwrap_or_else(|| usual_thickness(sizes.pin_diameter)));
         let wheel_inertia = own_inertia(sizes.as_ref(), thickness, density)?;
         let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
-            (Some(all), _, own) => Some(holds_the_wheel(all, own)?),
+            // A thickness that the program chose is no reason to refuse what was given.
+            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),
             (None, None, None) => None,
             (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };
@@ -248,7 +250,8 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
 fn holds_the_wheel(all: f64, wheel: Option<f64>) -> Result<f64, Error> {
     let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(all) };
     Err(refused!(
-        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give          the inertia of the table alone with --inertia",
+        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give \
+         the inertia of the table alone with --inertia",
         as_typed(all),
         rounded_up(wheel)
     ))
@@ -281,10 +284,7 @@ fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion
     let wheel = wheel.indexing();
     let (time, option, fraction) = match (question.index_time, question.dwell_time) {
         (None, None) => return Ok(question),
-        (Some(_), Some(_)) => {
-            return Err(refused!("of --index-time and --dwell-time, one gives the speed of a wheel; leave one out"));
-        }
-        (Some(time), None) => (time, "index-time", wheel.motion_fraction()),
+        (Some(time), _) => (time, "index-time", wheel.motion_fraction()),
         (None, Some(time)) => (time, "dwell-time", wheel.dwell_fraction()),
     };
     if fraction <= SAME {
@@ -314,20 +314,38 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
     }
 }
 
+/// Arguments that say the same: of each of these, one is given.
+const SAY_THE_SAME: [&[&str]; 4] = [
+    &["crank-radius", "centre-distance", "wheel-radius", "outside-diameter"],
+    &["rpm", "rad-s", "index-time", "dwell-time"],
+    &["inertia", "total-inertia", "table-mass"],
+    &["horn", "locking-arc-radius"],
+];
+
+/// Refuses two arguments that say the same.
+fn refuse_contradictions(question: &WheelQuestion) -> Result<(), Error> {
+    let given = question.numbers();
+    for group in SAY_THE_SAME {
+        let mut of_group = given.iter().filter(|(argument, _)| group.contains(&argument.name));
+        if let (Some((one, value)), Some((other, second))) = (of_group.next(), of_group.next()) {
+            return Err(refused!(
+                "--{} {} and --{} {} say the same in two ways; leave one of them out",
+                one.name,
+                as_typed(*value),
+                other.name,
+                as_typed(*second)
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// The one length that was given.
-fn scale(question: &WheelQuestion) -> Result<Option<Scale>, Error> {
+fn scale(question: &WheelQuestion) -> Option<Scale> {
     let crank = question.crank_radius.map(Scale::CrankRadius);
     let centres = question.centre_distance.map(Scale::CentreDistance);
-    let outside = question.outside_diameter.map(Scale::OutsideDiameter);
-    let given = [crank, centres, question.wheel_radius.map(Scale::WheelRadius), outside];
-    let mut given = given.into_iter().flatten();
-    match (given.next(), given.next()) {
-        (_, Some(_)) => Err(refused!(
-            "of --crank-radius, --centre-distance, --wheel-radius and --outside-diameter, one gives the size; leave the others \
-             out"
-        )),
-        (one, None) => Ok(one),
-    }
+    let radius = question.wheel_radius.map(Scale::WheelRadius);
+    crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
 }
 
 pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {

@@ -139,14 +139,14 @@ impl WheelDesign {
             mm("locking_overlap_mm", sizes.locking_gap().map(|gap| self.centre_error() - gap))
                 .line("disc", "deeper in the arc than it fits, with the axes nearer by as much"),
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
-            self.blow(sizes),
+            self.blow_at_entry(),
         ];
         Ok(ReportField::all_needing(fields, Needs::SIZE))
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
-    pub fn blow(&self, sizes: &Sizes) -> ReportField {
-        let entry = sizes.entry(self.centre_error()).zip(self.pin_speed());
+    pub(super) fn blow_at_entry(&self) -> ReportField {
+        let entry = self.sizes.as_ref().and_then(|sizes| sizes.entry(self.centre_error())).zip(self.pin_speed());
         ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
             .needing(Needs::SIZE.union(Needs::SPEED))

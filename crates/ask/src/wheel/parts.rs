@@ -178,7 +178,7 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
-        speed("knock_mm_s", |knock| knock.centred)
+        ReportField { key: "knock_mm_s", ..design.blow_at_entry() }
             .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
         speed("knock_within_backlash_mm_s", |knock| knock.within)
             .line("", "at most, if the wheel is within the backlash of mid-dwell"),
