@@ -33,7 +33,7 @@ pub struct Live {
     /// How its parts stand, if they turn without a new drawing.
     pub turned: Option<fn(&Settings) -> Result<TurnedParts, String>>,
     /// By how much sizes may be wrong, if it tells.
-    pub tolerances: Option<fn(&Settings) -> Result<Vec<ToleranceRow>, String>>,
+    pub tolerances: Option<ToleranceTable>,
     /// The number that is the time from beat to beat in milliseconds, if the figure can be heard.
     pub beat: Option<&'static str>,
     /// Draws it.
@@ -257,6 +257,15 @@ pub struct LiveFile {
     pub make: fn(&Settings, &str) -> Result<Vec<u8>, String>,
 }
 
+/// A table of how wrong sizes may be, among the controls by which a reader makes them wrong.
+#[derive(Debug)]
+pub struct ToleranceTable {
+    /// The fold in which it is, by its title.
+    pub fold: &'static str,
+    /// Its rows.
+    pub rows: fn(&Settings) -> Result<Vec<ToleranceRow>, String>,
+}
+
 /// The arguments of a figure, each known to it.
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
@@ -311,7 +320,7 @@ impl Live {
     ///
     /// As for [`answer`](Self::answer).
     pub fn tolerance_rows(&self, arguments: &LiveArguments) -> Result<Vec<ToleranceRow>, String> {
-        self.tolerances.map_or(Ok(Vec::new()), |tolerances| tolerances(&self.settings(arguments)?))
+        self.tolerances.as_ref().map_or(Ok(Vec::new()), |table| (table.rows)(&self.settings(arguments)?))
     }
 
     fn settings<'a>(&'a self, arguments: &'a LiveArguments) -> Result<Settings<'a>, String> {

@@ -1,7 +1,7 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply};
-use crate::control::{Control, Live, LiveFile, Preset, Settings};
+use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
@@ -83,7 +83,7 @@ pub const LIVE: Live = Live {
     drag: None,
     files: &FILES,
     turned: Some(turned),
-    tolerances: Some(tolerances),
+    tolerances: Some(ToleranceTable { fold: WRONG_SIZES, rows: tolerances }),
     beat: None,
     draw,
 };

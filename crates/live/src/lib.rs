@@ -25,7 +25,7 @@ mod wheel;
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
 pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
-pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
+pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 6] =
