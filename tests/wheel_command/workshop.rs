@@ -2,7 +2,7 @@
 
 use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;
-use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
 
 const WHEEL: [&str; 9] =
@@ -16,6 +16,7 @@ fn chosen() -> Sizes {
         bottom_clearance: Some(0.2),
         horn_thickness: Some(7.5),
         locking_arc_radius: None,
+        mouth: Mouth::Sharp,
         wheel_shaft: Some(12.0),
         driver_shaft: Some(5.0),
     };

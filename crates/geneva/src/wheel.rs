@@ -182,6 +182,10 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
+    if let Some(figure) = design.sizes_figure() {
+        files.push(("sizes.csv", figure.series.to_csv().into_bytes()));
+        files.push(("sizes.svg", figure.standalone().into_bytes()));
+    }
     for file in SHAPE_FILES {
         if design.can_make(file) {
             files.push((file.name, (file.make)(design)?));
@@ -319,18 +323,17 @@ mod tests {
 
     #[test]
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
-        let words = "--stations 6 --pins 2 --type internal --crank-radius 50 --pin-diameter 8 --play 0.1 --horn 9 --bottom-clearance 1 \
-                     --wheel-shaft 20 --driver-shaft 10 --rpm 60 --inertia 0.002 --thickness 8 --density 7800 --friction-torque 0.1 \
-                     --pin-material steel --wheel-material acetal --at -20 --at 5 --at-wheel 3";
-        let given = |argument: &Argument| words.contains(&format!("--{} ", argument.name));
-        assert_eq!(
-            ARGUMENTS.iter().filter(|argument| given(argument)).count() + 3,
-            ARGUMENTS.len(),
-            "one size of three, one speed of two"
-        );
+        let value = |argument: &Argument| match argument.place {
+            ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Material(_) => "acetal",
+            ArgumentSlot::Length(_) => "2in",
+            ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",
+            _ => "4",
+        };
+        let words: String = arguments().map(|argument| format!("--{} {} ", argument.name, value(argument))).collect();
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
         let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
-        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
+        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
     }
 }

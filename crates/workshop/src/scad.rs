@@ -7,7 +7,8 @@
 
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::Sizes;
+use geneva_kinematics::wheel::{Edge, Loop, Sizes};
+use nalgebra::Vector2;
 
 use crate::mesh::Solid;
 
@@ -55,7 +56,16 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
             );
         }
     }
-    Ok(text + WHOLE + MODEL)
+    Ok(text + WHOLE + &MODEL.replace("MOUTH", &mouth(sizes, tolerance)?))
+}
+
+/// One side of the mouth of a slot as the file's list of points, from the wall's end to the rim: along the slot from the wheel
+/// radius, and from the wall. Empty for a sharp mouth. Corners of chords are on their arc, which leaves less material.
+fn mouth(sizes: &Sizes, tolerance: f64) -> Result<String, KinematicsError> {
+    let face = Loop { edges: sizes.mouth_face().into_iter().collect() };
+    let ends = face.edges.iter().map(Edge::end_point);
+    let point = |p: Vector2<f64>| format!("[{}, {}]", p.x - sizes.wheel_radius, p.y - sizes.slot_width / 2.0);
+    Ok(face.corners(tolerance)?.into_iter().chain(ends).map(point).collect::<Vec<_>>().join(", "))
 }
 
 /// How a variable may be changed without more material anywhere.
@@ -106,6 +116,10 @@ const MODEL: &str = r#"
 part = "assembly"; // "assembly", "wheel" or "driver"
 
 engagement = 90 - half_pitch;
+wheel_radius = crank_radius / tan(half_pitch);
+
+// One side of a slot's mouth, from its wall to the rim: along the slot from wheel_radius, and from the wall.
+mouth = [MOUTH];
 
 // Crank angle from the line of centres, and the wheel's angle with it.
 theta = 360 / pins * ($t - floor($t + 0.5));
@@ -125,6 +139,10 @@ module wheel() {
       translate([slot_end, 0]) round(slot_width / 2);
       translate([slot_end, -slot_width / 2]) square([tip_radius, slot_width]);
       rotate(half_pitch) translate([centre_distance, 0]) round(locking_arc_radius);
+      for (side = [1, -1]) if (len(mouth) > 0) polygon(concat(
+        [for (p = mouth) [wheel_radius + p[0], side * (slot_width / 2 + p[1])]],
+        [[2 * tip_radius, side * (slot_width / 2 + mouth[len(mouth) - 1][1])], [2 * tip_radius, 0], [slot_end, 0]]
+      ));
     }
     if (wheel_bore > 0) round(wheel_bore / 2);
   }
@@ -229,6 +247,12 @@ mod tests {
             "union",
             "color",
             "r",
+            "p",
+            "side",
+            "tan",
+            "len",
+            "concat",
+            "polygon",
             "k",
             "$t",
             "$fn",

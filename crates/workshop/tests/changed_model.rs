@@ -1,7 +1,7 @@
 //! Does a model whose variables are changed either refuse itself or still run? The text is evaluated here, as OpenSCAD would,
 //! and its parts are turned past each other, each as circles and squares.
 
-use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{Solid, scad};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -250,4 +250,38 @@ fn the_overlap_of_a_wheel_with_other_stations_would_be_found() {
         names.insert(name.to_owned(), eight[name]);
     }
     assert!(overlap(&names) > 0.1, "{} mm", overlap(&names));
+}
+
+/// The mouth of the text, point by point, is the face of the outline.
+#[test]
+fn a_model_has_the_mouths_of_the_outline() {
+    for mouth in [
+        Mouth::Chamfer { width: 2.0, angle: 0.4 },
+        Mouth::Round { radius: 1.5 },
+        Mouth::LeadIn { length: 5.0, flare: 0.6 },
+    ] {
+        let wheel = Wheel::new(6).expect("possible");
+        let sizes =
+            Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() }).expect("fits");
+        let text = scad(&sizes, Solid { thickness: 6.0, tolerance: 0.001 }).expect("a model");
+        let list = text.lines().find_map(|line| line.strip_prefix("mouth = [")?.strip_suffix("];")).expect("a mouth");
+        let points: Vec<[f64; 2]> = list
+            .trim_matches(['[', ']'])
+            .split("], [")
+            .map(|point| point.split_once(", ").expect("two numbers"))
+            .map(|(x, y)| [x.parse::<f64>().expect("a number"), y.parse::<f64>().expect("a number")])
+            .collect();
+        let half = sizes.slot_width / 2.0;
+        let placed: Vec<[f64; 2]> = points.iter().map(|[x, y]| [x + sizes.wheel_radius, y + half]).collect();
+        // It begins on the wall and ends on the rim; between, it is on the face.
+        assert!(points[0][1].abs() < 1e-12, "{mouth:?}: {points:?}");
+        let end = placed.last().expect("points");
+        approx::assert_relative_eq!(end[0].hypot(end[1]), sizes.tip_radius, max_relative = 1e-12);
+        let outline = sizes.outline().wheel.outer.corners(0.001).expect("corners");
+        for [x, y] in &placed {
+            let nearest = outline.iter().map(|p| (p.x - x).hypot(p.y - y)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-9, "{mouth:?}: {x} {y} is {nearest} mm from a corner of the outline");
+        }
+    }
+    assert!(model(6, 1, &Choices::default()).contains("\nmouth = [];\n"));
 }

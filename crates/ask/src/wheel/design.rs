@@ -1,13 +1,16 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
 use super::WheelQuestion;
+use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
+use super::materials::materials;
+use super::mouth::{asked_mouth, check_mouth, mouth_argument};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
 use crate::worked::DriverSpeed;
-use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material};
+use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -62,8 +65,9 @@ impl WheelDesign {
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
         refuse_contradictions(&question)?;
         let question = with_speed(question, &wheel)?;
+        check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = [question.pin_material, question.wheel_material].map(|of| of.unwrap_or(MATERIALS[0]));
+        let materials = materials(&question)?;
         let density = question.density.unwrap_or(materials[1].density);
         let mut scale = scale(&question);
         if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
@@ -138,8 +142,7 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        let friction = self.question.friction_torque.unwrap_or(0.0);
-        Ok(Some(WheelLoads::new(wheel, inertia, friction, speed)?))
+        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -357,6 +360,7 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
         locking_arc_radius: question.locking_arc_radius,
         wheel_shaft: question.wheel_shaft,
         driver_shaft: question.driver_shaft,
+        mouth: asked_mouth(question).unwrap_or_default(),
     };
     let (locking, bore) = (question.locking_play, question.bore_play);
     if locking.or(bore).is_none() {
@@ -376,11 +380,16 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         Remedy::ThinnerHorn => ("horn", question.horn),
         Remedy::LessPlay => ("play", question.play),
         Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
+        Remedy::ThickerHorn => ("horn", question.horn),
     };
     let arguments = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Mouth { name, remedies, .. } => {
+            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
+        }
+        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }

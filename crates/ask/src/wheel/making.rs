@@ -64,8 +64,9 @@ impl WheelDesign {
         let modulus = self.contact.map(|_| contact_modulus(pin, wall));
         let force = loads.as_ref().and_then(|loads| self.force(loads.pin_moment().driving.value));
         let width = self.contact.zip(force).map(|(contact, force)| contact.width(force)).transpose()?;
-        let rubbing = loads.zip(question.pin_friction).map(|(loads, friction)| loads.rubbing_crank_torque(friction));
-        let (peak, mean) = rubbing.transpose()?.unzip();
+        let rubbing = loads.filter(|_| question.pin_friction.is_some());
+        let peak = rubbing.as_ref().map(|loads| loads.crank_torque().driving.value);
+        let mean = rubbing.as_ref().map(|loads| loads.mean_crank_torque());
         Ok(vec![
             ReportField::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
                 .line("modulus of the contact", "E* of pin and wall")
@@ -75,9 +76,6 @@ impl WheelDesign {
                 .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE)),
             ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
-            ReportField::new("pin_friction", question.pin_friction)
-                .line("pin friction", "coefficient in the slot")
-                .needing(Needs::PIN_FRICTION),
             ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
                 .line("peak crank torque", "with the pin's friction in the slot")
                 .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::PIN_FRICTION)),

@@ -2,12 +2,17 @@
 
 mod arguments;
 mod design;
+mod drive;
 mod files;
+mod friction;
 mod instant;
 mod kind;
 mod loads;
 mod making;
+mod materials;
+mod mouth;
 mod parts;
+mod pin_load;
 mod question;
 mod recommended;
 mod report;

@@ -1,9 +1,10 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
+use super::mouth;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Knock, SharedTolerance, Sizes};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
@@ -35,7 +36,7 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
         if given.is_some() { words } else { placeholder }
     };
-    vec![
+    let mut fields = vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "how much wider a slot is than the pin"),
         mm("locking_play_mm", of(|sizes| sizes.play.locking))
@@ -98,7 +99,9 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("web between crescents", "least thickness of the disc between two of them")
             .needing(Needs::SIZE.union(Needs::SECOND_PIN)),
         mm("plate_rim_mm", of(Sizes::plate_rim)).line("rim of the plate", "thickness outside a pin"),
-    ]
+    ];
+    fields.extend(mouth::mouth(design));
+    fields
 }
 
 /// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
@@ -134,19 +137,16 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
     let degrees =
         |key, radians: Option<f64>| ReportField::in_unit(key, radians.map(f64::to_degrees), "°").needing(Needs::SIZE);
     let at_greatest = play.map_or_else(String::new, |play| {
-        let until = degrees_told(play.until_entry);
-        format!(
-            "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
-        )
+        let until = degrees_told(play.until_entry.abs());
+        if play.until_entry < 0.0 {
+            format!("to one side: forwards {until}° of crank angle after a pin enters, in the mouth, backwards as far before it leaves")
+        } else {
+            format!(
+                "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
+            )
+        }
     });
-    let knock = in_place.and_then(Sizes::knock).zip(design.pin_speed());
-    let speed = |key, of: fn(&Knock) -> f64| {
-        let speed = knock.as_ref().map(|(knock, pin)| of(knock) * pin);
-        ReportField::in_unit(key, speed, "mm/s")
-            .needing(Needs::SIZE.union(Needs::SPEED))
-            .rounded(Rounding::Significant(3))
-    };
-    Ok(vec![
+    let mut fields = vec![
         not_found(nearest, "least clearance", least.is_some()),
         degrees("least_clearance_at_deg", least.map(|least| least.crank_angle)),
         not_found(nearer, "axes nearer", tolerance.is_some()),
@@ -178,13 +178,9 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
-        ReportField { key: "knock_mm_s", ..design.blow_at_entry() }
-            .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
-        speed("knock_within_backlash_mm_s", |knock| knock.within)
-            .line("", "at most, if the wheel is within the backlash of mid-dwell"),
-        speed("greatest_knock_mm_s", |knock| knock.drifted)
-            .line("", "at most, on a horn's corner, if the wheel is within the greatest backlash"),
-    ])
+    ];
+    fields.extend(mouth::knock(design, in_place));
+    Ok(fields)
 }
 
 /// How far each size may be wrong if all are, with shafts as loose as their bores allow; without numbers as of the parts.
