@@ -67,6 +67,20 @@
             }
         };
 
+        // Where the drawing is so small that nobody could read its dimensions, it shows the parts alone.
+        const picture = figure.querySelector('.drawing');
+        const crop = () => {
+            if (!figure.classList.contains('cropped')) {
+                return;
+            }
+            const svg = picture.querySelector('svg');
+            const boxes = [...svg.querySelectorAll('.wheel, .plate')].map(part => part.getBBox());
+            const [left, top] = ['x', 'y'].map(side => Math.min(...boxes.map(box => box[side])) - 6);
+            const right = Math.max(...boxes.map(({ x, width }) => x + width)), bottom = Math.max(...boxes.map(({ y, height }) => y + height));
+            svg.dataset.whole ??= svg.getAttribute('viewBox');
+            svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
+        };
+
         const refuse = why => {
             stop();
             drawnFor = undefined;
@@ -115,7 +129,7 @@
             const [x, y, far] = ['x1', 'y1', 'x2'].map(name => Number(line.getAttribute(name)));
             const scale = (far - x) / parts.centre_distance, apart = parts.apart * scale;
             const set = (element, ...steps) => {
-                const transform = steps.filter(step => !/^(rotate\(0 .*|translate\(0 0\)|scale\(1\))$/.test(step)).join(' ');
+                const transform = parts.words && steps.filter(step => !/^(rotate\(0 .*|translate\(0 0\)|scale\(1\))$/.test(step)).join(' ');
                 transform ? element.setAttribute('transform', transform) : element.removeAttribute('transform');
             };
             const driver = [`translate(${apart} 0)`, `rotate(${parts.driver} ${far} ${y})`];
@@ -124,6 +138,9 @@
             svg.querySelectorAll('.plate').forEach(plate => set(plate, ...driver));
             svg.querySelectorAll('.locking-disc').forEach(disc => set(disc, ...driver, ...larger(parts.disc_scale, far, y)));
             svg.querySelectorAll('.pin').forEach(pin => {
+                if (!parts.words) {
+                    return pin.removeAttribute('transform');
+                }
                 const box = pin.getBBox(), [atX, atY] = [box.x + box.width / 2, box.y + box.height / 2];
                 const out = parts.pins_out * scale / Math.hypot(atX - far, atY - y);
                 set(pin, ...driver, `translate(${(atX - far) * out} ${(atY - y) * out})`, ...larger(parts.pin_scale, atX, atY));
@@ -155,7 +172,8 @@
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
-            figure.querySelector('.drawing').replaceChildren(drawing);
+            picture.replaceChildren(drawing);
+            crop();
             // The same words written again would be laid out again.
             const says = figure.querySelector('.says');
             if (says.textContent !== caption) {
@@ -459,13 +477,16 @@
             if (own && !own.open) {
                 const top = own.getBoundingClientRect().top;
                 form.querySelectorAll('.moved details').forEach(fold => { fold.open &&= fold === own; });
-                scrollBy({ top: own.getBoundingClientRect().top - top, behavior: 'instant' });
+                // Beside the drawing the folds are in sight as they are.
+                if (getComputedStyle(form).display !== 'contents') {
+                    scrollBy({ top: own.getBoundingClientRect().top - top, behavior: 'instant' });
+                }
             }
         });
 
         // The pointer on the wheel turns it within its play.
         if (figure.dataset.hand) {
-            const drawing = figure.querySelector('.drawing');
+            const drawing = picture;
             const input = inputs.find(input => input.name === figure.dataset.hand);
             let from;
             const angle = event => {
@@ -496,7 +517,7 @@
         // The pointer on the drawing turns what turns there.
         if (figure.dataset.drag) {
             const [name, right, sense] = figure.dataset.drag.split(' ');
-            const drawing = figure.querySelector('.drawing');
+            const drawing = picture;
             const input = inputs.find(input => input.name === name);
             const follow = event => {
                 const svg = drawing.querySelector('svg'), circle = svg.querySelector('.pin-circle');
@@ -523,7 +544,7 @@
 
         // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
         // In a lower window it shrinks while the page goes by, and stays as soon as there is room.
-        const shows = figure.querySelector('.shown'), picture = figure.querySelector('.drawing'), least = 160;
+        const shows = figure.querySelector('.shown'), least = 160;
         let whole = 0, spare = 0, above = 0;
         const shrink = () => {
             const top = Number.parseFloat(getComputedStyle(shows).top) || 0;
@@ -534,6 +555,13 @@
         };
         const fit = () => {
             figure.classList.remove('stays', 'shrinks', 'smaller');
+            const svg = picture.querySelector('svg');
+            if (svg.dataset.whole) {
+                svg.setAttribute('viewBox', svg.dataset.whole);
+                delete svg.dataset.whole;
+            }
+            figure.classList.toggle('cropped', getComputedStyle(picture).getPropertyValue('--cropped').trim() === '1');
+            crop();
             const isBeside = getComputedStyle(form).display === 'contents';
             const { clientHeight } = document.documentElement;
             above = shows.getBoundingClientRect().top - figure.getBoundingClientRect().top;

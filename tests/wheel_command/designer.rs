@@ -148,7 +148,9 @@ fn the_command_that_the_figure_shows_makes_the_same_numbers_and_the_same_files()
         let typed = asked.command.join(" ").replace(" --centre-error 0 ", " ");
         let words = |text: &str| text.split(" --").map(str::to_owned).collect::<std::collections::BTreeSet<_>>();
         assert_eq!(words(&format!("wheel {question}")), words(typed.trim_end_matches(" --centre-error 0")));
-        assert!(file("numbers.csv") == design.answer().expect(question).table().into_bytes(), "numbers: {question}");
+        let answer = design.answer().expect(question);
+        assert!(file("numbers.csv") == answer.table().into_bytes(), "numbers: {question}");
+        assert!(file("sheet.txt") == answer.plain_sheet().into_bytes(), "sheet: {question}");
         if seed < WITH_FILES {
             for shape in SHAPE_FILES {
                 assert!(file(shape.name) == (shape.make)(&design).expect(question), "{}: {question}", shape.name);

@@ -330,8 +330,14 @@ impl MechanismReport {
 
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
-        let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
-        self.fields().map(|field| &field.value).chain(in_rows).all(FieldValue::is_finite)
+        self.not_finite().is_none()
+    }
+
+    /// The key of the first number that is not finite, if there is one.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let in_rows = self.rows().flat_map(|row| &row.0).map(|(key, value)| (*key, value));
+        let all = self.fields().map(|field| (field.key, &field.value)).chain(in_rows);
+        all.into_iter().find(|(_, value)| !value.is_finite()).map(|(key, _)| key)
     }
 }
 

@@ -144,10 +144,11 @@ const CONTROLS: [Control; ALL] = {
     controls
 };
 
-/// The files from which a wheel is made, and its numbers.
-const FILES: [LiveFile; SHAPE_FILES.len() + 1] = {
+/// The files from which a wheel is made, its sheet and its numbers.
+const FILES: [LiveFile; SHAPE_FILES.len() + 2] = {
     let numbers = LiveFile { name: "numbers.csv", label: "All numbers (CSV)", make: numbers_file };
-    let mut files = [numbers; SHAPE_FILES.len() + 1];
+    let mut files = [numbers; SHAPE_FILES.len() + 2];
+    files[SHAPE_FILES.len()] = LiveFile { name: "sheet.txt", label: "Sheet with all numbers (text)", make: sheet_file };
     let mut at = 0;
     while at < SHAPE_FILES.len() {
         files[at] = LiveFile { name: SHAPE_FILES[at].name, label: SHAPE_FILES[at].label, make: shape_file };
@@ -285,6 +286,11 @@ fn numbers_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
     design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.table().into_bytes())
 }
 
+/// The answer for reading.
+fn sheet_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
+    design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.plain_sheet().into_bytes())
+}
+
 /// How the parts stand at the crank angle.
 fn turned(settings: &Settings) -> Result<TurnedParts, String> {
     let design = design(settings)?;
@@ -373,7 +379,10 @@ fn worded(number: LiveNumber, key: &str, sizes: &Sizes) -> LiveNumber {
         "dwell_backlash_deg" => format!("±{}", number.text),
         "dwell_backlash_held_fraction" => format!("{} of the dwell", number.text),
         "greatest_dwell_backlash_until_entry_deg" => format!("{} of the crank", number.text),
-        "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+        "slot_width_mm" => {
+            let depth = LiveNumber::significant("", sizes.slot_depth, 3, "mm").text;
+            format!("{} × {depth}", number.text.trim_end_matches(" mm"))
+        }
         _ => return number,
     };
     LiveNumber { text, ..number }

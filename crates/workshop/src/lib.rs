@@ -7,13 +7,17 @@
 #![warn(clippy::missing_errors_doc)]
 
 mod drawing;
+mod drawn_wheel;
 mod dxf;
+mod dxf_reader;
 mod mesh;
 mod scad;
 mod stl;
 
 pub use drawing::{Layer, PartLayout};
+pub use drawn_wheel::LayerNames;
 pub use dxf::dxf;
+pub use dxf_reader::{Drawing, DrawingError, DrawnEdge};
 pub use mesh::{Mesh, Solid, driver_mesh, wheel_mesh};
 pub use scad::scad;
 pub use stl::stl;

@@ -395,11 +395,9 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     Error::Sizes { error, arguments }
 }
 
-/// The error of numbers that are not finite.
-pub(super) fn too_large() -> Error {
-    refused!(
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
-    )
+/// The error of a number that is not finite, by its key.
+pub(super) fn too_large(key: &str) -> Error {
+    refused!("`{key}` of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",)
 }
 
 /// The crank radius in millimetres of a wheel of this scale.

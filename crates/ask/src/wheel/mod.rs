@@ -1,6 +1,7 @@
 //! One wheel: its sizes, its times, its motion and loads, its drawing and files; or which wheels have wanted times.
 
 mod arguments;
+mod check;
 mod design;
 mod drive;
 mod files;
@@ -20,6 +21,7 @@ mod speeds;
 mod times;
 
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, WRONG_SIZES, arguments};
+pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};

@@ -106,7 +106,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("drifted_blow_energy_mj", blows[1], "mJ")
-            .line("", "with the wheel anywhere in its greatest play")
+            .line("", "with the wheel anywhere in its greatest play; none if the pin can then hit the rim")
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
     ])
@@ -156,14 +156,15 @@ fn blows(design: &WheelDesign) -> [Option<f64>; 2] {
     [centred, greatest_drifted(sizes).map(energy)]
 }
 
-/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play.
+/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play; none if the pin can hit the rim,
+/// before which the wheel can't give way.
 fn greatest_drifted(sizes: &Sizes) -> Option<f64> {
     let play = sizes.dwell_play()?;
     let at = |k: u32| {
         let drift = play.greatest * f64::from(k) / f64::from(DRIFTS);
         sizes.drifted_entry(drift).map(|entry| entry.velocity_jump.abs())
     };
-    (0..=DRIFTS).filter_map(at).reduce(f64::max)
+    (0..=DRIFTS).filter_map(at).reduce(f64::max).filter(|jump| jump.is_finite())
 }
 
 #[cfg(test)]

@@ -36,7 +36,10 @@ impl WheelDesign {
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = MechanismReport { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
-        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+        match answer.not_finite() {
+            None => Ok(answer),
+            Some(key) => Err(too_large(key)),
+        }
     }
 
     /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times and loads.

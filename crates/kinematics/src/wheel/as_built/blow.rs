@@ -78,7 +78,8 @@ impl Assembled<'_> {
         let instants: Vec<Instant> = (0..=PLACES).map(|k| self.instant(event, at(k))).collect();
         let (late, centred) = self.centred_entry(event, at)?;
         let [(first, least), (last, most)] = [1.0, -1.0].map(|sign| self.farthest_rest(event, from, sign));
-        let mut met = vec![self.first_meeting(event, least, first, &instants), self.first_meeting(event, most, last, &instants)];
+        let mut met =
+            vec![self.first_meeting(event, least, first, &instants), self.first_meeting(event, most, last, &instants)];
         for k in 1..RESTS {
             let wheel = least + (most - least) * f64::from(k) / f64::from(RESTS);
             let can_be = instants.iter().find(|instant| (instant.rest[0]..=instant.rest[1]).contains(&wheel));
@@ -94,7 +95,13 @@ impl Assembled<'_> {
         let to = self.tangent();
         let rest = |angle: f64| {
             let [low, high] = self.instant(event, angle).rest;
-            if low > high { f64::INFINITY } else if sign > 0.0 { low } else { -high }
+            if low > high {
+                f64::INFINITY
+            } else if sign > 0.0 {
+                low
+            } else {
+                -high
+            }
         };
         let at = |k: u32| from + (to - from) * f64::from(k.min(PLACES)) / f64::from(PLACES);
         let best = (0..=PLACES).min_by(|one, other| rest(at(*one)).total_cmp(&rest(at(*other)))).unwrap_or(0);
@@ -103,7 +110,9 @@ impl Assembled<'_> {
             let inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
             if rest(inner[0]) < rest(inner[1]) { high = inner[1] } else { low = inner[0] }
         }
-        let angle = [low, high, at(best)].into_iter().fold(at(best), |one, other| if rest(other) < rest(one) { other } else { one });
+        let angle = [low, high, at(best)]
+            .into_iter()
+            .fold(at(best), |one, other| if rest(other) < rest(one) { other } else { one });
         (angle, sign * rest(angle))
     }
 
@@ -150,7 +159,8 @@ impl Assembled<'_> {
             if wheel > pin[0] { Some(0) } else { (wheel < pin[1]).then_some(1) }
         };
         let first = (0..=PLACES).find(|k| side(at(*k)).is_some())?;
-        let [_, angle] = bisect_times(HALVINGS, [at(first.saturating_sub(1)), at(first)], |angle| side(angle).is_none());
+        let [_, angle] =
+            bisect_times(HALVINGS, [at(first.saturating_sub(1)), at(first)], |angle| side(angle).is_none());
         let (_, speed) = self.meeting(event, angle, side(angle)?)?;
         Some((angle, speed.max(0.0)))
     }

@@ -102,3 +102,39 @@ impl SizeErrors {
         }
     }
 }
+
+/// A measurement that can't be used.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum MeasuredError {
+    /// A length that is not positive and finite, or a direction that is not finite.
+    #[error("{name} {asked}: it must be finite, and a length above zero; measure it again")]
+    Value {
+        /// Which size.
+        name: &'static str,
+        /// The value that was given, in millimetres or radians.
+        asked: f64,
+    },
+    /// An uncertainty that is not positive and finite.
+    #[error("uncertainty of {name} {asked}: it must be positive and finite; give how far the value may be off")]
+    Uncertainty {
+        /// Which size.
+        name: &'static str,
+        /// The uncertainty that was given, in millimetres or radians.
+        asked: f64,
+    },
+    /// A slot or an arc that there is not.
+    #[error("{name} number {asked}: the wheel has numbers 1 to {most}; give one of these, or none for all")]
+    Number {
+        /// Which size.
+        name: &'static str,
+        /// The number that was given, from 1.
+        asked: usize,
+        /// The greatest number.
+        most: usize,
+    },
+    /// Nothing that gives the wheel a size.
+    #[error(
+        "nothing tells how large the wheel is; measure the centre distance, the crank radius or the outside diameter"
+    )]
+    NoScale,
+}

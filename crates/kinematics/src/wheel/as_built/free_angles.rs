@@ -229,15 +229,8 @@ impl<'a> Assembled<'a> {
                     let horn = self.horns[self.slot_of(lower_pin)][1];
                     ([-high, -low], self.cut(lower_pin, at_lower, sign), horn)
                 };
-                Claw {
-                    axes: self.built.centre_distance,
-                    disc,
-                    ends,
-                    cut,
-                    arc: [sizes.radius, sizes.centre],
-                    horn,
-                }
-                .limit()
+                Claw { axes: self.built.centre_distance, disc, ends, cut, arc: [sizes.radius, sizes.centre], horn }
+                    .limit()
             };
             let limit = |angle, contact, radius| AngleLimit { angle, contact, part: arc, radius };
             if let Some((least, contact, radius)) = claw(1.0) {

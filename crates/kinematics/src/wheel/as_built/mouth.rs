@@ -69,8 +69,8 @@ impl Mouth {
         let gap = self.half_width - pin;
         let along = (distance * distance - gap * gap).max(0.0).sqrt();
         if along > corner.along {
-            let cosine = (distance * distance + corner.radius * corner.radius - pin * pin)
-                / (2.0 * distance * corner.radius);
+            let cosine =
+                (distance * distance + corner.radius * corner.radius - pin * pin) / (2.0 * distance * corner.radius);
             let beside = libm::acos(cosine.clamp(-1.0, 1.0));
             return Some((corner.angle - beside, BuiltContact::PinAtMouth));
         }

@@ -92,32 +92,38 @@ impl From<&Sizes> for AsBuiltWheel {
             direction_error: 0.0,
             tip_radius: sizes.tip_radius,
         };
-        let arc =
-            BuiltArc { radius: sizes.locking_arc_radius, centre: sizes.centre_distance, direction_error: 0.0 };
+        let arc = BuiltArc { radius: sizes.locking_arc_radius, centre: sizes.centre_distance, direction_error: 0.0 };
         let cut = sizes.locking_disc.map(|disc| disc.crescent);
         let crescent = BuiltCrescent {
             centre: cut.map_or(sizes.crank_radius, |cut| cut.centre),
             radius: cut.map_or(sizes.crank_radius, |cut| cut.radius),
             direction_error: 0.0,
         };
-        let pin = BuiltPin {
-            crank_radius: sizes.crank_radius,
-            diameter: sizes.pin_diameter,
-            direction_error: 0.0,
-            crescent,
-        };
-        Self {
-            wheel: sizes.wheel,
-            centre_distance: sizes.centre_distance,
-            disc_radius: sizes.locking_disc.map(|disc| disc.radius),
-            slots: vec![slot; sizes.wheel.stations() as usize],
-            arcs: vec![arc; sizes.wheel.stations() as usize],
-            pins: vec![pin; sizes.wheel.pins() as usize],
-        }
+        let pin =
+            BuiltPin { crank_radius: sizes.crank_radius, diameter: sizes.pin_diameter, direction_error: 0.0, crescent };
+        let disc = sizes.locking_disc.map(|disc| disc.radius);
+        Self::alike(sizes.wheel, sizes.centre_distance, disc, (slot, arc, pin))
     }
 }
 
 impl AsBuiltWheel {
+    /// A wheel whose slots, arcs and pins are all alike; lengths in millimetres.
+    pub(super) fn alike(
+        wheel: Wheel,
+        centre_distance: f64,
+        disc_radius: Option<f64>,
+        (slot, arc, pin): (BuiltSlot, BuiltArc, BuiltPin),
+    ) -> Self {
+        Self {
+            wheel,
+            centre_distance,
+            disc_radius,
+            slots: vec![slot; wheel.stations() as usize],
+            arcs: vec![arc; wheel.stations() as usize],
+            pins: vec![pin; wheel.pins() as usize],
+        }
+    }
+
     /// The numbers of stations and pins.
     pub fn wheel(&self) -> &Wheel {
         &self.wheel

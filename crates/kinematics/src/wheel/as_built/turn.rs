@@ -5,8 +5,8 @@
 //! each of its local minima is then narrowed down by golden section. What that leaves open is below [`WIDTH_TOLERANCE`].
 
 use super::blow::EntryBlow;
-use super::errors::BuiltError;
 use super::contact::BuiltContact;
+use super::errors::BuiltError;
 use super::free_angles::{Assembled, FreeAngles};
 use super::parts::AsBuiltWheel;
 use crate::indexing::Indexing;
@@ -14,8 +14,11 @@ use crate::indexing::Indexing;
 /// What the search leaves open of the least free angle, in radians; tests compare it with 20,000 places of each station.
 pub const WIDTH_TOLERANCE: f64 = 1e-7;
 
-/// Places between two changes, and steps of the golden section.
-const PLACES: u32 = 8;
+/// Intervals between two changes at least and at most, and how long one is between them, in radians; twice as many where the whole
+/// turn is wanted. Steps of the golden section.
+const FEWEST: u32 = 2;
+const MOST: u32 = 6;
+const LENGTH: f64 = 0.05;
 const STEPS: u32 = 36;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Places in half a dwell at which the greatest free angle is looked for.
@@ -161,12 +164,7 @@ impl AsBuiltWheel {
 
 impl Assembled<'_> {
     fn place(&self, event: i64, theta: f64) -> Jam {
-        Jam {
-            pin: self.pin_of(event),
-            slot: self.slot_of(event),
-            crank_angle: theta,
-            free: self.free(event, theta),
-        }
+        Jam { pin: self.pin_of(event), slot: self.slot_of(event), crank_angle: theta, free: self.free(event, theta) }
     }
 
     /// The tightest place of an event; a minimum that is not likely to be below `enough` radians need not be narrowed down, and the
@@ -175,16 +173,18 @@ impl Assembled<'_> {
         let changes = self.changes(event);
         let mut least = self.place(event, 0.0);
         let is_jammed = |least: &Jam| enough == 0.0 && least.free.width() < 0.0;
-        let mut widths = Vec::with_capacity(PLACES as usize + 1);
+        let mut widths = Vec::with_capacity(2 * MOST as usize + 1);
+        let times = if enough == 0.0 { 1 } else { 2 };
         for ends in changes.windows(2) {
             let (from, to) = (ends[0], ends[1]);
             if to - from <= 4.0 * BESIDE {
                 continue;
             }
             let between = Between { from: from + BESIDE, to: to - BESIDE };
+            let count = times * (((to - from) / LENGTH) as u32).clamp(FEWEST, MOST);
             widths.clear();
-            for k in 0..=PLACES {
-                let place = self.place(event, between.angle(f64::from(k) / f64::from(PLACES)));
+            for k in 0..=count {
+                let place = self.place(event, between.angle(f64::from(k) / f64::from(count)));
                 widths.push(place.free.width());
                 if place.free.width() < least.free.width() {
                     least = place;
@@ -200,7 +200,8 @@ impl Assembled<'_> {
                 // A parabola or a bend falls no further below the middle than the higher neighbour is above it; twice that for
                 // the steeper falls near the ends.
                 if is_least && 3.0 * width - 2.0 * beside < enough.min(least.free.width()) {
-                    let place = self.narrow(event, &between, [before, after].map(|k| k as f64 / f64::from(PLACES)));
+                    let place =
+                        self.narrow(event, &between, [before, after].map(|k| k as f64 / f64::from(count)), enough);
                     if place.free.width() < least.free.width() {
                         least = place;
                     }
@@ -213,13 +214,19 @@ impl Assembled<'_> {
         least
     }
 
-    /// The tightest place between two places of an interval, by golden section.
-    fn narrow(&self, event: i64, between: &Between, [mut from, mut to]: [f64; 2]) -> Jam {
+    /// The tightest place between two places of an interval, by golden section, until it can't be below `enough` radians or, if that
+    /// is zero, is.
+    fn narrow(&self, event: i64, between: &Between, [mut from, mut to]: [f64; 2], enough: f64) -> Jam {
         let at = |u: f64| (u, self.place(event, between.angle(u)));
+        let width = |place: &(f64, Jam)| place.1.free.width();
         let mut left = at(to - GOLDEN * (to - from));
         let mut right = at(from + GOLDEN * (to - from));
         for _ in 0..STEPS {
-            if left.1.free.width() < right.1.free.width() {
+            let (least, most) = (width(&left).min(width(&right)), width(&left).max(width(&right)));
+            if 3.0 * least - 2.0 * most > enough || (enough == 0.0 && least < 0.0) {
+                break;
+            }
+            if width(&left) < width(&right) {
                 (to, right) = (right.0, left);
                 left = at(to - GOLDEN * (to - from));
             } else {
@@ -227,7 +234,7 @@ impl Assembled<'_> {
                 right = at(from + GOLDEN * (to - from));
             }
         }
-        if left.1.free.width() < right.1.free.width() { left.1 } else { right.1 }
+        if width(&left) < width(&right) { left.1 } else { right.1 }
     }
 
     /// The greatest free angle between two crank angles of an event, in radians.
@@ -281,7 +288,11 @@ impl Assembled<'_> {
             let Some((room, BuiltContact::PinAtMouth)) = place.rooms[side] else { return false };
             let mut others = self.unstopped(event);
             self.stop_by_disc(event, theta, &mut others);
-            if side == 0 { others.forward.angle > place.beside + room } else { others.backward.angle < place.beside - room }
+            if side == 0 {
+                others.forward.angle > place.beside + room
+            } else {
+                others.backward.angle < place.beside - room
+            }
         })
     }
 }

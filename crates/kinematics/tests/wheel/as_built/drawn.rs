@@ -67,7 +67,7 @@ fn the_play_of_each_side_in_the_dwell_is_that_of_the_drawn_wheel() {
         }
         let told = built.turn().unwrap().greatest_dwell_backlash();
         assert!(told >= greatest * (1.0 - 1e-9), "{told} {greatest}");
-        assert!(told < greatest * 1.001, "{told} {greatest}");
+        assert!(told < greatest * 1.02, "{told} {greatest}");
     }
 }
 

@@ -1,6 +1,8 @@
 //! The wheel as it was made, against the drawn one and against points on the outlines.
 
 mod drawn;
+mod measured;
 mod points;
+mod process;
 mod sweep;
 mod yields;

@@ -35,8 +35,12 @@ pub(super) struct Outlines<'a> {
 impl<'a> Outlines<'a> {
     pub(super) fn new(built: &'a AsBuiltWheel) -> Self {
         let half_pitch = built.wheel().half_pitch_angle();
-        let directions: Vec<f64> =
-            built.slots().iter().zip(0..).map(|(slot, k)| 2.0 * half_pitch * f64::from(k) + slot.direction_error).collect();
+        let directions: Vec<f64> = built
+            .slots()
+            .iter()
+            .zip(0..)
+            .map(|(slot, k)| 2.0 * half_pitch * f64::from(k) + slot.direction_error)
+            .collect();
         let middles = built
             .arcs()
             .iter()
@@ -101,7 +105,9 @@ impl<'a> Outlines<'a> {
                 let tip = slot.tip_radius;
                 let pitch = PI / slots.len() as f64;
                 let direction = self.directions[k];
-                circle(Point::zeros(), tip).into_iter().filter(move |p| turned(*p, -direction).angle(&Point::x()) < pitch)
+                circle(Point::zeros(), tip)
+                    .into_iter()
+                    .filter(move |p| turned(*p, -direction).angle(&Point::x()) < pitch)
             })
             .collect();
         points.extend(rims);
