@@ -252,7 +252,8 @@ fn pin_and_play_follow_the_library_until_they_are_moved() {
         let wheel = Wheel::new(stations).expect("possible");
         Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("it fits")
     };
-    let boxes = "[g.querySelector('[data-box=pin-diameter]').value, g.querySelector('[data-box=play]').value].map(Number)";
+    let boxes =
+        "[g.querySelector('[data-box=pin-diameter]').value, g.querySelector('[data-box=play]').value].map(Number)";
     for stations in [6, 4, 12] {
         of(&mut browser, "design", &typed("stations", &stations.to_string()));
         let sizes = by_default(stations);

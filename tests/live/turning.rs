@@ -66,7 +66,11 @@ fn the_wheel_is_dragged_within_its_play_by_pointer_and_by_keys() {
     let Some(mut browser) = browser() else { return };
     browser.show_in([1280, 800], Medium::Light);
     open(&mut browser, "making", "#fig-wheel-dimensions?larger=50");
-    of(&mut browser, NAME, "g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(g.elements.turned))");
+    of(
+        &mut browser,
+        NAME,
+        "g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(g.elements.turned))",
+    );
     // From the left end of the wheel straight up and down: clockwise and counter-clockwise.
     let place = of(
         &mut browser,
@@ -77,7 +81,8 @@ fn the_wheel_is_dragged_within_its_play_by_pointer_and_by_keys() {
     let at = |k: usize| place[k].as_f64().expect("a place");
     for (by, end, side) in [(-120.0, "-100", "backwards"), (240.0, "100", "forwards")] {
         for (kind, y) in [("mousePressed", 0.0), ("mouseMoved", by), ("mouseReleased", by)] {
-            let event = json!({ "type": kind, "x": at(0), "y": at(1) + y, "button": "left", "buttons": 1, "clickCount": 1 });
+            let event =
+                json!({ "type": kind, "x": at(0), "y": at(1) + y, "button": "left", "buttons": 1, "clickCount": 1 });
             browser.command("Input.dispatchMouseEvent", event);
             of(&mut browser, NAME, "null");
         }
@@ -158,6 +163,7 @@ fn each_file_is_there_and_the_command_follows_the_setting() {
     );
     let live = geneva_live::by_name(NAME).expect("a figure");
     let settings = geneva_live::LiveArguments::parse("stations=8").expect("arguments");
-    let right = live.files.iter().map(|file| json!([file.name, live.file(file.name, &settings).expect("a file").len()]));
+    let right =
+        live.files.iter().map(|file| json!([file.name, live.file(file.name, &settings).expect("a file").len()]));
     assert_eq!(saved, Value::Array(right.collect()));
 }

@@ -24,8 +24,8 @@ mod wheel;
 
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
-pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
+pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 6] =

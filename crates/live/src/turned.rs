@@ -139,6 +139,8 @@ mod tests {
         };
         let json = parts.to_json();
         assert!(json.starts_with("{\"driver\":0.0,\"wheel\":1.5,"), "{json}");
-        assert!(json.ends_with("\"contacts\":[[1.0,-2.0]],\"words\":\"It \\\"jams\\\".\",\"jams\":true,\"moved_by\":[\"crank\"]}"));
+        assert!(json.ends_with(
+            "\"contacts\":[[1.0,-2.0]],\"words\":\"It \\\"jams\\\".\",\"jams\":true,\"moved_by\":[\"crank\"]}"
+        ));
     }
 }

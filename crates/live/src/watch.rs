@@ -198,9 +198,8 @@ impl<'a> WatchedWheel<'a> {
         let drawn = enlarged(middle + self.turned * half);
         let [slot, disc] = self.gaps();
         let pin = self.sizes.slot_width / 2.0 - self.larger * slot;
-        let disc_scale = self.sizes.locking_disc.map_or(1.0, |of| {
-            (self.sizes.locking_arc_radius - self.larger * disc) / of.radius
-        });
+        let disc_scale =
+            self.sizes.locking_disc.map_or(1.0, |of| (self.sizes.locking_arc_radius - self.larger * disc) / of.radius);
         let jams = free.width() < 0.0;
         let mut touching = Vec::new();
         if jams || (half > 0.0 && self.turned >= 1.0) {
@@ -264,7 +263,7 @@ impl<'a> WatchedWheel<'a> {
             return String::new();
         }
         let mut words = if self.larger > 1.0 {
-            format!("Play and errors are drawn {} times as large as they are. ", LiveNumber::significant("", self.larger, 3, "").text)
+            format!("Play and errors are drawn {} times as large as they are. ", (10.0 * self.larger).round() / 10.0)
         } else {
             String::new()
         };
@@ -304,7 +303,8 @@ impl<'a> WatchedWheel<'a> {
                 named(jam.free.backward.contact)
             ),
             None if turn.can_miss() => {
-                "With these errors the wheel turns, but within its play a pin can meet its rim instead of a slot.".to_owned()
+                "With these errors the wheel turns, but within its play a pin can meet its rim instead of a slot."
+                    .to_owned()
             }
             None => "With these errors the wheel still turns.".to_owned(),
         }))

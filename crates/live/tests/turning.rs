@@ -145,7 +145,9 @@ fn the_command_of_a_setting_leaves_out_what_follows_and_what_is_right() {
     let command = |settings: &str| answer(settings).command.expect("a command");
     let first = command("");
     assert!(first.starts_with("geneva wheel --stations 6 --pins 1 --rpm 60 --crank-radius 25 "), "{first}");
-    assert!(!first.contains("pin-diameter") && !first.contains("centre-error") && !first.contains("crank-radius-error"));
+    assert!(
+        !first.contains("pin-diameter") && !first.contains("centre-error") && !first.contains("crank-radius-error")
+    );
     let other = command("centre-distance=80&pin-diameter=6&centre-error=-0.01&wheel-material=0&larger=5");
     assert!(other.contains(" --centre-distance 80 --") && !other.contains("--crank-radius"), "{other}");
     for given in ["--pin-diameter 6", "--centre-error -0.01", "--wheel-material steel"] {

@@ -375,7 +375,8 @@ mod tests {
             let corners = |figure: &Figure| {
                 let drawing = ParsedDrawing::parse(figure);
                 let [pivot, _] = drawing.line("line-of-centres");
-                let data = drawing.elements("wheel")[0].attribute("d").expect("a path").split('Z').next().expect("a loop");
+                let data =
+                    drawing.elements("wheel")[0].attribute("d").expect("a path").split('Z').next().expect("a loop");
                 // Of the drawing's y axis, which points down.
                 let of = crate::checks::corners(data.trim(), 1e3).into_iter().map(|p| p - pivot);
                 of.map(|p| (p.norm(), libm::atan2(-p.y, p.x))).collect::<Vec<_>>()
