@@ -10,6 +10,7 @@ use geneva_ask::wheel::{
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_figures::stations;
+use geneva_kinematics::wheel::as_built::Process;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
 pub const LIVE: Live = Live {
@@ -88,6 +89,10 @@ pub const LIVE: Live = Live {
     draw,
 };
 
+/// Ways to make the parts as they are called, in the order of [`Process::ALL`] behind none of them.
+const PROCESSES: [&str; 7] =
+    ["any process", "grinding", "milling", "a router", "a laser", "printing in resin", "printing with filament"];
+
 /// Materials as they are called, in the order of [`MATERIALS`].
 const NAMES: [&str; MATERIALS.len()] = {
     let mut names = [""; MATERIALS.len()];
@@ -165,6 +170,7 @@ fn shape_file(settings: &Settings, name: &str) -> Result<Vec<u8>, String> {
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
+        (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
         (_, None) => Control::following(argument.name, label, unit, slider, step).with_typed_range(typed),
@@ -202,7 +208,7 @@ fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
             continue;
         }
         let value = match (argument.place, knob.first) {
-            (ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) | ArgumentSlot::Material(_), _) => {
+            (ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) | ArgumentSlot::Material(_) | ArgumentSlot::Process(_), _) => {
                 Some(f64::from(settings.count(argument.name)?))
             }
             (_, Some(_)) => Some(settings.value(argument.name)?),
@@ -217,6 +223,11 @@ fn material(number: f64) -> Result<Material, String> {
     MATERIALS.get(number as usize).copied().ok_or_else(|| "no such material".to_owned())
 }
 
+/// A process by its number; the first is none.
+fn process(number: f64) -> Option<Process> {
+    (number as usize).checked_sub(1).and_then(|at| Process::ALL.get(at)).copied()
+}
+
 /// The question of these settings.
 fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, String> {
     let mut question = WheelQuestion { effort, ..WheelQuestion::default() };
@@ -224,6 +235,7 @@ fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, 
         match argument.place {
             ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(value as u32),
             ArgumentSlot::Material(at) => *at(&mut question) = Some(material(value)?),
+            ArgumentSlot::Process(at) => *at(&mut question) = process(value),
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
             | ArgumentSlot::SignedLength(at)
@@ -242,6 +254,10 @@ fn command(settings: &Settings) -> Result<String, String> {
         let text = match argument.place {
             ArgumentSlot::SignedLength(_) if value == 0.0 => continue,
             ArgumentSlot::Material(_) => material(value)?.name.to_owned(),
+            ArgumentSlot::Process(_) => match process(value) {
+                Some(process) => process.name().to_owned(),
+                None => continue,
+            },
             _ => value.to_string(),
         };
         command += &format!(" --{} {text}", argument.name);

@@ -9,6 +9,7 @@ use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredError, MeasuredSize,
     MeasuredWheel, NearestWheel, SizeChange,
 };
+use geneva_workshop::{Drawing, DrawingError, LayerNames};
 use std::f64::consts::PI;
 
 /// An argument of the question that is a measured size: its name, its unit, what it is, and by what a typed number is multiplied.
@@ -117,29 +118,49 @@ impl CheckQuestion {
     ///
     /// An argument that there is not, one that is missing, and a value that it can't have.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let given: Vec<(&str, &str)> = pairs(text).collect::<Result<_, _>>()?;
-        let value = |name: &str| given.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value);
-        let whole = |name: &str| value(name).map(|text| crate::number::<u32>(name, text)).transpose();
-        let stations = whole("stations")?
+        let given = Given::read(text)?;
+        let stations = given
+            .whole("stations")?
             .ok_or_else(|| refused!("--stations is missing; count the slots of the wheel and give their number"))?;
-        let wheel = Wheel::with_pins(stations, whole("pins")?.unwrap_or(1))?;
-        let default = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
-        let mut measured = MeasuredWheel::new(wheel);
-        for (name, text) in &given {
-            let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) else {
-                if ["stations", "pins", "uncertainty", "rpm"].contains(name) {
-                    continue;
-                }
-                let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
-                return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
-            };
-            argument.add(&mut measured, text, default.unwrap_or(UNCERTAINTY))?;
+        let mut measured = MeasuredWheel::new(Wheel::with_pins(stations, given.whole("pins")?.unwrap_or(1))?);
+        given.add(&mut measured)?;
+        Ok(Self { measured, rpm: given.rpm()? })
+    }
+
+    /// Reads the sizes of a drawing in DXF, and arguments as they are typed: `--uncertainty 0.02 --centre-distance 50.1`. What is typed
+    /// counts besides what is drawn.
+    ///
+    /// ```
+    /// use geneva_ask::wheel::{CheckQuestion, WheelDesign, WheelQuestion};
+    /// use geneva_workshop::LayerNames;
+    ///
+    /// let design = WheelDesign::new(WheelQuestion::parse("--stations 6 --crank-radius 25 --play 0.2")?)?;
+    /// let question = CheckQuestion::read_drawing(&design.dxf()?, &LayerNames::default(), "--centre-distance 49.7")?;
+    /// let report = question.answer()?;
+    /// assert_eq!(report.field("culprit").map(|field| &field.value), Some(&"centre distance".into()));
+    /// # Ok::<(), geneva_ask::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A text that is no drawing, layers without the parts, and the errors of [`parse`](Self::parse).
+    pub fn read_drawing(drawing: &str, layers: &LayerNames, arguments: &str) -> Result<Self, Error> {
+        let given = Given::read(arguments)?;
+        let of_drawing = |error: DrawingError| Error::Argument(error.to_string());
+        let uncertainty = given.uncertainty()?;
+        let mut measured =
+            Drawing::read(drawing).and_then(|drawing| drawing.measure(layers, uncertainty)).map_err(of_drawing)?;
+        let drawn = measured.wheel();
+        for (name, number, thing) in [("stations", drawn.stations(), "slot"), ("pins", drawn.pins(), "pin")] {
+            if let Some(asked) = given.whole(name)?.filter(|asked| *asked != number) {
+                return Err(refused!(
+                    "--{name} {asked}: the drawing has {}; leave it out",
+                    count(number as usize, thing)
+                ));
+            }
         }
-        let rpm = value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
-        if let Some(rpm) = rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
-            return Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm)));
-        }
-        Ok(Self { measured, rpm })
+        given.add(&mut measured)?;
+        Ok(Self { measured, rpm: given.rpm()? })
     }
 
     /// The answer.
@@ -210,6 +231,54 @@ impl CheckQuestion {
                 .in_other_unit(),
             ReportField::new("can_miss", turn.can_miss()),
         ]
+    }
+}
+
+/// Arguments as they were typed.
+struct Given<'a>(Vec<(&'a str, &'a str)>);
+
+impl<'a> Given<'a> {
+    fn read(text: &'a str) -> Result<Self, Error> {
+        Ok(Self(pairs(text).collect::<Result<_, _>>()?))
+    }
+
+    fn value(&self, name: &str) -> Option<&'a str> {
+        self.0.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value)
+    }
+
+    fn whole(&self, name: &str) -> Result<Option<u32>, Error> {
+        self.value(name).map(|text| crate::number(name, text)).transpose()
+    }
+
+    /// The uncertainty of what has none of its own, in millimetres.
+    fn uncertainty(&self) -> Result<f64, Error> {
+        let given = self.value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
+        Ok(given.unwrap_or(UNCERTAINTY))
+    }
+
+    fn rpm(&self) -> Result<Option<f64>, Error> {
+        let rpm = self.value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
+        match rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
+            Some(rpm) => Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm))),
+            None => Ok(rpm),
+        }
+    }
+
+    /// Adds all measured sizes.
+    fn add(&self, measured: &mut MeasuredWheel) -> Result<(), Error> {
+        let uncertainty = self.uncertainty()?;
+        for (name, text) in &self.0 {
+            match CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) {
+                Some(argument) => argument.add(measured, text, uncertainty)?,
+                None if ["stations", "pins", "uncertainty", "rpm"].contains(name) => {}
+                None => {
+                    let all: Vec<String> =
+                        CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
+                    return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
+                }
+            }
+        }
+        Ok(())
     }
 }
 

@@ -342,10 +342,10 @@ impl MeasuredWheel {
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;
 
-/// The sum of squares that so many measurements may have: three standard deviations above its mean, as for a distribution of χ².
+/// The sum of squares that so many measurements may have: four standard deviations above its mean, as for a distribution of χ².
 fn limit(measurements: usize) -> f64 {
     let degrees = (measurements as f64 - 6.0).max(1.0);
-    degrees + 3.0 * (2.0 * degrees).sqrt() + 3.0
+    degrees + 4.0 * (2.0 * degrees).sqrt() + 3.0
 }
 
 /// The centre of the shallowest cut with which the horns pass, in millimetres; half the crank radius where no design has these sizes.
