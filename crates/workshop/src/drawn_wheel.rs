@@ -4,8 +4,8 @@
 //! arcs; the others are ends of slots, whose walls are the lines beside them. The disc is about the centre of the arc that goes
 //! farthest round, and its other arcs are crescents. Pins are circles, about the middle of the plate's largest circle.
 
-use crate::drawing::Layer;
 use crate::dxf_reader::{Drawing, DrawingError};
+use crate::parts::Layer;
 use geneva_kinematics::wheel::as_built::{MeasuredSize, MeasuredWheel};
 use geneva_kinematics::wheel::{Edge, Wheel};
 use nalgebra::Vector2;
@@ -68,10 +68,11 @@ impl Drawing {
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-    /// use geneva_workshop::{Drawing, LayerNames, PartLayout, dxf};
+    /// use geneva_workshop::{Drawing, LayerNames, Mounting, PartLayout, dxf, parts};
     ///
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-    /// let drawing = Drawing::read(&dxf(&sizes, PartLayout::Assembled))?;
+    /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+    /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled))?;
     /// let nearest = drawing.measure(&LayerNames::default(), 0.01)?.nearest()?;
     /// assert!(nearest.culprit.is_none() && (nearest.crank_radius - 50.0).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -87,7 +88,8 @@ impl Drawing {
         let axis = shared_centre(&arcs, size, |_| 1.0).ok_or_else(|| missing(&layers.wheel, "there is no arc"))?;
         let about_axis = |arc: &&DrawnArc| (arc.centre - axis).norm() < SAME * size;
         let rim = arcs.iter().filter(about_axis).map(|arc| arc.radius).fold(0.0, f64::max);
-        let others: Vec<&DrawnArc> = arcs.iter().filter(|arc| !about_axis(arc)).collect();
+        // Whole circles are holes for mounting.
+        let others: Vec<&DrawnArc> = arcs.iter().filter(|arc| !about_axis(arc) && !is_circle(arc)).collect();
         let (mut slots, locking): (Vec<&DrawnArc>, Vec<&DrawnArc>) =
             others.into_iter().partition(|arc| (arc.centre - axis).norm() < rim);
         let direction = |arc: &DrawnArc| {
