@@ -285,6 +285,7 @@ mod tests {
         ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
         ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
+        ("--process mill", Needs::PROCESS),
         ("--disc-friction 0.1", Needs::DISC_FRICTION),
         ("--bearing-friction 0.01 --wheel-bearing 10 --driver-bearing 10", Needs::BEARING_FRICTION),
         ("--driver-friction 0.001", Needs::DRIVER_FRICTION),
@@ -293,7 +294,6 @@ mod tests {
         ("--driver-inertia 0.001", Needs::DRIVER_INERTIA),
         ("--drive-torque 1", Needs::DRIVE_TORQUE),
         ("--gear-ratio 10", Needs::GEAR_RATIO),
-        ("--process mill", Needs::PROCESS),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
