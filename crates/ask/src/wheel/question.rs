@@ -237,6 +237,11 @@ impl WheelQuestion {
     }
 }
 
+/// A shaft that was given; one of no diameter is none.
+pub(super) fn given(shaft: Option<f64>) -> Option<f64> {
+    shaft.filter(|diameter| *diameter != 0.0)
+}
+
 /// A length in millimetres: a number, or one in inches, `2.5in`.
 ///
 /// # Errors
