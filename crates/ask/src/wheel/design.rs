@@ -1,10 +1,10 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::WheelQuestion;
 use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::{asked_mouth, check_mouth, mouth_argument};
+use super::question::{WheelQuestion, given};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
@@ -144,7 +144,12 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
+        Ok(Some(WheelLoads::with_friction(
+            wheel,
+            inertia,
+            friction(&self.question, self.crank_radius, self.sizes.as_ref())?,
+            speed,
+        )?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -362,23 +367,30 @@ fn scale(question: &WheelQuestion) -> Option<Scale> {
     crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
 }
 
-pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let choices = Choices {
+/// What was chosen of the parts.
+pub(super) fn choices(question: &WheelQuestion) -> Choices {
+    Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
         locking_arc_radius: question.locking_arc_radius,
-        wheel_shaft: question.wheel_shaft,
-        driver_shaft: question.driver_shaft,
+        wheel_shaft: given(question.wheel_shaft),
+        driver_shaft: given(question.driver_shaft),
+        plate_shaft: given(question.plate_shaft),
         mouth: asked_mouth(question).unwrap_or_default(),
-    };
+    }
+}
+
+pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let choices = choices(question);
     let (locking, bore) = (question.locking_play, question.bore_play);
     if locking.or(bore).is_none() && (question.process.is_none() || question.play.is_some()) {
         return Sizes::new(wheel, scale, &choices);
     }
     // The other plays are those that it has without, or those of the process.
-    let others = Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, ..choices })?;
+    let others =
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?;
     let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
     let play = of_process.map_or(others.play, |numbers| numbers.play());
     let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
@@ -396,7 +408,7 @@ pub(super) fn process_numbers(
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
+pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),
@@ -408,6 +420,7 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
         SizesError::Mouth { name, remedies, .. } => {
             std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
         }
