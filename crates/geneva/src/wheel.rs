@@ -7,7 +7,6 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use crate::wheel_check::CheckArguments;
-use anstream::adapter::strip_str;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
@@ -18,6 +17,7 @@ use geneva_ask::wheel::{
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_host::files::{NewFile, OutputOption};
+use geneva_kinematics::wheel::as_built::Process;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -98,6 +98,7 @@ impl FromArgMatches for WheelOptions {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Process(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Length(at)
                 | ArgumentSlot::LengthOrZero(at)
@@ -128,6 +129,9 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Process(_) => {
+            option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
+        }
         ArgumentSlot::Material(_) => option.value_parser(materials()),
         ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
@@ -156,7 +160,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
         return write_all(&design, folder, layout);
     }
-    let design = WheelDesign::new(question)?;
+    let recommends_size = question.process.is_some();
+    let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
     if is_shape(format) && format != CommandFormat::Svg {
         design.require_external(format.name())?;
     }
@@ -168,7 +173,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Stl => design.stl()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
-        CommandFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Fields => design.answer()?.table(),
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -197,8 +202,8 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
     let mut files = vec![
-        ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
-        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("sheet.txt", answer.plain_sheet().into_bytes()),
+        ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
     if let Some(figure) = design.sizes_figure() {
@@ -299,24 +304,34 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
         reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
     }
-    let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_given = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_sized = is_given || (wanted.recommends_size && is_external);
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
+        reject_any(wanted, is_named(&["bearing-friction"]), why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
         reject_any(
             wanted,
-            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.name == "friction-torque",
+            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.acts_on.contains(&ActsOn::Load),
             why,
         )?;
     }
     let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
     if !has_inertia && !(is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        reject_any(wanted, is_named(&["friction-torque"]), why)?;
+        reject_any(wanted, acts_on(ActsOn::Load), why)?;
+    }
+    for (names, needed, given) in [
+        (&["wheel-bearing", "driver-bearing"][..], "--bearing-friction MU", wanted.bearing_friction),
+        (&["drive-torque"], "--driver-inertia KGM2", wanted.driver_inertia),
+    ] {
+        if given.is_none() {
+            reject_any(wanted, is_named(names), &format!("without {needed}; add that"))?;
+        }
     }
     Ok(())
 }
@@ -344,6 +359,7 @@ mod tests {
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
         let value = |argument: &Argument| match argument.place {
             ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Process(_) => "fdm",
             ArgumentSlot::Material(_) => "acetal",
             ArgumentSlot::Length(_) => "2in",
             ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",

@@ -22,13 +22,13 @@ mod report;
 mod speeds;
 mod times;
 
-pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, arguments};
+pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, WRONG_SIZES, arguments};
 pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};
 pub use mounting::{BoreShape, MountingQuestion, PinKind};
-pub use process::{assemblies_that_turn, process_fields};
+pub use process::assemblies_that_turn;
 pub use question::{SearchEffort, WheelQuestion, in_millimetres};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
