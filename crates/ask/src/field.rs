@@ -49,6 +49,10 @@ impl Needs {
     pub const PIN_FRICTION: Self = Self(1 << 6);
     /// A crank angle before a pin enters.
     pub const BEFORE_ENTRY: Self = Self(1 << 7);
+    /// The diameter of the wheel's shaft.
+    pub const WHEEL_SHAFT: Self = Self(1 << 9);
+    /// The diameter of the driver's shaft, in the plane of the wheel and in the plate.
+    pub const DRIVER_SHAFT: Self = Self(1 << 10);
 
     /// The coefficient of friction of the locking disc.
     pub const DISC_FRICTION: Self = Self(1 << 16);
@@ -66,6 +70,9 @@ impl Needs {
     pub const DRIVE_TORQUE: Self = Self(1 << 22);
     /// The ratio of the gear between motor and driver.
     pub const GEAR_RATIO: Self = Self(1 << 23);
+
+    /// The process by which the parts are made.
+    pub const PROCESS: Self = Self(1 << 24);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {

@@ -18,6 +18,7 @@ use geneva_ask::wheel::{
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_host::files::{NewFile, OutputOption};
+use geneva_kinematics::wheel::as_built::Process;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -98,6 +99,7 @@ impl FromArgMatches for WheelOptions {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Process(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Length(at)
                 | ArgumentSlot::LengthOrZero(at)
@@ -128,6 +130,9 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Process(_) => {
+            option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
+        }
         ArgumentSlot::Material(_) => option.value_parser(materials()),
         ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
@@ -156,7 +161,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
         return write_all(&design, folder, layout);
     }
-    let design = WheelDesign::new(question)?;
+    let recommends_size = question.process.is_some();
+    let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
     if is_shape(format) && format != CommandFormat::Svg {
         design.require_external(format.name())?;
     }
@@ -299,7 +305,8 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
         reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
     }
-    let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_given = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_sized = is_given || (wanted.recommends_size && is_external);
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
@@ -344,6 +351,7 @@ mod tests {
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
         let value = |argument: &Argument| match argument.place {
             ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Process(_) => "fdm",
             ArgumentSlot::Material(_) => "acetal",
             ArgumentSlot::Length(_) => "2in",
             ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",

@@ -5,8 +5,8 @@
 //! pairs of lines. Rounded or chamfered mouths are passed over. The disc is about the centre of the arc that goes
 //! farthest round, and its other arcs are crescents. Pins are circles, about the middle of the plate's largest circle.
 
-use crate::drawing::Layer;
 use crate::dxf_reader::{Drawing, DrawingError};
+use crate::parts::Layer;
 use geneva_kinematics::wheel::as_built::{MeasuredSize, MeasuredWheel};
 use geneva_kinematics::wheel::{Edge, Wheel};
 use nalgebra::Vector2;
@@ -96,10 +96,11 @@ impl Drawing {
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-    /// use geneva_workshop::{Drawing, LayerNames, PartLayout, dxf};
+    /// use geneva_workshop::{Drawing, LayerNames, Mounting, PartLayout, dxf, parts};
     ///
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-    /// let drawing = Drawing::read(&dxf(&sizes, PartLayout::Assembled))?;
+    /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+    /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled))?;
     /// let nearest = drawing.measure(&LayerNames::default(), 0.01)?.nearest()?;
     /// assert!(nearest.culprit.is_none() && (nearest.crank_radius - 50.0).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

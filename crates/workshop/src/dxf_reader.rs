@@ -150,10 +150,11 @@ impl Drawing {
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-    /// use geneva_workshop::{Drawing, PartLayout, dxf};
+    /// use geneva_workshop::{Drawing, Mounting, PartLayout, dxf, parts};
     ///
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-    /// let drawing = Drawing::read(&dxf(&sizes, PartLayout::Apart))?;
+    /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+    /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Apart))?;
     /// assert!(drawing.edges.iter().any(|edge| edge.layer == "WHEEL"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -3,7 +3,7 @@
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Drawing, DrawingError, LayerNames, PartLayout, dxf};
+use geneva_workshop::{Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, dxf, parts};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -16,9 +16,14 @@ fn sizes(stations: u32, pins: u32, play: f64) -> Sizes {
 #[test]
 fn our_own_drawings_give_back_the_sizes() {
     for (stations, pins) in [(3, 1), (4, 1), (6, 2), (8, 1), (12, 1)] {
-        for layout in [PartLayout::Apart, PartLayout::Assembled] {
+        let dowels = Pattern { count: 4, circle: 0.0, fastener: Fastener::Dowel(1.0) };
+        for (layout, is_mounted) in [PartLayout::Apart, PartLayout::Assembled].into_iter().zip([false, true]) {
             let sizes = sizes(stations, pins, 0.2);
-            let drawing = Drawing::read(&dxf(&sizes, layout)).unwrap();
+            // Holes for mounting are no slots.
+            let hub = Pattern { circle: 0.8 * sizes.wheel_shaft_limit, ..dowels };
+            let mounting = Mounting { wheel_hub: is_mounted.then_some(hub), ..Mounting::default() };
+            let list = parts(&sizes, 5.0, &mounting).unwrap();
+            let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
             let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
             let disc = sizes.locking_disc.unwrap();
             let right = |size| match size {

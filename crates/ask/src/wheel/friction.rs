@@ -1,6 +1,6 @@
 //! What rubs in a wheel and its driver, from what a question says of it.
 
-use super::design::WheelDesign;
+use super::design::{WheelDesign, given};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_dynamics::wheel_loads::{DwellContact, Friction};
@@ -61,8 +61,8 @@ fn bearings(design: &WheelDesign) -> Result<[f64; 2], Error> {
         ))
     };
     let arm = |diameter: f64| friction * diameter / 2.0;
-    let of_wheel = question.wheel_bearing.or(question.wheel_shaft);
-    let of_driver = question.driver_bearing.or(question.driver_shaft);
+    let of_wheel = question.wheel_bearing.or(given(question.wheel_shaft));
+    let of_driver = question.driver_bearing.or(given(question.plate_shaft)).or(given(question.driver_shaft));
     match (of_wheel, of_driver) {
         (Some(wheel), Some(driver)) => Ok([arm(wheel), arm(driver)]),
         (None, _) => refused("wheel's", "wheel-bearing"),

@@ -2,9 +2,11 @@
 
 use super::arguments::{Argument, ArgumentSlot, arguments};
 use super::kind::WheelKind;
+use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_kinematics::wheel::as_built::Process;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +37,10 @@ pub struct WheelQuestion {
     pub outside_diameter: Option<f64>,
     /// Thickness of the wheel.
     pub thickness: Option<f64>,
+    /// How the parts are made.
+    pub process: Option<Process>,
+    /// Least play with which the pin ran on the test piece of the process.
+    pub measured_play: Option<f64>,
     /// Diameter of the pins.
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
@@ -66,6 +72,10 @@ pub struct WheelQuestion {
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, if it ends there; that in the plane of the wheel unless it is given.
+    pub plate_shaft: Option<f64>,
+    /// Holes for mounting, and what the files have besides wheel and driver.
+    pub mounting: MountingQuestion,
     /// By how much the axes are too far apart, for clearance and knock.
     pub centre_error: Option<f64>,
     /// Mass in kg of a round table that turns with the wheel.
@@ -189,6 +199,9 @@ impl WheelQuestion {
                     ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
                     }
+                    ArgumentSlot::Process(at) => {
+                        *at(self) = Some(one_of(name, value, &Process::ALL.map(|process| (process.name(), process)))?);
+                    }
                     ArgumentSlot::Material(at) => {
                         *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
                     }
@@ -210,7 +223,7 @@ impl WheelQuestion {
             | ArgumentSlot::AboveZero(at)
             | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
             ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
-            ArgumentSlot::Kind(_) | ArgumentSlot::Material(_) => None,
+            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Material(_) => None,
         };
         arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
@@ -256,7 +269,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 9] = [
+    const GIVEN: [(&str, Needs); 12] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -265,7 +278,10 @@ mod tests {
         ("--pins 2", Needs::SECOND_PIN),
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
+        ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
+        ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
+        ("--process mill", Needs::PROCESS),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
@@ -300,6 +316,7 @@ mod tests {
         for argument in arguments() {
             let (value, set) = match argument.place {
                 ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Process(_) => ("resin", "process: Some(Resin)".to_owned()),
                 ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
                 ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
                 ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),

@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, loads, parts, pin_load};
+use super::{drive, loads, parts, pin_load, process};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -26,6 +26,7 @@ impl WheelDesign {
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
             ("Limits if all sizes are wrong at once", parts::together(self)?),
+            ("Process", process::fields(self)?),
             ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),

@@ -12,6 +12,7 @@ mod size;
 use super::WheelQuestion;
 use super::kind::WheelKind;
 use geneva_dynamics::line_contact::Material;
+use geneva_kinematics::wheel::as_built::Process;
 
 /// An argument of a question about a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +71,8 @@ pub enum ArgumentSlot {
     AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
     ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A process, by its name.
+    Process(fn(&mut WheelQuestion) -> &mut Option<Process>),
     /// A material, by its name.
     Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
