@@ -1,5 +1,7 @@
 //! Wheels read back from drawings: are the sizes those that were drawn, and is the one wrong size of an outline named?
 
+#![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
+
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
