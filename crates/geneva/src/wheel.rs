@@ -7,7 +7,6 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use crate::wheel_check::CheckArguments;
-use anstream::adapter::strip_str;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
@@ -174,7 +173,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Stl => design.stl()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
-        CommandFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Fields => design.answer()?.table(),
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -203,8 +202,8 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
     let mut files = vec![
-        ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
-        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("sheet.txt", answer.plain_sheet().into_bytes()),
+        ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
     if let Some(figure) = design.sizes_figure() {

@@ -1,7 +1,7 @@
 //! The one table of what can be said of a wheel: an option at the command line and a control on the page for each row.
 //!
 //! The rows stand by what they are about, in the order of a designer's questions: what the wheel must do, how large it is, how
-//! its parts fit, how they are mounted, and what they carry.
+//! its parts fit, how they are mounted, what they carry, and what is not as drawn.
 
 mod fit;
 mod friction;
@@ -10,6 +10,7 @@ mod load;
 mod need;
 mod size;
 mod strength;
+mod wrong;
 
 use super::WheelQuestion;
 use super::kind::WheelKind;
@@ -109,6 +110,9 @@ pub struct ArgumentGroup {
     pub rows: &'static [Argument],
 }
 
+/// The fold of controls for sizes that are wrong: a page has more of them than the command.
+pub const WRONG_SIZES: &str = "What if a size is wrong";
+
 /// All arguments, by what they are about, in the order of command and page.
 pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What the wheel must do", fold: "What the wheel is to do", rows: need::ROWS },
@@ -117,6 +121,7 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
     ArgumentGroup { heading: "What rubs", fold: "What rubs", rows: friction::ROWS },
     ArgumentGroup { heading: "Pin and motor", fold: "Pin and motor", rows: strength::ROWS },
+    ArgumentGroup { heading: "What is not as drawn", fold: WRONG_SIZES, rows: wrong::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
 
