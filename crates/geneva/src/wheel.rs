@@ -310,19 +310,28 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
+        reject_any(wanted, is_named(&["bearing-friction"]), why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
         reject_any(
             wanted,
-            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.name == "friction-torque",
+            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.acts_on.contains(&ActsOn::Load),
             why,
         )?;
     }
     let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
     if !has_inertia && !(is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        reject_any(wanted, is_named(&["friction-torque"]), why)?;
+        reject_any(wanted, acts_on(ActsOn::Load), why)?;
+    }
+    for (names, needed, given) in [
+        (&["wheel-bearing", "driver-bearing"][..], "--bearing-friction MU", wanted.bearing_friction),
+        (&["drive-torque"], "--driver-inertia KGM2", wanted.driver_inertia),
+    ] {
+        if given.is_none() {
+            reject_any(wanted, is_named(names), &format!("without {needed}; add that"))?;
+        }
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, formats};
 use anyhow::{Context, bail};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{CHECK_ARGUMENTS, CheckQuestion, LayerNames};
+use geneva_ask::wheel::{CHECK_ARGUMENTS, CheckQuestion, LayerNames, UNCERTAINTY};
 use std::fs;
 use std::path::PathBuf;
 
@@ -13,10 +13,10 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 pub(crate) struct CheckArguments {
     /// Number of slots of the wheel; a drawing says it itself
-    #[arg(long, value_name = "N", value_parser = typed::stations, required_unless_present = "dxf")]
+    #[arg(long, value_name = "N", value_parser = typed::stations, required_unless_present = "dxf", conflicts_with = "dxf")]
     pub stations: Option<u32>,
     /// Number of pins of the driver [default: 1]
-    #[arg(long, value_name = "P", value_parser = typed::pins)]
+    #[arg(long, value_name = "P", value_parser = typed::pins, conflicts_with = "dxf")]
     pub pins: Option<u32>,
     /// The measured sizes.
     #[command(flatten)]
@@ -82,27 +82,22 @@ impl FromArgMatches for MeasuredSizes {
 
 /// What is said of the wheel, in the format that is wanted.
 pub(crate) fn page(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Result<String> {
-    let mut words = String::new();
-    let mut say = |name: &str, value: &str| {
-        // A value is one word: `25 +- 0.02` is `25+-0.02`.
-        let value: String = value.split_whitespace().collect();
-        words += &format!("--{name} {value} ");
-    };
-    wanted.stations.iter().for_each(|stations| say("stations", &stations.to_string()));
-    wanted.pins.iter().for_each(|pins| say("pins", &pins.to_string()));
-    wanted.uncertainty.iter().for_each(|uncertainty| say("uncertainty", &uncertainty.to_string()));
-    wanted.rpm.iter().for_each(|rpm| say("rpm", &rpm.to_string()));
-    wanted.sizes.0.iter().for_each(|(name, text)| say(name, text));
-    let question = match &wanted.dxf {
-        None => CheckQuestion::parse(&words)?,
-        Some(path) => {
-            let drawing = fs::read_to_string(path).with_context(|| {
+    let uncertainty = wanted.uncertainty.unwrap_or(UNCERTAINTY);
+    let mut question = match (&wanted.dxf, wanted.stations) {
+        (Some(path), _) => {
+            let text = fs::read_to_string(path).with_context(|| {
                 format!("--dxf {}: the drawing cannot be read; give a text file in DXF", path.display())
             })?;
-            CheckQuestion::read_drawing(&drawing, &layers(&wanted.layer)?, &words)
+            CheckQuestion::of_drawing(&text, &layers(&wanted.layer)?, uncertainty)
                 .with_context(|| format!("--dxf {}", path.display()))?
         }
+        (None, Some(stations)) => CheckQuestion::new(stations, wanted.pins.unwrap_or(1))?,
+        (None, None) => bail!("--stations is missing; give the number of slots, or --dxf FILE"),
     };
+    for (name, text) in &wanted.sizes.0 {
+        question.add(name, text, uncertainty)?;
+    }
+    question.rpm = wanted.rpm;
     let report = question.answer()?;
     Ok(match wanted.format {
         CommandFormat::Json => fields::json(&report)?,

@@ -178,3 +178,62 @@ fn a_polyline_of_release_12_is_read_with_its_bulges() {
     assert!(centre.norm() < 1e-12 && (radius - 2.0).abs() < 1e-12 && (sweep - PI).abs() < 1e-12);
     assert!((arc.edge.end_point() - Vector2::new(-2.0, 0.0)).norm() < 1e-12);
 }
+
+#[test]
+fn mouths_and_square_ends_are_read_too() {
+    use geneva_kinematics::wheel::Mouth;
+    let mouths = [
+        Mouth::Chamfer { width: 1.0, angle: PI / 4.0 },
+        Mouth::Round { radius: 0.8 },
+        Mouth::LeadIn { length: 6.0, flare: 0.4 },
+    ];
+    for mouth in mouths {
+        let choices = Choices { mouth, play: Some(Play::from_slot(0.2)), ..Choices::default() };
+        let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap();
+        let measured =
+            Drawing::read(&dxf(&sizes, PartLayout::Assembled)).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+        let nearest = measured.nearest().unwrap();
+        assert!(nearest.culprit.is_none() && measured.wheel().stations() == 6, "{mouth:?} {nearest:?}");
+        assert_eq!(measured.sizes().len(), 5 * 6 + 7, "{mouth:?}");
+    }
+    // Square ends: each round end of our own drawing becomes three lines.
+    let sizes = sizes(5, 1, 0.2);
+    let mut built = sizes.outline();
+    let round = built.wheel.outer.edges.clone();
+    let square = |edge: &Edge| match *edge {
+        Edge::Arc { radius, sweep, .. } if (sweep.abs() - PI).abs() < 1e-9 => {
+            let (from, to) = (edge.start_point(), edge.end_point());
+            let chord = to - from;
+            let inwards = Vector2::new(chord.y, -chord.x) / chord.norm() * radius;
+            let towards = if (from + inwards).norm() < from.norm() { inwards } else { -inwards };
+            vec![
+                Edge::Line { from, to: from + towards },
+                Edge::Line { from: from + towards, to: to + towards },
+                Edge::Line { from: to + towards, to },
+            ]
+        }
+        _ => vec![*edge],
+    };
+    built.wheel.outer.edges = round.iter().flat_map(square).collect();
+    let mut text = "0\nSECTION\n2\nENTITIES\n".to_owned();
+    for edge in &built.wheel.outer.edges {
+        match *edge {
+            Edge::Line { from, to } => {
+                write!(text, "0\nLINE\n8\nWHEEL\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", from.x, from.y, to.x, to.y)
+                    .unwrap();
+            }
+            Edge::Arc { centre, radius, start, sweep } => {
+                let (first, last) = if sweep < 0.0 { (start + sweep, start) } else { (start, start + sweep) };
+                let [first, last] = [first, last].map(f64::to_degrees);
+                let (x, y) = (centre.x, centre.y);
+                write!(text, "0\nARC\n8\nWHEEL\n10\n{x}\n20\n{y}\n40\n{radius}\n50\n{first}\n51\n{last}\n").unwrap();
+            }
+        }
+    }
+    text += "0\nENDSEC\n0\nEOF\n";
+    let measured = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+    let nearest = measured.nearest().unwrap();
+    assert_eq!(measured.wheel().stations(), 5);
+    assert!((nearest.slot_width - sizes.slot_width).abs() < 1e-6 && (nearest.slot_end - sizes.slot_end).abs() < 1e-6);
+    assert!(nearest.culprit.is_none(), "{nearest:?}");
+}

@@ -118,49 +118,56 @@ impl CheckQuestion {
     ///
     /// An argument that there is not, one that is missing, and a value that it can't have.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let given = Given::read(text)?;
-        let stations = given
-            .whole("stations")?
+        let given: Vec<(&str, &str)> = pairs(text).collect::<Result<_, _>>()?;
+        let value = |name: &str| given.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value);
+        let whole = |name: &str| value(name).map(|text| crate::number::<u32>(name, text)).transpose();
+        let stations = whole("stations")?
             .ok_or_else(|| refused!("--stations is missing; count the slots of the wheel and give their number"))?;
-        let mut measured = MeasuredWheel::new(Wheel::with_pins(stations, given.whole("pins")?.unwrap_or(1))?);
-        given.add(&mut measured)?;
-        Ok(Self { measured, rpm: given.rpm()? })
+        let mut question = Self::new(stations, whole("pins")?.unwrap_or(1))?;
+        let uncertainty = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
+        for (name, text) in &given {
+            if !["stations", "pins", "uncertainty", "rpm"].contains(name) {
+                question.add(name, text, uncertainty.unwrap_or(UNCERTAINTY))?;
+            }
+        }
+        let rpm = value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
+        if let Some(rpm) = rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
+            return Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm)));
+        }
+        Ok(Self { rpm, ..question })
     }
 
-    /// Reads the sizes of a drawing in DXF, and arguments as they are typed: `--uncertainty 0.02 --centre-distance 50.1`. What is typed
-    /// counts besides what is drawn.
-    ///
-    /// ```
-    /// use geneva_ask::wheel::{CheckQuestion, WheelDesign, WheelQuestion};
-    /// use geneva_workshop::LayerNames;
-    ///
-    /// let design = WheelDesign::new(WheelQuestion::parse("--stations 6 --crank-radius 25 --play 0.2")?)?;
-    /// let question = CheckQuestion::read_drawing(&design.dxf()?, &LayerNames::default(), "--centre-distance 49.7")?;
-    /// let report = question.answer()?;
-    /// assert_eq!(report.field("culprit").map(|field| &field.value), Some(&"centre distance".into()));
-    /// # Ok::<(), geneva_ask::Error>(())
-    /// ```
+    /// A wheel of which nothing is measured yet.
     ///
     /// # Errors
     ///
-    /// A text that is no drawing, layers without the parts, and the errors of [`parse`](Self::parse).
-    pub fn read_drawing(drawing: &str, layers: &LayerNames, arguments: &str) -> Result<Self, Error> {
-        let given = Given::read(arguments)?;
-        let of_drawing = |error: DrawingError| Error::Argument(error.to_string());
-        let uncertainty = given.uncertainty()?;
-        let mut measured =
-            Drawing::read(drawing).and_then(|drawing| drawing.measure(layers, uncertainty)).map_err(of_drawing)?;
-        let drawn = measured.wheel();
-        for (name, number, thing) in [("stations", drawn.stations(), "slot"), ("pins", drawn.pins(), "pin")] {
-            if let Some(asked) = given.whole(name)?.filter(|asked| *asked != number) {
-                return Err(refused!(
-                    "--{name} {asked}: the drawing has {}; leave it out",
-                    count(number as usize, thing)
-                ));
-            }
-        }
-        given.add(&mut measured)?;
-        Ok(Self { measured, rpm: given.rpm()? })
+    /// Numbers of stations and pins that no wheel has.
+    pub fn new(stations: u32, pins: u32) -> Result<Self, Error> {
+        Ok(Self { measured: MeasuredWheel::new(Wheel::with_pins(stations, pins)?), rpm: None })
+    }
+
+    /// A wheel of which a drawing in DXF has the sizes, each with this standard uncertainty in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A text that is no drawing, and one without the layers or the shapes of a wheel.
+    pub fn of_drawing(text: &str, layers: &LayerNames, uncertainty: f64) -> Result<Self, Error> {
+        let in_words = |error: DrawingError| Error::Argument(error.to_string());
+        let drawing = Drawing::read(text).map_err(in_words)?;
+        Ok(Self { measured: drawing.measure(layers, uncertainty).map_err(in_words)?, rpm: None })
+    }
+
+    /// Adds a size as it is typed, `6.1`, `6.1+-0.02` or `1:6.1,2:6.0`; one without an uncertainty has this one, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A size that is not measured, and a value that it can't have.
+    pub fn add(&mut self, name: &str, text: &str, uncertainty: f64) -> Result<(), Error> {
+        let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == name) else {
+            let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
+            return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
+        };
+        argument.add(&mut self.measured, text, uncertainty)
     }
 
     /// The answer.
@@ -231,54 +238,6 @@ impl CheckQuestion {
                 .in_other_unit(),
             ReportField::new("can_miss", turn.can_miss()),
         ]
-    }
-}
-
-/// Arguments as they were typed.
-struct Given<'a>(Vec<(&'a str, &'a str)>);
-
-impl<'a> Given<'a> {
-    fn read(text: &'a str) -> Result<Self, Error> {
-        Ok(Self(pairs(text).collect::<Result<_, _>>()?))
-    }
-
-    fn value(&self, name: &str) -> Option<&'a str> {
-        self.0.iter().rev().find(|(of, _)| *of == name).map(|(_, value)| *value)
-    }
-
-    fn whole(&self, name: &str) -> Result<Option<u32>, Error> {
-        self.value(name).map(|text| crate::number(name, text)).transpose()
-    }
-
-    /// The uncertainty of what has none of its own, in millimetres.
-    fn uncertainty(&self) -> Result<f64, Error> {
-        let given = self.value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
-        Ok(given.unwrap_or(UNCERTAINTY))
-    }
-
-    fn rpm(&self) -> Result<Option<f64>, Error> {
-        let rpm = self.value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
-        match rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
-            Some(rpm) => Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm))),
-            None => Ok(rpm),
-        }
-    }
-
-    /// Adds all measured sizes.
-    fn add(&self, measured: &mut MeasuredWheel) -> Result<(), Error> {
-        let uncertainty = self.uncertainty()?;
-        for (name, text) in &self.0 {
-            match CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) {
-                Some(argument) => argument.add(measured, text, uncertainty)?,
-                None if ["stations", "pins", "uncertainty", "rpm"].contains(name) => {}
-                None => {
-                    let all: Vec<String> =
-                        CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
-                    return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
-                }
-            }
-        }
-        Ok(())
     }
 }
 
@@ -382,16 +341,20 @@ fn verdict(
         }
         None => "yes, every station".to_owned(),
     };
-    let culprit = nearest.culprit.map(|culprit| culprit_words(&culprit, &nearest.suspects));
+    let first = nearest.culprit.iter().map(|culprit| culprit_words(culprit, &nearest.suspects));
+    let further = nearest.further_culprits.iter().map(|culprit| culprit_words(culprit, &[]));
+    let culprits: Vec<String> = first.chain(further).collect();
+    let without = match &nearest.refusal {
+        Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {error}"),
+        None => "none: all measured sizes fit one right wheel".to_owned(),
+    };
     let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
     let first = first_change(nearest, changes);
     vec![
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
-            "contradiction",
-            culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned()),
-        ),
+        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
+            .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
@@ -402,7 +365,7 @@ fn verdict(
 }
 
 fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
-    let rest = if culprit.rest_agrees { "all others agree" } else { "even without it the others do not agree" };
+    let rest = if culprit.rest_agrees { "all others agree" } else { "but these contradict each other, too" };
     let others: Vec<String> = suspects.iter().map(|size| named(*size)).collect();
     let or = if others.is_empty() { String::new() } else { format!("; it could also be {}", others.join(", ")) };
     format!(
@@ -418,7 +381,6 @@ fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
 fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
     let by_culprit = nearest
         .culprit
-        .filter(|culprit| culprit.rest_agrees)
         .map(|culprit| format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)));
     let by_change = changes.first().map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
@@ -518,6 +480,16 @@ mod tests {
         assert_eq!(text(&report, "culprit"), "slot width 2");
         assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
         assert!(text(&report, "change_first").starts_with("make slot width 2 4.2"));
+    }
+
+    #[test]
+    fn two_wrong_sizes_are_both_named() {
+        let report = report(
+            "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
+             --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
+        );
+        let words = &report.sections[0].1[1].line.as_ref().expect("a line").meaning;
+        assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
     }
 
     #[test]

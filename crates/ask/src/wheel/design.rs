@@ -144,7 +144,12 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
+        Ok(Some(WheelLoads::with_friction(
+            wheel,
+            inertia,
+            friction(&self.question, self.crank_radius, self.sizes.as_ref())?,
+            speed,
+        )?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.

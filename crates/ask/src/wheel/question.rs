@@ -181,7 +181,6 @@ impl WheelQuestion {
 
     fn set(&mut self, name: &str, value: &str) -> Result<(), Error> {
         match name {
-            "pin-friction" => self.pin_friction = Some(number(name, value)?),
             "before-entry" => self.before_entry = Some(number(name, value)?),
             _ => {
                 let known = arguments().find(|argument| argument.name == name).ok_or_else(|| {
@@ -269,7 +268,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 12] = [
+    const GIVEN: [(&str, Needs); 20] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -282,6 +281,14 @@ mod tests {
         ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
         ("--process mill", Needs::PROCESS),
+        ("--disc-friction 0.1", Needs::DISC_FRICTION),
+        ("--bearing-friction 0.01 --wheel-bearing 10 --driver-bearing 10", Needs::BEARING_FRICTION),
+        ("--driver-friction 0.001", Needs::DRIVER_FRICTION),
+        ("--held-torque 0.01", Needs::HELD_TORQUE),
+        ("--arm-torque 1", Needs::ARM_TORQUE),
+        ("--driver-inertia 0.001", Needs::DRIVER_INERTIA),
+        ("--drive-torque 1", Needs::DRIVE_TORQUE),
+        ("--gear-ratio 10", Needs::GEAR_RATIO),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.

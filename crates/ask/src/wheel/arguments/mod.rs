@@ -4,10 +4,12 @@
 //! its parts fit, how they are mounted, what they carry, and what is not as drawn.
 
 mod fit;
+mod friction;
 mod instants;
 mod load;
 mod need;
 mod size;
+mod strength;
 mod wrong;
 
 use super::WheelQuestion;
@@ -93,6 +95,8 @@ pub enum ActsOn {
     Speed,
     /// The moment of inertia of what the wheel carries: one way to say it.
     Inertia,
+    /// The loads, which need a speed and an inertia.
+    Load,
 }
 
 /// What the arguments of a group are about.
@@ -115,6 +119,8 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
     ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
+    ArgumentGroup { heading: "What rubs", fold: "What rubs", rows: friction::ROWS },
+    ArgumentGroup { heading: "Pin and motor", fold: "Pin and motor", rows: strength::ROWS },
     ArgumentGroup { heading: "What is not as drawn", fold: WRONG_SIZES, rows: wrong::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];

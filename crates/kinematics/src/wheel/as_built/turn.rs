@@ -4,14 +4,14 @@
 //! turns if that interval is nowhere empty. It is looked at where a part comes within reach or leaves it and at places between;
 //! each of its local minima is then narrowed down by golden section. What that leaves open is below [`WIDTH_TOLERANCE`].
 
-use super::blow::EntryBlow;
+use super::blow::BuiltBlow;
 use super::contact::BuiltContact;
 use super::errors::BuiltError;
 use super::free_angles::{Assembled, FreeAngles};
 use super::parts::AsBuiltWheel;
 use crate::indexing::Indexing;
 
-/// What the search leaves open of the least free angle, in radians; tests compare it with 20,000 places of each station.
+/// What the search leaves open of the least free angle, in radians; tests compare it with 10,000 places of each station.
 pub const WIDTH_TOLERANCE: f64 = 1e-7;
 
 /// Intervals between two changes at least and at most, and how long one is between them, in radians; twice as many where the whole
@@ -60,7 +60,7 @@ pub struct StationTurn {
     /// Whether the wheel can stand so in the dwell that the next pin meets its rim beside the slot: it then jams or loses an index.
     pub can_miss: bool,
     /// The blow with which the pin comes in; none where it meets nothing.
-    pub entry: Option<EntryBlow>,
+    pub entry: Option<BuiltBlow>,
 }
 
 /// A whole turn of every station.

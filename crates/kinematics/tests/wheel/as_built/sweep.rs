@@ -79,7 +79,7 @@ fn a_wheel_jams_if_points_of_its_outlines_cannot_pass() {
     /// A wheel that passes or jams by less, in millimetres, is not judged by points.
     const BAND: f64 = 0.002;
     let (mut jammed, mut judged) = (0, 0);
-    let wheels = perturbed(130);
+    let wheels = perturbed(110);
     for (number, built) in wheels.iter().enumerate() {
         let (turn, outlines) = (built.turn().unwrap(), Outlines::new(built));
         assert_eq!(turn.jam.is_none(), built.turns().unwrap(), "wheel {number}");
@@ -115,19 +115,18 @@ fn a_wheel_jams_if_points_of_its_outlines_cannot_pass() {
         }
         jammed += usize::from(turn.jam.is_some());
     }
-    println!("{judged} judged, {jammed} jam");
     assert!(judged >= 100 && jammed >= 30 && judged - jammed >= 30, "{judged} judged, {jammed} jam");
 }
 
 #[test]
 fn nothing_is_tighter_than_the_tightest_place() {
     use geneva_kinematics::wheel::as_built::WIDTH_TOLERANCE;
-    for (number, built) in perturbed(30).iter().enumerate() {
+    for (number, built) in perturbed(20).iter().enumerate() {
         let tightest = built.turn().unwrap().tightest;
         let half = std::f64::consts::PI / built.pins().len() as f64;
         for event in 0..built.events() as i64 {
-            for k in 0..20_000 {
-                let theta = half * (f64::from(k) / 10_000.0 - 1.0);
+            for k in 0..10_000 {
+                let theta = half * (f64::from(k) / 5000.0 - 1.0);
                 let free = built.free_angles(event, theta).unwrap();
                 let less = tightest.free.width() - free.width();
                 assert!(less < WIDTH_TOLERANCE, "wheel {number}, event {event}, {theta}: {less} {free:?} {tightest:?}");

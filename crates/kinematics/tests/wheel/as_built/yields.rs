@@ -59,7 +59,6 @@ fn the_generator_is_the_published_one() {
 }
 
 #[test]
-#[allow(unused)]
 fn sizes_are_drawn_within_their_errors() {
     let sizes = sized(6, 2, &Choices::default());
     let errors = SizeErrors::all(0.1);
