@@ -208,9 +208,13 @@ fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
             continue;
         }
         let value = match (argument.place, knob.first) {
-            (ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) | ArgumentSlot::Material(_) | ArgumentSlot::Process(_), _) => {
-                Some(f64::from(settings.count(argument.name)?))
-            }
+            (
+                ArgumentSlot::Stations(_)
+                | ArgumentSlot::Pins(_)
+                | ArgumentSlot::Material(_)
+                | ArgumentSlot::Process(_),
+                _,
+            ) => Some(f64::from(settings.count(argument.name)?)),
             (_, Some(_)) => Some(settings.value(argument.name)?),
             (_, None) => settings.value_if_moved(argument.name)?,
         };
