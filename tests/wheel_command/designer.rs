@@ -2,7 +2,7 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
-use geneva_ask::wheel::{ArgumentSlot, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::wheel::{ArgumentSlot, NamedChoice, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_live::{Live, LiveArguments, by_name};
@@ -44,6 +44,12 @@ impl Asked {
                 if let Some(process) = at.checked_sub(1).map(|at| Process::ALL[at]) {
                     asked.command.extend([format!("--{}", argument.name), process.name().to_owned()]);
                 }
+                continue;
+            }
+            if let ArgumentSlot::Choice(NamedChoice { names, .. }) = argument.place {
+                // Bare parts for the most part: most mountings need another option, or a room that small wheels lack.
+                let at = if random.u32(..10) == 0 { random.usize(..names.len()) } else { 0 };
+                asked.set(argument.name, at.to_string(), names[at]);
                 continue;
             }
             if let ArgumentSlot::Material(_) = argument.place {

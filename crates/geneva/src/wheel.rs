@@ -12,8 +12,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use geneva_ask::MechanismReport;
 use geneva_ask::wheel::{
-    ActsOn, Argument, ArgumentSlot, GROUPS, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion, arguments,
-    proposals, proposals_for_angle, speeds,
+    ActsOn, Argument, ArgumentSlot, GROUPS, NamedChoice, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion,
+    arguments, proposals, proposals_for_angle, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_host::files::{NewFile, OutputOption};
@@ -98,6 +98,13 @@ impl FromArgMatches for WheelOptions {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Count(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                    let named: Option<String> = typed(matches, name);
+                    if let Some(number) = named.and_then(|named| names.iter().position(|name| **name == named)) {
+                        set(question, number);
+                    }
+                }
                 ArgumentSlot::Process(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Length(at)
@@ -129,6 +136,8 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(1..=12)),
+        ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
         ArgumentSlot::Process(_) => {
             option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
         }
@@ -359,6 +368,7 @@ mod tests {
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
         let value = |argument: &Argument| match argument.place {
             ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Choice(NamedChoice { names, .. }) => names[1],
             ArgumentSlot::Process(_) => "fdm",
             ArgumentSlot::Material(_) => "acetal",
             ArgumentSlot::Length(_) => "2in",

@@ -5,7 +5,8 @@ use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
-    Argument, ArgumentSlot, GROUPS, Knob, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign, WheelQuestion, arguments,
+    Argument, ArgumentSlot, GROUPS, Knob, NamedChoice, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign,
+    WheelQuestion, arguments,
 };
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
@@ -170,6 +171,7 @@ fn shape_file(settings: &Settings, name: &str) -> Result<Vec<u8>, String> {
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
+        (ArgumentSlot::Choice(NamedChoice { names, .. }), _) => Control::choice(argument.name, label, names, 0),
         (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
@@ -212,6 +214,8 @@ fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
                 ArgumentSlot::Stations(_)
                 | ArgumentSlot::Pins(_)
                 | ArgumentSlot::Material(_)
+                | ArgumentSlot::Count(_)
+                | ArgumentSlot::Choice(_)
                 | ArgumentSlot::Process(_),
                 _,
             ) => Some(f64::from(settings.count(argument.name)?)),
@@ -238,6 +242,8 @@ fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, 
     for (argument, value) in given(settings)? {
         match argument.place {
             ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(value as u32),
+            ArgumentSlot::Count(at) => *at(&mut question) = Some(value as u32),
+            ArgumentSlot::Choice(NamedChoice { set, .. }) => set(&mut question, value as usize),
             ArgumentSlot::Material(at) => *at(&mut question) = Some(material(value)?),
             ArgumentSlot::Process(at) => *at(&mut question) = process(value),
             ArgumentSlot::Length(at)
@@ -258,6 +264,10 @@ fn command(settings: &Settings) -> Result<String, String> {
         let text = match argument.place {
             ArgumentSlot::SignedLength(_) if value == 0.0 => continue,
             ArgumentSlot::Material(_) => material(value)?.name.to_owned(),
+            ArgumentSlot::Choice(_) if value == 0.0 => continue,
+            ArgumentSlot::Choice(NamedChoice { names, .. }) => {
+                names.get(value as usize).copied().unwrap_or_default().to_owned()
+            }
             ArgumentSlot::Process(_) => match process(value) {
                 Some(process) => process.name().to_owned(),
                 None => continue,

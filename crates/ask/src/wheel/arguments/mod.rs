@@ -7,6 +7,7 @@ mod fit;
 mod friction;
 mod instants;
 mod load;
+mod mounting;
 mod need;
 mod size;
 mod strength;
@@ -74,12 +75,25 @@ pub enum ArgumentSlot {
     AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
     ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A number of things.
+    Count(fn(&mut WheelQuestion) -> &mut Option<u32>),
+    /// One of a few names.
+    Choice(NamedChoice),
     /// A process, by its name.
     Process(fn(&mut WheelQuestion) -> &mut Option<Process>),
     /// A material, by its name.
     Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
     Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
+}
+
+/// A choice among a few names; the first is what holds if nothing is said.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedChoice {
+    /// The names as they are typed.
+    pub names: &'static [&'static str],
+    /// Takes the choice with a number, from 0.
+    pub set: fn(&mut WheelQuestion, usize),
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -118,6 +132,7 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What the wheel must do", fold: "What the wheel is to do", rows: need::ROWS },
     ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
     ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
+    ArgumentGroup { heading: "How it is mounted", fold: "How it is mounted", rows: mounting::ROWS },
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
     ArgumentGroup { heading: "What rubs", fold: "What rubs", rows: friction::ROWS },
     ArgumentGroup { heading: "Pin and motor", fold: "Pin and motor", rows: strength::ROWS },
