@@ -15,6 +15,7 @@ mod mesh;
 mod offset;
 mod parts;
 mod scad;
+mod sheets;
 mod step;
 mod stl;
 mod svg;
@@ -28,6 +29,9 @@ pub use parts::{
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, parts,
 };
 pub use scad::scad;
+pub use sheets::{
+    Dimension, DrawingScale, Measured, Paper, Sheet, SheetText, sheets, sheets_html, sheets_svg,
+};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;
