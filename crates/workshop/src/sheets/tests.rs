@@ -19,12 +19,13 @@ fn designs() -> Vec<(Sizes, Mounting)> {
     for stations in 3..=24 {
         for pins in 1..=4 {
             let Ok(wheel) = Wheel::with_pins(stations, pins) else { continue };
-            for (crank, play) in [(40.0, None), (5.0, Some(0.1)), (150.0, Some(0.4))] {
+            // Each number of stations has another size; all have each kind of mounting.
+            for (crank, play) in [[(40.0, None), (5.0, Some(0.1)), (150.0, Some(0.4))][(stations + pins) as usize % 3]] {
                 let choices = Choices { play: play.map(Play::from_slot), ..Choices::default() };
                 let Ok(bare) = Sizes::new(wheel, Scale::CrankRadius(crank), &choices) else { continue };
                 all.push((bare, Mounting::default()));
-                // Half of the room for each shaft.
-                let [of_wheel, of_driver] = [bare.wheel_shaft_limit, bare.driver_shaft_limit].map(|most| 0.5 * most);
+                // A third of the room for each shaft.
+                let [of_wheel, of_driver] = [bare.wheel_shaft_limit, bare.driver_shaft_limit].map(|most| most / 3.0);
                 let choices = Choices { wheel_shaft: Some(of_wheel), driver_shaft: Some(of_driver), ..choices };
                 let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(crank), &choices) else { continue };
                 let is_keyed = (6.0..40.0).contains(&of_wheel);
@@ -34,17 +35,16 @@ fn designs() -> Vec<(Sizes, Mounting)> {
                     driver_fit: ShaftFit::Flat { across: 0.9 * of_driver },
                     wheel_hub: Some(Pattern { count: 3, circle: 1.5 * of_wheel, fastener: hole }),
                     base: Some(BasePlate {
-                        shoulder: Some([1.4 * of_wheel.max(of_driver), 0.5]),
+                        shoulder: Some([1.2 * of_wheel.max(of_driver), 0.5]),
                         screws: Some(Thread::M4),
                         thickness: Some(9.0),
                     }),
                     ..Mounting::default()
                 };
-                if parts(&sizes, 8.0, &mounting).is_ok() {
-                    all.push((sizes, mounting));
-                } else {
-                    all.push((sizes, Mounting { wheel_hub: None, wheel_fit: ShaftFit::Round, ..mounting }));
-                }
+                let simple = Mounting { wheel_hub: None, wheel_fit: ShaftFit::Round, ..mounting };
+                let bare = Mounting { base: None, ..simple };
+                let fits = |mounting: &Mounting| parts(&sizes, 8.0, mounting).is_ok();
+                all.extend([mounting, simple, bare].into_iter().find(fits).map(|mounting| (sizes, mounting)));
             }
         }
     }
@@ -82,6 +82,12 @@ fn hit(of: &[Point], angle: f64, from: f64) -> Point {
     u * of.iter().zip(next).filter_map(crossing).fold(f64::INFINITY, f64::min)
 }
 
+/// The corner of a polygon, which is on the outline's arc, that is nearest to where a ray meets it first.
+fn corner(of: &[Point], angle: f64) -> Point {
+    let at = hit(of, angle, 0.0);
+    of.iter().copied().min_by(|a, b| (a - at).norm().total_cmp(&(b - at).norm())).unwrap()
+}
+
 /// Middle and radius of the circle through three points.
 fn circle([a, b, c]: [Point; 3]) -> (Point, f64) {
     let (p, q) = (b - a, c - a);
@@ -106,9 +112,9 @@ fn middle(of: &[Point]) -> Point {
     (corner(|a, b| a.inf(b)) + corner(|a, b| a.sup(b))) / 2.0
 }
 
-/// The least extent of points over all directions.
+/// The least extent of points over all directions in quarters of a degree, one of which is that of each flat here.
 fn narrowest(of: &[Point]) -> f64 {
-    (0..3600).map(|k| across(of, PI * f64::from(k) / 3600.0)).fold(f64::INFINITY, f64::min)
+    (0..720).map(|k| across(of, PI * f64::from(k) / 720.0)).fold(f64::INFINITY, f64::min)
 }
 
 /// What a dimension measures, from the outlines and not from the numbers that it was made of.
@@ -129,8 +135,8 @@ fn measure(sheet: &Sheet, sizes: &Sizes, list: &[Part], what: Measured) -> Optio
         let above = at.clone().filter(|y| *y > 0.0).fold(f64::INFINITY, f64::min);
         above - at.filter(|y| *y < 0.0).fold(f64::NEG_INFINITY, f64::max)
     };
-    let around = |of: &[Point], angle: f64, by: f64| [-by, 0.0, by].map(|turn| hit(of, angle + turn, 0.0));
-    let arc = || circle(around(&wheel(), sizes.wheel.half_pitch_angle(), 0.01));
+    let around = |of: &[Point], angle: f64, by: f64| [-by, 0.0, by].map(|turn| corner(of, angle + turn));
+    let arc = || circle(around(&wheel(), sizes.wheel.half_pitch_angle(), 0.1 * sizes.wheel.half_pitch_angle()));
     let crescent = || circle(around(&disc(), 0.0, 0.3 * sizes.locking_disc.unwrap().crescent.half_angle));
     let bore_radius = |bore: &[Point]| {
         let is_flat = part.layer != Layer::Wheel && part.layer != Layer::BasePlate;
@@ -150,11 +156,8 @@ fn measure(sheet: &Sheet, sizes: &Sizes, list: &[Part], what: Measured) -> Optio
         Measured::Opening => {
             // Where rays from the axis come to the rim, on either side of the pin.
             let (disc, rim) = (disc(), farthest(&disc()));
-            let half = (0..200_000).map(|k| 1e-5 * f64::from(k)).find(|angle| {
-                let at = hit(&disc, *angle, 0.0).norm();
-                at > rim - 1e-4 * rim
-            });
-            2.0 * rim * libm::sin(half?)
+            let on_rim = disc.iter().filter(|p| p.norm() > rim - 2e-5 && p.y > 0.0);
+            2.0 * on_rim.max_by(|a, b| (a.x / a.norm()).total_cmp(&(b.x / b.norm())))?.y
         }
         Measured::Plate => 2.0 * farthest(&polygon(&outline.plate.outer)),
         Measured::CrankRadius => middle(&polygon(&outline.pins[0])).norm(),
@@ -206,7 +209,7 @@ fn every_printed_dimension_is_measured_on_the_outlines() {
     let mut kinds = std::collections::BTreeSet::new();
     for (k, (sizes, mounting)) in designs().into_iter().enumerate() {
         // Polygons of many corners take long.
-        if k % 5 != 0 && !mounting.disc_is_apart() {
+        if k % 5 != 0 && mounting.driver_hub.is_none() {
             continue;
         }
         let list = parts(&sizes, 8.0, &Mounting { is_stacked: true, ..mounting }).unwrap().parts;
@@ -215,7 +218,7 @@ fn every_printed_dimension_is_measured_on_the_outlines() {
                 let Some(measured) = measure(&sheet, &sizes, &list, size.measured) else { continue };
                 let number: String = size.text.chars().filter(|c| c.is_ascii_digit() || *c == '.' || *c == ' ' || *c == 'R').collect();
                 assert!(number.contains(&dimension::mm(size.nominal)), "{size:?}");
-                let loose = if size.measured == Measured::Opening { 2e-3 * size.nominal } else { 1e-4 * size.nominal.max(1.0) };
+                let loose = 1e-4 * size.nominal.max(1.0);
                 assert!((measured - size.nominal).abs() < loose, "{k}: {size:?}, but {measured}");
                 assert!(sheet.ink.texts.iter().any(|text| text.text == size.text), "{size:?} is not on the sheet");
                 kinds.insert(format!("{:?}", size.measured));
@@ -225,8 +228,25 @@ fn every_printed_dimension_is_measured_on_the_outlines() {
     assert!(kinds.len() >= 30, "{}: {kinds:?}", kinds.len());
 }
 
-/// Whether a line crosses a box, in steps.
+/// Tolerances of some size, which the layout of a sheet does not depend on: finding the right ones takes long.
+fn some_tolerance(sizes: &Sizes) -> SharedTolerance {
+    let size = 0.05 * sizes.play.slot;
+    SharedTolerance {
+        locking: size,
+        nearer: size,
+        farther: 1.3 * size,
+        crank: size,
+        width: 2.0 * size,
+        direction: size / sizes.wheel_radius,
+        slot_end: size,
+    }
+}
+
+/// Whether a line crosses a box, in steps where it comes near.
 fn crosses([a, b]: [Point; 2], [least, greatest]: [Point; 2]) -> bool {
+    if a.x.min(b.x) >= greatest.x || a.x.max(b.x) <= least.x || a.y.min(b.y) >= greatest.y || a.y.max(b.y) <= least.y {
+        return false;
+    }
     (0..=64).any(|k| {
         let p = a + (b - a) * (f64::from(k) / 64.0);
         p.x > least.x && p.x < greatest.x && p.y > least.y && p.y < greatest.y
@@ -237,7 +257,7 @@ fn crosses([a, b]: [Point; 2], [least, greatest]: [Point; 2]) -> bool {
 fn texts_overlap_nothing_and_all_is_inside_the_frame() {
     let mut papers = Vec::new();
     for (k, (sizes, mounting)) in designs().into_iter().enumerate() {
-        for shared in [None, sizes.shared_tolerance_within(2_000).ok().flatten()] {
+        for shared in [None, Some(some_tolerance(&sizes))] {
             for sheet in drawn(&sizes, &mounting, shared) {
                 let name = format!("{k}: {:?} {} {}", sheet.layer, sizes.wheel.stations(), sizes.wheel.pins());
                 assert!(sheet.has_room, "{name}");
@@ -269,12 +289,18 @@ fn texts_overlap_nothing_and_all_is_inside_the_frame() {
 #[test]
 fn with_all_limits_at_their_worst_nothing_touches() {
     let (mut tried, mut narrowed) = (0, 0);
-    for (k, (sizes, mounting)) in designs().into_iter().enumerate() {
-        let Some(shared) = sizes.shared_tolerance_within(20_000).ok().flatten() else { continue };
+    for (k, [stations, pins, crank, play]) in [[3, 1, 60, 4], [4, 1, 40, 3], [6, 2, 50, 4], [8, 1, 30, 2], [15, 1, 20, 2]].into_iter().enumerate() {
+        // Play in tenths of a millimetre; the bores have much less.
+        let slot = f64::from(play) / 10.0;
+        let play = Play { slot, locking: slot, bore: 0.1 * slot };
+        let shaft = Some(5.0);
+        let choices = Choices { play: Some(play), wheel_shaft: shaft, driver_shaft: shaft, ..Choices::default() };
+        let wheel = Wheel::with_pins(stations, pins).unwrap();
+        let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(f64::from(crank)), &choices) else { panic!("{k}") };
+        let mounting = Mounting { base: Some(BasePlate::default()), ..Mounting::default() };
+        let shared = sizes.shared_tolerance().expect("room for errors");
         let chain = Chain::new(&sizes, Some(shared));
-        if k % 4 != 0 || !chain.is_known || mounting.base.is_none() {
-            continue;
-        }
+        assert!(chain.is_known, "{k}");
         let sheets = drawn(&sizes, &mounting, Some(shared));
         let limits = |layer, what: Measured| -> [f64; 2] {
             let of = sheets.iter().filter(|sheet| sheet.layer == layer).flat_map(|sheet| &sheet.dimensions);
@@ -318,13 +344,13 @@ fn with_all_limits_at_their_worst_nothing_touches() {
             }
         }
     }
-    assert!(tried > 60 && narrowed > 50, "{tried} {narrowed}");
+    assert!(tried == 30 && narrowed >= 15, "{tried} {narrowed}");
 }
 
 #[test]
 fn limits_are_of_a_class_or_narrower_by_a_chain() {
-    for (sizes, mounting) in designs().into_iter().step_by(7) {
-        let shared = sizes.shared_tolerance_within(20_000).ok().flatten();
+    for (sizes, mounting) in designs() {
+        let shared = Some(some_tolerance(&sizes));
         for size in drawn(&sizes, &mounting, shared).iter().flat_map(|sheet| &sheet.dimensions) {
             if let Some(class) = size.class {
                 assert!(size.text.ends_with(&class.name()) && !size.is_from_chain, "{size:?}");
@@ -357,7 +383,7 @@ fn files_are_xml_true_to_scale_with_a_sheet_for_each_part() {
     assert_eq!(page.matches("<svg ").count(), 4);
     assert!(page.contains("A &amp; &lt;B>") && page.contains("@page { size: 420mm 297mm; margin: 0 }"), "{:?}", sheets[0].paper);
     // The rim is drawn as large as the scale says: the arcs of its radius.
-    let radius = format!("A{:.3}", sizes.tip_radius * sheets[0].scale.factor());
+    let radius = format!("A{:.6}", sizes.tip_radius * sheets[0].scale.factor());
     assert!(sheets[0].svg().contains(&radius), "{radius}");
 }
 
