@@ -70,7 +70,7 @@ fn an_instant_may_be_given_by_the_angle_of_the_wheel() {
 
 #[test]
 fn what_is_told_at_an_angle_is_the_same_in_every_format() {
-    let wheel = ["wheel", "--stations", "6", "--rpm", "90", "--crank-radius", "40", "--inertia", "0.01"];
+    let wheel = ["wheel", "--stations", "6", "--rpm", "90", "--crank-radius", "40", "--total-inertia", "0.01"];
     let at = [&wheel[..], &["--at", "-12.5", "--at", "100", "--at", "725"]].concat();
     let (header, rows) = table(&at);
     let found = object(&at);

@@ -2,85 +2,74 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
+use geneva_ask::wheel::{ArgumentSlot, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_live::{Live, LiveArguments, by_name};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// Settings that are tried.
 const SETTINGS: u64 = 200;
 
-/// One of two front ends, and the same question for both.
+/// The same question for the page and for the command.
 struct Asked {
     page: Vec<(&'static str, String)>,
     command: Vec<String>,
 }
 
 impl Asked {
-    /// A question at random: sizes that the figure chooses itself are set in one of three questions each.
+    /// A question at random: a value of each control within a third of its slider from where most wheels are, one way of those that
+    /// say the same, and of what follows the others one in three.
     fn new(random: &mut Rng) -> Self {
         let mut asked = Self { page: Vec::new(), command: vec!["wheel".to_owned()] };
-        let number = |random: &mut Rng, [least, most]: [f64; 2], step: f64| {
-            let value = least + (most - least) * random.f64();
-            format!("{}", (value / step).round() * step)
-        };
-        asked.set("stations", "stations", number(random, [3.0, 12.0], 1.0));
-        asked.set("pins", "pins", number(random, [1.0, 2.4], 1.0));
-        let is_crank = random.bool();
-        let size = number(random, [10.0, 100.0], 0.5);
-        asked.page.push(("size", if is_crank { "0" } else { "1" }.to_owned()));
-        asked.set("radius", if is_crank { "crank-radius" } else { "centre-distance" }, size);
-        let mut set = |random: &mut Rng, [control, option]: [&'static str; 2], ends: [f64; 2], step: f64| {
-            let value = number(random, ends, step);
-            asked.set(control, option, value);
-        };
-        set(random, ["speed", "rpm"], [1.0, 600.0], 1.0);
-        set(random, ["inertia", "inertia"], [0.0, 0.05], 0.0005);
-        set(random, ["friction", "friction-torque"], [0.0, 5.0], 0.05);
-        set(random, ["thickness", "thickness"], [1.0, 50.0], 0.5);
-        if random.u32(..3) == 0 {
-            set(random, ["pin", "pin-diameter"], [1.0, 12.0], 0.1);
+        let mut chosen: BTreeMap<&str, usize> = BTreeMap::new();
+        for argument in arguments() {
+            let Some(knob) = argument.knob else { continue };
+            let is_given = match knob.side {
+                Some((group, number)) => {
+                    let sides = arguments().filter_map(|argument| argument.knob?.side).filter(|side| side.0 == group);
+                    let most = sides.map(|side| side.1).max().unwrap_or_default();
+                    number == *chosen.entry(group).or_insert_with(|| random.usize(..=most))
+                }
+                None => knob.first.is_some() || random.u32(..3) == 0,
+            };
+            if !is_given {
+                continue;
+            }
+            if let ArgumentSlot::Material(_) = argument.place {
+                let at = random.usize(..MATERIALS.len());
+                asked.set(argument.name, at.to_string(), MATERIALS[at].name);
+                continue;
+            }
+            let [least, most] = match argument.name {
+                "stations" => [3.0, 12.0],
+                "pins" => [1.0, 2.4],
+                "pin-diameter" | "horn" | "wheel-shaft" | "driver-shaft" => [1.0, 12.0],
+                "play" | "locking-play" | "bottom-clearance" => [0.0, 0.2],
+                "centre-error" => [-0.1, 0.1],
+                _ => knob.slider,
+            };
+            let value = ((least + (most - least) * random.f64()) / knob.step).round() * knob.step;
+            let value = if argument.name == "centre-error" && random.bool() { 0.0 } else { value };
+            asked.set(argument.name, value.to_string(), &value.to_string());
         }
-        if random.u32(..3) == 0 {
-            set(random, ["play", "play"], [0.0, 0.2], 0.05);
-        }
-        if random.u32(..3) == 0 {
-            set(random, ["wheel-shaft", "wheel-shaft"], [1.0, 20.0], 0.5);
-        }
-        let at = random.usize(..MATERIALS.len());
-        asked.page.push(("material", at.to_string()));
-        let material = &MATERIALS[at];
-        let density = material.density.to_string();
-        let more = ["--density", &density, "--pin-material", MATERIALS[0].name, "--wheel-material", material.name];
-        asked.command.extend(more.map(str::to_owned));
         asked
     }
 
-    fn set(&mut self, control: &'static str, option: &str, value: String) {
-        self.page.push((control, value.clone()));
-        self.command.extend([format!("--{option}"), value]);
+    fn set(&mut self, name: &'static str, on_the_page: String, typed: &str) {
+        self.page.push((name, on_the_page));
+        self.command.extend([format!("--{name}"), typed.to_owned()]);
     }
 }
 
 /// What the command has of a number that the figure shows.
 fn in_the_object<'a>(object: &'a Map<String, Value>, name: &str, key: Option<&str>) -> Option<&'a Value> {
     let key = match (name, key) {
-        // With its axes in place a wheel knocks as the answer says.
-        (_, Some("entry_knock_mm_s")) => "knock_mm_s",
         (_, Some(key)) => key,
         ("clearance", None) => "least_clearance_mm",
-        ("crank-radius", None) => "crank_radius_mm",
         _ => return None,
     };
     object.get(key)
-}
-
-/// The warnings of a message, and of the command.
-fn warnings(message: &str, object: &Map<String, Value>) -> [Vec<String>; 2] {
-    let of_page = message.split("Before you make it: ").skip(1);
-    let of_page = of_page.map(|rest| rest.split_once(". With so").map_or(rest, |(warning, _)| warning));
-    let of_page = of_page.map(|warning| warning.trim_end_matches([' ', '.']).to_owned());
-    let of_command = object["warnings"].as_array().expect("a list").iter();
-    [of_page.collect(), of_command.map(|warning| warning.as_str().expect("words").to_owned()).collect()]
 }
 
 /// Compares both answers to a question; how many numbers are equal, none if both refuse it.
@@ -95,8 +84,18 @@ fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
         }
     };
     let object = object(&words);
-    let [of_page, of_command] = warnings(moved.message.as_deref().unwrap_or_default(), &object);
-    assert_eq!(of_page, of_command, "{}", command.join(" "));
+    let message = moved.message.as_deref().unwrap_or_default();
+    let warnings = object["warnings"].as_array().expect("a list").iter();
+    let mut rest = message.to_lowercase();
+    for warning in warnings.map(|warning| warning.as_str().expect("words").to_lowercase() + ".") {
+        assert!(rest.contains(&warning), "{message}: {warning}: {}", command.join(" "));
+        rest = rest.replacen(&warning, "", 1);
+    }
+    // What is left is said of the page alone.
+    let is_own = |text: &str| {
+        text.is_empty() || ["clearance and knock are", "with so little play"].iter().any(|of| text.starts_with(of))
+    };
+    assert!(is_own(rest.trim()), "{rest}: {}", command.join(" "));
     let mut equal = 0;
     for of in live.quantities.iter().chain(live.others).chain(&moved.further) {
         let shown = moved.numbers.iter().find(|number| number.name == of.name);
@@ -125,13 +124,13 @@ fn the_figure_and_the_command_give_the_same_numbers_and_warnings() {
 fn without_play_the_figure_warns_as_the_command_does() {
     let live = by_name("design").expect("a figure");
     for radius in ["10", "25", "33.3", "100"] {
-        let settings = LiveArguments::from_pairs([("radius", radius.to_owned()), ("play", "0".to_owned())]);
+        let settings = LiveArguments::from_pairs([("crank-radius", radius.to_owned()), ("play", "0".to_owned())]);
         let message = live.answer(&settings).expect("an answer").message.expect("a warning");
-        assert!(message.contains("without play, parts made exactly as drawn will jam"), "{message}");
+        assert!(message.contains("Without play, parts made exactly as drawn will jam"), "{message}");
         assert!(!message.contains("overlap"), "{message}");
     }
     // Axes that are too near are an overlap.
-    let nearer = LiveArguments::from_pairs([("error", "-0.2".to_owned())]);
+    let nearer = LiveArguments::from_pairs([("centre-error", "-0.2".to_owned())]);
     let message = live.answer(&nearer).expect("an answer").message.expect("a warning");
     assert!(message.contains("overlap"), "{message}");
 }

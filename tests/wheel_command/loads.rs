@@ -17,7 +17,7 @@ fn the_loads_are_those_of_the_dynamics() {
             kind,
             "--rpm",
             "300",
-            "--inertia",
+            "--total-inertia",
             "0.002",
             "--friction-torque",
             "0.25",
@@ -91,7 +91,7 @@ fn a_plate_has_the_inertia_of_its_drawing() {
         "50",
         "--rpm",
         "300",
-        "--inertia",
+        "--total-inertia",
         &inertia.to_string(),
     ]);
     approx::assert_relative_eq!(
@@ -120,24 +120,32 @@ fn the_wheels_own_inertia_is_added_to_that_of_the_table() {
 #[test]
 fn an_inertia_that_is_less_than_the_wheels_own_is_refused() {
     let plate = ["wheel", "--stations", "6", "--crank-radius", "40", "--thickness", "12", "--rpm", "60"];
-    let steel = ["--pin-material", "steel", "--wheel-material", "steel"];
-    let own = number(&object(&[&plate[..], &["--density", "7800"]].concat()), "wheel_inertia_kgm2");
-    let with = |inertia: f64| {
-        let inertia = inertia.to_string();
-        refused(&[&plate[..], &steel, &["--inertia", &inertia]].concat())
-    };
+    let own = number(&object(&plate), "wheel_inertia_kgm2");
+    let with = |inertia: f64| refused(&[&plate[..], &["--total-inertia", &inertia.to_string()]].concat());
     let why = with(0.001);
-    for words in ["--inertia 0.001", "a wheel of steel alone has 0.0020", "add --density 7800"] {
+    for words in ["--total-inertia 0.001", "the wheel alone has 0.0020", "with --inertia"] {
         assert!(why.contains(words), "{why}");
     }
-    assert!(with(own * 0.999_999).contains("--inertia"));
-    let all = own.to_string();
-    assert_eq!(number(&object(&[&plate[..], &steel, &["--inertia", &all]].concat()), "inertia_kgm2"), own);
+    assert!(with(own * 0.999_999).contains("--total-inertia"));
+    let found = object(&[&plate[..], &["--total-inertia", &own.to_string()]].concat());
+    assert_eq!(number(&found, "inertia_kgm2"), own);
+}
+
+/// A disc of 2 kg and 300 mm has half its mass times the square of its radius.
+#[test]
+fn a_round_table_is_as_good_as_its_inertia() {
+    let wheel = ["wheel", "--stations", "6", "--index-time", "0.4", "--crank-radius", "40"];
+    let table = object(&[&wheel[..], &["--table-mass", "2", "--table-diameter", "300"]].concat());
+    let inertia = object(&[&wheel[..], &["--inertia", "0.0225"]].concat());
+    for key in ["table_inertia_kgm2", "inertia_kgm2", "peak_pin_force_n", "peak_crank_torque_nm"] {
+        approx::assert_relative_eq!(number(&table, key), number(&inertia, key), max_relative = 1e-15);
+    }
+    approx::assert_relative_eq!(number(&table, "rpm"), 50.0, max_relative = 1e-14);
 }
 
 #[test]
 fn the_pressure_is_that_of_the_line_contact() {
-    let wheel = ["wheel", "--stations", "6", "--rpm", "300", "--inertia", "0.02", "--crank-radius", "50"];
+    let wheel = ["wheel", "--stations", "6", "--rpm", "300", "--total-inertia", "0.02", "--crank-radius", "50"];
     let pressed = |thickness: &str, wall: &str| {
         let with =
             ["--pin-diameter", "8", "--thickness", thickness, "--pin-material", "steel", "--wheel-material", wall];

@@ -26,7 +26,7 @@ pub struct ReportField {
 
 /// What a value needs of those things that a question about a wheel may leave out: a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs(u16);
+pub struct Needs(u32);
 
 impl Needs {
     /// Nothing but what every question gives.
@@ -49,6 +49,27 @@ impl Needs {
     pub const PIN_FRICTION: Self = Self(1 << 6);
     /// A crank angle before a pin enters.
     pub const BEFORE_ENTRY: Self = Self(1 << 7);
+    /// The diameter of the wheel's shaft.
+    pub const WHEEL_SHAFT: Self = Self(1 << 9);
+    /// The diameter of the driver's shaft, in the plane of the wheel and in the plate.
+    pub const DRIVER_SHAFT: Self = Self(1 << 10);
+
+    /// The coefficient of friction of the locking disc.
+    pub const DISC_FRICTION: Self = Self(1 << 16);
+    /// The coefficient of friction of the bearings.
+    pub const BEARING_FRICTION: Self = Self(1 << 17);
+    /// A constant friction torque on the driver.
+    pub const DRIVER_FRICTION: Self = Self(1 << 18);
+    /// A torque that turns the wheel while it should stand.
+    pub const HELD_TORQUE: Self = Self(1 << 19);
+    /// An overload torque on the driver's arm.
+    pub const ARM_TORQUE: Self = Self(1 << 20);
+    /// The moment of inertia of what turns with the driver.
+    pub const DRIVER_INERTIA: Self = Self(1 << 21);
+    /// The torque with which the driver is started.
+    pub const DRIVE_TORQUE: Self = Self(1 << 22);
+    /// The ratio of the gear between motor and driver.
+    pub const GEAR_RATIO: Self = Self(1 << 23);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {

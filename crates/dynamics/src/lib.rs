@@ -31,8 +31,8 @@
 //! # Conventions
 //!
 //! - **Units** of an escapement may be any that fit together. With inertias in kg m² and torques in N m, times are in seconds
-//!   and speeds in rad/s; where the unit of time is yours, the comments say "unit of time". [`wheel_loads`] and
-//!   [`line_contact`] are in SI units.
+//!   and speeds in rad/s; where the unit of time is yours, the comments say "unit of time". [`wheel_loads`],
+//!   [`line_contact`] and [`pin_strength`] are in SI units.
 //! - **Angles** are in radians. The crank angle θ is zero on the line of centres, negative before it and positive past it.
 //!   The follower's angle φ is zero there too. Driver and follower turn in opposite senses, and both angles grow.
 //! - **Lengths** are in crank radii. So a force becomes a moment, force times crank radius, until you give the radius.
@@ -54,7 +54,9 @@
 //! | what changes with the torque | [`similarity`] |
 //! | a pin of finite radius, friction in the bearings | [`joints`] |
 //! | torque, force and power of a wheel at constant speed | [`wheel_loads`] |
+//! | friction of pin, disc and bearings, start, flywheel | [`wheel_loads`] |
 //! | pressure between pin and slot | [`line_contact`] |
+//! | bending and shear of a pin, the least pin for a load | [`pin_strength`] |
 //! | why the equation is right | [`energy`], [`singularity`], the modules whose names end in `proofs` |
 //!
 //! The formulas are generic over a [`Field`](geneva_kinematics::Field), so that they run on `f64`, on power series and on
@@ -74,6 +76,7 @@ pub mod forces;
 pub mod joints;
 pub mod line_contact;
 mod parameters;
+pub mod pin_strength;
 pub mod pose;
 mod sign;
 pub mod similarity;

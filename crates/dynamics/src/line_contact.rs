@@ -22,23 +22,51 @@ pub struct Material {
     pub poisson: f64,
     /// Density, in kg/m³.
     pub density: f64,
+    /// Stress in tension at which it yields, or breaks without yielding, in Pa.
+    pub strength: f64,
 }
 
-/// Some materials of pins and wheels, with values as textbooks print them.
+/// Some materials of pins and wheels, with values as textbooks, standards and data sheets print them.
 ///
-/// Metals: R. G. Budynas and J. K. Nisbett, *Shigley's Mechanical Engineering Design*, table A-5, physical constants of
-/// materials. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5, tensile modulus of the homopolymer
-/// at room temperature; it creeps, and with time and heat its modulus falls. That table has no Poisson's ratio: 0.35 is
-/// assumed, and from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side. Densities: customary
-/// values, in which textbooks differ by about one per cent; that of phosphor bronze is of the alloy C51000 with five per cent of
-/// tin (Concast Metal Products, data sheet: 0.320 lb/in³), where Shigley's table has 8 % less.
-pub const MATERIALS: [Material; 5] = [
-    Material { name: "steel", modulus: 207e9, poisson: 0.292, density: 7800.0 },
-    Material { name: "stainless-steel", modulus: 190e9, poisson: 0.305, density: 7750.0 },
-    Material { name: "cast-iron", modulus: 100e9, poisson: 0.211, density: 7200.0 },
-    Material { name: "phosphor-bronze", modulus: 111e9, poisson: 0.349, density: 8860.0 },
-    Material { name: "acetal", modulus: 3.0e9, poisson: 0.35, density: 1420.0 },
+/// Modulus and Poisson's ratio of the metals: R. G. Budynas and J. K. Nisbett, *Shigley's Mechanical Engineering Design*, table A-5,
+/// physical constants of materials. Densities: customary values, in which textbooks differ by about one per cent; that of phosphor
+/// bronze is of the alloy C51000 with five per cent of tin (Concast Metal Products, data sheet: 0.320 lb/in³), where Shigley's table
+/// has 8 % less. All strengths are of a soft or weak grade, so a better one carries more:
+///
+/// | material | strength |
+/// |---|---|
+/// | steel | yield of AISI 1020, hot rolled (Shigley, table A-20) |
+/// | stainless steel | least yield of type 304 (ASTM A240) |
+/// | cast iron | tensile strength of class 30 (Shigley, table A-24); it doesn't yield, and bears more than three times as much pressure |
+/// | phosphor bronze | yield of C51000, annealed (Copper Development Association, alloys.copper.org: 19 ksi) |
+/// | hardened steel | a third of the hardness of 513 HV: 50 HRC, the least of a hardened dowel pin (ASME B18.8.2); the third by D. Tabor, *The Hardness of Metals* |
+/// | aluminium | least proof stress of EN AW-6061-T6 (EN 755-2) |
+///
+/// Plastics creep, and with time and heat they get softer. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5,
+/// tensile modulus of the homopolymer at room temperature; its strength is 60 MPa, our choice below what data sheets give. Nylon and
+/// acrylic: The Mechanical Engineering Handbook (themechanicalengineeringhandbook.com), *Mechanical Properties of Non-Metals*, with the
+/// yield strength. PLA: data of a printed bar in its weaker direction (pro3dcomposites.com: 2,539 MPa, 26 MPa at yield, 1.264 g/cm³).
+/// PETG: the low ends for a printed bar (additive.tools: 2 GPa, 44 MPa). Across the layers printed parts bear a third less. MDF: what
+/// EN 622-5 asks of a board over 6 to 9 mm in bending; its density is our choice. Poisson's ratios of acetal, PLA, PETG and MDF are
+/// assumed: from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side.
+pub const MATERIALS: [Material; 12] = [
+    material("steel", 207e9, 0.292, 7800.0, 210e6),
+    material("stainless-steel", 190e9, 0.305, 7750.0, 205e6),
+    material("cast-iron", 100e9, 0.211, 7200.0, 214e6),
+    material("phosphor-bronze", 111e9, 0.349, 8860.0, 131e6),
+    material("acetal", 3.0e9, 0.35, 1420.0, 60e6),
+    material("hardened-steel", 207e9, 0.292, 7800.0, 1677e6),
+    material("aluminium", 71.7e9, 0.333, 2710.0, 240e6),
+    material("nylon", 1.0e9, 0.3, 1150.0, 60e6),
+    material("acrylic", 3.0e9, 0.35, 1200.0, 45e6),
+    material("pla", 2.54e9, 0.35, 1264.0, 26e6),
+    material("petg", 2.0e9, 0.35, 1270.0, 44e6),
+    material("mdf", 2.7e9, 0.3, 750.0, 23e6),
 ];
+
+const fn material(name: &'static str, modulus: f64, poisson: f64, density: f64, strength: f64) -> Material {
+    Material { name, modulus, poisson, density, strength }
+}
 
 /// A pin on a flat wall.
 ///
@@ -97,6 +125,21 @@ pub fn pressure_at_yield(poisson: f64) -> f64 {
         (squares.iter().sum::<f64>() / 2.0).sqrt()
     };
     (0..=2000).map(|step| equivalent(f64::from(step) / 1000.0)).fold(0.0, f64::max).recip()
+}
+
+/// The greatest pressure in Pa at which neither body begins to yield: of each its strength times
+/// [`pressure_at_yield`], and of both the less.
+///
+/// ```
+/// use geneva_dynamics::line_contact::{MATERIALS, pressure_at_yield, pressure_limit};
+///
+/// let (hardened, acetal) = (&MATERIALS[5], &MATERIALS[4]);
+/// let limit = acetal.strength * pressure_at_yield(acetal.poisson); // Pa
+/// assert_eq!(pressure_limit(hardened, acetal), limit); // the softer yields first
+/// ```
+pub fn pressure_limit(pin: &Material, wall: &Material) -> f64 {
+    let of = |body: &Material| body.strength * pressure_at_yield(body.poisson);
+    of(pin).min(of(wall))
 }
 
 impl LineContact {

@@ -37,7 +37,7 @@ fn a_softer_wall_is_pressed_less_and_a_thinner_pin_presses_more() {
     assert!(pressure(3e-3, &MATERIALS[4]) < 0.2 * pressure(3e-3, &STEEL));
     assert_relative_eq!(pressure(1e-3, &STEEL), 2.0 * pressure(4e-3, &STEEL), max_relative = 1e-14);
     // A rigid body leaves the other's compliance alone.
-    let rigid = Material { name: "rigid", modulus: f64::INFINITY, poisson: 0.0, density: 1.0 };
+    let rigid = Material { name: "rigid", modulus: f64::INFINITY, poisson: 0.0, density: 1.0, strength: 1.0 };
     assert_relative_eq!(2.0 * contact_modulus(&STEEL, &STEEL), contact_modulus(&STEEL, &rigid), max_relative = 1e-14);
 }
 
@@ -66,7 +66,7 @@ fn yielding_begins_where_the_book_has_it() {
 fn what_is_no_contact_is_refused() {
     assert!(LineContact::new(0.0, 1.0, &STEEL, &STEEL).is_err());
     assert!(LineContact::new(1.0, f64::NAN, &STEEL, &STEEL).is_err());
-    let none = Material { name: "none", modulus: 0.0, poisson: 0.0, density: 1.0 };
+    let none = Material { name: "none", modulus: 0.0, poisson: 0.0, density: 1.0, strength: 1.0 };
     assert!(LineContact::new(1.0, 1.0, &STEEL, &none).is_err());
     let contact = LineContact::new(1.0, 1.0, &STEEL, &STEEL).expect("possible");
     assert!(contact.pressure(-1.0).is_err() && contact.width(f64::NAN).is_err());

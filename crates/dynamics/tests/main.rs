@@ -12,6 +12,7 @@ mod forces;
 mod joints;
 mod line_contact;
 mod parameters;
+mod pin_strength;
 mod pose;
 mod proving;
 mod sign;

@@ -182,6 +182,10 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         ("numbers.csv", fields::table(&answer)?.into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
+    if let Some(figure) = design.sizes_figure() {
+        files.push(("sizes.csv", figure.series.to_csv().into_bytes()));
+        files.push(("sizes.svg", figure.standalone().into_bytes()));
+    }
     for file in SHAPE_FILES {
         if design.can_make(file) {
             files.push((file.name, (file.make)(design)?));
@@ -212,6 +216,16 @@ fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: 
     }
 }
 
+/// Refuses a material that was given; `why` ends the sentence "… has no effect".
+fn reject_materials(wanted: &WheelQuestion, why: &str) -> anyhow::Result<()> {
+    for (option, material) in [("wheel-material", wanted.wheel_material), ("pin-material", wanted.pin_material)] {
+        if let Some(material) = material {
+            bail!("--{option} {} has no effect {why}", material.name);
+        }
+    }
+    Ok(())
+}
+
 /// Refuses options that have no effect where wheels are proposed.
 fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> anyhow::Result<()> {
     let (by, counts): (_, &[&str]) = if wanted.dwell_angle.is_some() {
@@ -227,14 +241,7 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
              choose"
         ),
     )?;
-    for (option, material) in [("pin-material", wanted.pin_material), ("wheel-material", wanted.wheel_material)] {
-        if let Some(material) = material {
-            bail!(
-                "--{option} {} has no effect with {by}, which propose wheels without loads; leave it out",
-                material.name
-            );
-        }
-    }
+    reject_materials(wanted, &format!("with {by}, which propose wheels without loads; leave it out"))?;
     if options.format == CommandFormat::Fields {
         bail!(
             "--format fields is for one wheel, but {by} propose several; choose --format csv, which has a row for each"
@@ -262,6 +269,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if !is_external {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_materials(wanted, why)?;
     }
     if format == CommandFormat::Svg && !is_external {
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
@@ -276,6 +284,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
+        reject_materials(wanted, why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
@@ -314,18 +323,17 @@ mod tests {
 
     #[test]
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
-        let words = "--stations 6 --pins 2 --type internal --crank-radius 50 --pin-diameter 8 --play 0.1 --horn 9 --bottom-clearance 1 \
-                     --wheel-shaft 20 --driver-shaft 10 --rpm 60 --inertia 0.002 --thickness 8 --density 7800 --friction-torque 0.1 \
-                     --pin-material steel --wheel-material acetal --at -20 --at 5 --at-wheel 3";
-        let given = |argument: &Argument| words.contains(&format!("--{} ", argument.name));
-        assert_eq!(
-            ARGUMENTS.iter().filter(|argument| given(argument)).count() + 3,
-            ARGUMENTS.len(),
-            "one size of three, one speed of two"
-        );
+        let value = |argument: &Argument| match argument.place {
+            ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Material(_) => "acetal",
+            ArgumentSlot::Length(_) => "2in",
+            ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",
+            _ => "4",
+        };
+        let words: String = arguments().map(|argument| format!("--{} {} ", argument.name, value(argument))).collect();
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
         let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
-        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(words).expect("arguments")));
+        assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
     }
 }

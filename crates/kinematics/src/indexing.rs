@@ -65,6 +65,11 @@ pub struct PinInSlot {
     /// Coriolis acceleration of the pin over its acceleration on the crank circle, dimensionless: twice the wheel's
     /// velocity ratio times [`radius_rate`](Self::radius_rate). Positive in the sense in which the wheel turns.
     pub coriolis: f64,
+    /// Rate at which the pin turns in its slot about its own axis, in radians per radian of the crank: how much faster its
+    /// surface slides outward on the wall that it pushes the wheel with than its centre does, over the pin's radius. On the
+    /// other wall it is as much slower. External wheels: 1 + v, v the wheel's velocity ratio; internal wheels: v − 1, as
+    /// driver and wheel turn in the same sense; spherical wheels: zero, as the turning of their pins is not followed.
+    pub turning: f64,
 }
 
 /// A Geneva wheel with its driver.
@@ -111,6 +116,7 @@ pub trait Indexing {
     /// let middle = wheel.pin_in_slot(0.0)?;
     /// assert!((middle.radius - 1.0).abs() < 1e-15); // k − 1, in crank radii
     /// assert_eq!((middle.sliding, middle.coriolis), (0.0, 0.0)); // the pin moves across the slot
+    /// assert!((middle.turning - 2.0).abs() < 1e-15); // driver and wheel turn against each other, each at the driver's speed
     /// let entry = wheel.pin_in_slot(-wheel.engagement_half_angle())?;
     /// assert!((entry.sliding + 1.0).abs() < 1e-15); // it goes in along the slot, at its whole speed
     /// # Ok::<(), geneva_kinematics::KinematicsError>(())

@@ -221,6 +221,7 @@ impl Indexing for InternalWheel {
             radius_rate: 0.0 - sliding,
             sliding,
             coriolis: 0.0 - 2.0 * (self.sine * above / square) * sliding,
+            turning: self.sine * above / square - 1.0,
         })
     }
 

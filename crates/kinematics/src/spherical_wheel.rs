@@ -206,6 +206,7 @@ impl Indexing for SphericalWheel {
             radius_rate: rate,
             sliding: sine / (self.cosine * root),
             coriolis: 2.0 * velocity_ratio(&tangent, &place) * rate,
+            turning: 0.0,
         })
     }
 

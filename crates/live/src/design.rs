@@ -39,7 +39,7 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("power", "greatest power", "peak_power_w"),
         LiveQuantity::field("backlash", "backlash in mid-dwell", "dwell_backlash_deg"),
         LiveQuantity::field("greatest", "greatest backlash, to one side", "greatest_dwell_backlash_deg"),
-        LiveQuantity::field("blow", "knock of the pin at entry", "entry_knock_mm_s"),
+        LiveQuantity::field("blow", "knock of the pin at entry", "knock_mm_s"),
         LiveQuantity::field("hardest", "knock after the greatest backlash", "greatest_knock_mm_s"),
         LiveQuantity::field("crank-radius", "crank radius", "crank_radius_mm"),
         LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
@@ -249,8 +249,7 @@ fn numbers_file(settings: &Settings) -> Result<String, String> {
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
     let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
-    let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
-    fields.push(design.blow(sizes));
+    let fields = design.live_fields(&sizes.wheel).map_err(words)?;
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
         Some(key) => {

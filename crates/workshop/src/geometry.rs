@@ -19,7 +19,7 @@ pub(crate) fn turned(p: Point, angle: f64) -> Point {
 }
 
 /// The point a part of the way along an edge.
-pub(crate) fn along(edge: &Edge, part: f64) -> Point {
+pub(crate) fn point_along(edge: &Edge, part: f64) -> Point {
     match *edge {
         Edge::Line { from, to } => from + (to - from) * part,
         Edge::Arc { centre, radius, start, sweep } => centre + direction(start + sweep * part) * radius,

@@ -26,7 +26,7 @@ pub use dxf::dxf;
 pub use mesh::{Mesh, meshes};
 pub use parts::{
     BasePlate, Fastener, Hole, HolePurpose, KEYED_SHAFTS, Keyway, Layer, Mounting, MountingError, Part, PartList,
-    Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, parts,
+    Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts,
 };
 pub use scad::scad;
 pub use sheets::{

@@ -126,7 +126,7 @@ fn starting_at(edge: &Edge, start_point: Point) -> Option<Edge> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{along, distance};
+    use crate::geometry::{distance, point_along};
     use crate::parts::{Mounting, PinMount, ScrewHole, ShaftFit, Thread, parts};
     use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
     use std::f64::consts::PI;
@@ -151,7 +151,7 @@ mod tests {
                     for (edge, next) in path.edges.iter().zip(path.edges.iter().cycle().skip(1)) {
                         assert!((edge.end_point() - next.start_point()).norm() < 1e-9, "{edge:?} {next:?}");
                         for k in 0..=20 {
-                            let p = along(edge, f64::from(k) / 20.0);
+                            let p = point_along(edge, f64::from(k) / 20.0);
                             let far = line.edges.iter().map(|of| distance(of, p)).fold(f64::INFINITY, f64::min);
                             assert!((far - by).abs() < 1e-9, "{:?}: {far}", part.layer);
                         }

@@ -4,12 +4,13 @@
 //! crank, pin and plays can be changed there. Sizes that don't fit are refused by an assertion that says what to change. Holes
 //! for mounting are lists of numbers; the file asserts that each is still within its part.
 
+use crate::geometry::Point;
 use crate::parts::{
     Fastener, Hole, HolePurpose, Layer, Mounting, MountingError, Part, PinMount, ScrewHole, ShaftFit, axial_play, parts,
 };
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, Sizes};
+use geneva_kinematics::wheel::{Edge, Loop, Sizes};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -54,7 +55,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
     let mut text = String::from(
         "// Geneva wheel and driver; lengths in millimetres, angles in degrees. All else follows from these numbers.\n",
     );
-    let sections: [(&str, &[(&str, f64, &str)]); 4] = [
+    let sections: [(&str, &[Variable]); 4] = [
         (
             "Wheel and driver",
             &[
@@ -72,7 +73,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
             &[
                 ("slot_play", sizes.play.slot, "width of a slot less the pin's diameter"),
                 ("locking_play", sizes.play.locking, "diameter of the locking arcs less that of the disc"),
-                ("axial_play", axial_play(sizes), "between wheel and plate"),
+                ("axial_play", axial_play(sizes, mounting), "between wheel and plate"),
                 ("tolerance", tolerance, "greatest distance of a chord from its arc"),
             ],
         ),
@@ -126,8 +127,26 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
         let _ = writeln!(text, "{name}_flat = {flat};");
         let _ = writeln!(text, "{name}_key_direction = {towards};");
     }
+    let _ = writeln!(
+        text,
+        "// One side of a slot's mouth, from its wall to the rim: along the slot from wheel_radius, and from the wall; none for \
+         a sharp one.\nmouth = [{}];",
+        mouth(sizes, tolerance)?
+    );
     Ok(text + DERIVED + MODEL)
 }
+
+/// One side of the mouth of a slot as the file's list of points, from the wall's end to the rim: along the slot from the wheel
+/// radius, and from the wall. Empty for a sharp mouth. Corners of chords are on their arc, which leaves less material.
+fn mouth(sizes: &Sizes, tolerance: f64) -> Result<String, KinematicsError> {
+    let face = Loop { edges: sizes.mouth_face().into_iter().collect() };
+    let ends = face.edges.iter().map(Edge::end_point);
+    let point = |p: Point| format!("[{}, {}]", p.x - sizes.wheel_radius, p.y - sizes.slot_width / 2.0);
+    Ok(face.corners(tolerance)?.into_iter().chain(ends).map(point).collect::<Vec<_>>().join(", "))
+}
+
+/// A variable: its name, its number, and what it means.
+type Variable = (&'static str, f64, &'static str);
 
 /// From the fixing holes of the base plate to its edge, in millimetres.
 fn margin(base: &Part) -> f64 {

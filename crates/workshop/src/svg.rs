@@ -131,7 +131,7 @@ pub(crate) fn path_data(of: &Loop, at: Point) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::along;
+    use crate::geometry::point_along;
     use crate::parts::{BasePlate, Fastener, Mounting, Pattern, ScrewHole, Thread, parts};
     use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
     use roxmltree::{Document, Node};
@@ -209,7 +209,7 @@ mod tests {
             let drawn: Vec<&Loop> = face.holes.iter().chain([&face.outer]).collect();
             assert_eq!(cut.len(), drawn.len());
             for (read, ours) in cut.iter().zip(drawn) {
-                for p in read.iter().flat_map(|edge| [0.0, 0.3, 0.7].map(|part| along(edge, part))) {
+                for p in read.iter().flat_map(|edge| [0.0, 0.3, 0.7].map(|part| point_along(edge, part))) {
                     let far = ours.edges.iter().map(|edge| crate::geometry::distance(edge, p - at));
                     assert!(far.fold(f64::INFINITY, f64::min) < 2e-6);
                     assert!(p.x > view[0].parse().unwrap() && p.y.abs() < -view[1].parse::<f64>().unwrap());

@@ -1,7 +1,7 @@
 //! Does a model whose variables are changed either refuse itself or still run? OpenSCAD itself runs it, and says what wheel and
 //! driver have in common at moments of a turn. Without OpenSCAD on the path these tests say that they are skipped.
 
-use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
 use geneva_workshop::{Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit, Thread, scad};
 use std::path::PathBuf;
 use std::process::Command;
@@ -13,7 +13,7 @@ enum Said {
     Refused(String),
     /// Wheel and driver have nothing in common at any moment.
     Runs,
-    /// They have this in common, as a file of the format OFF or SVG.
+    /// They have this in common, as a file of the format SVG.
     Overlaps(String),
 }
 
@@ -27,7 +27,7 @@ fn has_openscad() -> bool {
 
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::create_dir_all(&folder).expect("writable");
     folder
 }
 
@@ -35,34 +35,40 @@ fn folder(name: &str) -> PathBuf {
 fn run(name: &str, text: &str, changed: &[(&str, f64)], show: &str, output: &str) -> (bool, String, Option<String>) {
     let folder = folder(name);
     let (model, result) = (folder.join("model.scad"), folder.join(output));
-    std::fs::write(&model, text).unwrap();
+    std::fs::write(&model, text).expect("writable");
     let _ = std::fs::remove_file(&result);
     let mut command = Command::new("openscad");
     command.arg("-o").arg(&result).arg("-D").arg(format!("part=\"{show}\""));
     for (name, value) in changed {
         command.arg("-D").arg(format!("{name}={value}"));
     }
-    let run = command.arg(&model).output().unwrap();
+    let run = command.arg(&model).output().expect("it runs");
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     (run.status.success(), said, std::fs::read_to_string(result).ok())
 }
 
+/// A square beside the parts, so that a result without it is none.
+const BESIDE: &str = "\nif (part == \"overlap\") translate([1e5, 0]) square(1);\n";
+
 fn overlap(name: &str, text: &str, changed: &[(&str, f64)]) -> Said {
-    let (is_done, said, result) = run(name, text, changed, "overlap", "overlap.svg");
-    if said.contains("Current top level object is empty") {
-        return Said::Runs;
-    }
+    let (is_done, said, result) = run(name, &format!("{text}{BESIDE}"), changed, "overlap", "overlap.svg");
     if let Some(at) = said.find("ERROR: Assertion") {
         return Said::Refused(said[at..].lines().next().unwrap_or_default().to_owned());
     }
-    assert!(is_done, "{said}");
-    Said::Overlaps(result.unwrap_or_default())
+    let result = result.unwrap_or_default();
+    assert!(is_done && result.contains("100001,-1"), "{said}");
+    // Each closed line begins with this letter.
+    if result.matches("M ").count() == 1 { Said::Runs } else { Said::Overlaps(result) }
 }
 
-fn sizes(stations: u32, pins: u32) -> Sizes {
-    let wheel = Wheel::with_pins(stations, pins).unwrap();
-    let choices = Choices { wheel_shaft: Some(6.0), plate_shaft: Some(8.0), ..Choices::default() };
-    Sizes::new(wheel, Scale::CrankRadius(25.0), &choices).unwrap()
+fn sizes(stations: u32, pins: u32, choices: &Choices) -> Sizes {
+    Sizes::new(Wheel::with_pins(stations, pins).expect("possible"), Scale::CrankRadius(60.0), choices)
+        .expect("possible")
+}
+
+/// With shafts for key and flat.
+fn shafts() -> Choices {
+    Choices { wheel_shaft: Some(6.0), plate_shaft: Some(8.0), ..Choices::default() }
 }
 
 fn mounting(sizes: &Sizes) -> Mounting {
@@ -70,14 +76,14 @@ fn mounting(sizes: &Sizes) -> Mounting {
     Mounting {
         wheel_fit: ShaftFit::Key,
         driver_fit: ShaftFit::Flat { across: 7.0 },
-        wheel_hub: Some(Pattern { count: 3, circle: 0.6 * sizes.wheel_shaft_limit, fastener }),
+        wheel_hub: Some(Pattern { count: 3, circle: 1.3 * (sizes.slot_end - sizes.slot_width / 2.0), fastener }),
         pins: PinMount::Screw(Thread::M3, ScrewHole::Clearance),
         ..Mounting::default()
     }
 }
 
 fn variables(text: &str) -> Vec<(String, f64)> {
-    let before = text.split("/* [Hidden] */").next().unwrap();
+    let before = text.split("/* [Hidden] */").next().expect("possible");
     let lines = before.lines().filter_map(|line| line.split_once(" = "));
     lines.filter_map(|(name, rest)| Some((name.to_owned(), rest.split(';').next()?.parse().ok()?))).collect()
 }
@@ -88,14 +94,14 @@ fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
         return;
     }
     for (stations, pins) in [(3, 1), (4, 1), (4, 4), (5, 2), (6, 1), (8, 2), (12, 1), (24, 1), (60, 1)] {
-        let sizes = sizes(stations, pins);
+        let sizes = sizes(stations, pins, &Choices::default());
         let bare = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
         let text =
             bare.clone() + "\necho(cut = [crescent_centre, crescent_radius, locking_disc_radius, plate_radius]);\n";
         assert_eq!(overlap("unchanged", &bare, &[]), Said::Runs, "{stations} stations, {pins} pins");
         let (_, said, _) = run("unchanged", &text, &[], "overlap", "overlap.svg");
         let cut = said.split("cut = [").nth(1).and_then(|rest| rest.split(']').next()).expect("what it echoes");
-        let cut: Vec<f64> = cut.split(", ").map(|number| number.parse().unwrap()).collect();
+        let cut: Vec<f64> = cut.split(", ").map(|number| number.parse().expect("a number")).collect();
         let disc =
             sizes.locking_disc.map_or([0.0; 3], |disc| [disc.crescent.centre, disc.crescent.radius, disc.radius]);
         for (theirs, ours) in cut.iter().zip(disc.into_iter().chain([sizes.plate_radius])) {
@@ -106,13 +112,29 @@ fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
 }
 
 #[test]
+fn a_model_with_mouths_runs_too() {
+    if !has_openscad() {
+        return;
+    }
+    for mouth in [Mouth::Chamfer { width: 2.0, angle: 0.4 }, Mouth::Round { radius: 2.0 }] {
+        let sizes = sizes(6, 1, &Choices { mouth, ..Choices::default() });
+        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        assert_eq!(overlap("mouths", &text, &[]), Said::Runs, "{mouth:?}");
+        let (is_done, said, result) = run("mouths", &text, &[], "wheel", "part.stl");
+        assert!(is_done, "{said}");
+        let area = sizes.outline().wheel.area();
+        approx::assert_relative_eq!(volume(&result.unwrap()), 6.0 * area, max_relative = 1e-3);
+    }
+}
+
+#[test]
 fn a_model_with_a_changed_variable_refuses_itself_or_runs() {
     if !has_openscad() {
         return;
     }
     let (mut runs, mut refuses) = (0, 0);
     for (stations, pins) in [(4, 1), (6, 2)] {
-        let sizes = sizes(stations, pins);
+        let sizes = sizes(stations, pins, &shafts());
         let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes)).unwrap();
         for (name, value) in variables(&text) {
             let others = match name.as_str() {
@@ -142,13 +164,13 @@ fn an_overlap_would_be_found() {
     if !has_openscad() {
         return;
     }
-    let sizes = sizes(6, 1);
+    let sizes = sizes(8, 1, &Choices::default());
     let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
     // A crescent a little too shallow.
-    let wrong = text.replace("crescent_centre = has_dwell ? ", "crescent_centre = has_dwell ? 0.5 + ");
+    let wrong = text.replace("crescent_centre = has_dwell ? ", "crescent_centre = has_dwell ? 1.2 * ");
     assert_ne!(wrong, text);
     let said = overlap("wrong", &wrong, &[]);
-    assert!(matches!(&said, Said::Overlaps(what) if what.contains("path")), "{said:?}");
+    assert!(matches!(&said, Said::Overlaps(_)), "{said:?}");
 }
 
 /// The volume inside a file of the format STL, as text.
@@ -156,7 +178,7 @@ fn volume(text: &str) -> f64 {
     let numbers = text.lines().filter_map(|line| line.trim().strip_prefix("vertex "));
     let corners: Vec<[f64; 3]> = numbers
         .map(|line| {
-            let of: Vec<f64> = line.split(' ').map(|number| number.parse().unwrap()).collect();
+            let of: Vec<f64> = line.split(' ').map(|number| number.parse().expect("a number")).collect();
             [of[0], of[1], of[2]]
         })
         .collect();
@@ -173,7 +195,7 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
         return;
     }
     for (stations, pins) in [(4, 1), (6, 2)] {
-        let sizes = sizes(stations, pins);
+        let sizes = sizes(stations, pins, &shafts());
         let mounting = mounting(&sizes);
         let text = scad(&sizes, 6.0, 0.002, &mounting).unwrap();
         let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
@@ -184,4 +206,39 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
             approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
         }
     }
+}
+
+/// The mouth of the text, point by point, is the face of the outline.
+#[test]
+fn a_model_has_the_mouths_of_the_outline() {
+    for mouth in [
+        Mouth::Chamfer { width: 2.0, angle: 0.4 },
+        Mouth::Round { radius: 1.5 },
+        Mouth::LeadIn { length: 5.0, flare: 0.6 },
+    ] {
+        let wheel = Wheel::new(6).expect("possible");
+        let sizes =
+            Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() }).expect("fits");
+        let text = scad(&sizes, 6.0, 0.001, &Mounting::default()).expect("a model");
+        let list = text.lines().find_map(|line| line.strip_prefix("mouth = [")?.strip_suffix("];")).expect("a mouth");
+        let points: Vec<[f64; 2]> = list
+            .trim_matches(['[', ']'])
+            .split("], [")
+            .map(|point| point.split_once(", ").expect("two numbers"))
+            .map(|(x, y)| [x.parse::<f64>().expect("a number"), y.parse::<f64>().expect("a number")])
+            .collect();
+        let half = sizes.slot_width / 2.0;
+        let placed: Vec<[f64; 2]> = points.iter().map(|[x, y]| [x + sizes.wheel_radius, y + half]).collect();
+        // It begins on the wall and ends on the rim; between, it is on the face.
+        assert!(points[0][1].abs() < 1e-12, "{mouth:?}: {points:?}");
+        let end = placed.last().expect("points");
+        approx::assert_relative_eq!(end[0].hypot(end[1]), sizes.tip_radius, max_relative = 1e-12);
+        let outline = sizes.outline().wheel.outer.corners(0.001).expect("corners");
+        for [x, y] in &placed {
+            let nearest = outline.iter().map(|p| (p.x - x).hypot(p.y - y)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-9, "{mouth:?}: {x} {y} is {nearest} mm from a corner of the outline");
+        }
+    }
+    let sharp = sizes(6, 1, &Choices::default());
+    assert!(scad(&sharp, 6.0, 0.01, &Mounting::default()).expect("a model").contains("\nmouth = [];\n"));
 }

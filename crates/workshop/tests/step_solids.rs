@@ -2,9 +2,12 @@
 //! reference leads to an entity of the kind that the standard wants there, each edge is in two faces in opposite senses and ends
 //! on its curve, each face's bounds lie on its surface, and the volume follows from the faces.
 
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
 use geneva_workshop::{
-    BasePlate, Fastener, Layer, Mounting, Part, Pattern, PinMount, ScrewHole, ShaftFit, Thread, parts, step,
+    BasePlate, Fastener, Layer, Mounting, Part, Pattern, PinMount, ScrewHole, ShaftFit, Thread, internal_parts, parts,
+    step,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
@@ -340,9 +343,9 @@ fn volumes(text: &str) -> Vec<(String, f64)> {
 }
 
 fn list(stations: u32, pins: u32, choices: &Choices, mounting: &Mounting) -> (Sizes, Vec<Part>) {
-    let wheel = Wheel::with_pins(stations, pins).unwrap();
-    let sizes = Sizes::new(wheel, Scale::CrankRadius(60.0), choices).unwrap();
-    (sizes, parts(&sizes, 8.0, mounting).unwrap().parts)
+    let wheel = Wheel::with_pins(stations, pins).expect("possible");
+    let sizes = Sizes::new(wheel, Scale::CrankRadius(60.0), choices).expect("possible");
+    (sizes, parts(&sizes, 8.0, mounting).expect("possible").parts)
 }
 
 /// Volumes of the parts in the file's order, with pins that are one with the plate.
@@ -390,6 +393,35 @@ fn solids_with_holes_keyways_nuts_and_a_base_are_closed_too() {
         let all: f64 = found.iter().map(|(_, volume)| volume).sum();
         approx::assert_relative_eq!(all, expected(&sizes, &list), max_relative = 1e-9);
         assert!(found.iter().any(|(name, _)| name == "base plate"));
+    }
+}
+
+#[test]
+fn solids_of_an_internal_wheel_are_closed_too() {
+    let choices = Choices { wheel_shaft: Some(10.0), plate_shaft: Some(12.0), ..Choices::default() };
+    let nut = Fastener::Screw(Thread::M4, ScrewHole::NutTrap);
+    let mounted = Mounting {
+        wheel_fit: ShaftFit::Key,
+        driver_hub: Some(Pattern { count: 3, circle: 40.0, fastener: nut }),
+        pins: PinMount::Screw(Thread::M5, ScrewHole::NutTrap),
+        ..Mounting::default()
+    };
+    for (stations, choices, mounting) in [
+        (3, Choices::default(), Mounting::default()),
+        (4, Choices::default(), Mounting { is_stacked: true, ..Mounting::default() }),
+        (6, choices, mounted),
+        (24, Choices::default(), Mounting::default()),
+    ] {
+        let wheel = InternalWheel::new(stations).unwrap();
+        let sizes = InternalSizes::new(wheel, 60.0, &choices).unwrap();
+        let list = internal_parts(&sizes, 8.0, &mounting).unwrap().parts;
+        let found = volumes(&step(&list).unwrap());
+        let all: f64 = found.iter().map(|(_, volume)| volume).sum();
+        let joined = list.iter().any(|part| part.layer == Layer::Pins && part.is_joined);
+        let filled = if joined { PI * sizes.pin_radius().powi(2) * 8.0 } else { 0.0 };
+        let drawn: f64 = list.iter().map(|part| part.volume() * part.quantity() as f64).sum();
+        approx::assert_relative_eq!(all, drawn + filled, max_relative = 1e-9);
+        approx::assert_relative_eq!(found[0].1, sizes.outline().ring.area() * 8.0, max_relative = 1e-9);
     }
 }
 

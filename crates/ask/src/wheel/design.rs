@@ -1,13 +1,16 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
 use super::WheelQuestion;
+use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
+use super::materials::materials;
+use super::mouth::{asked_mouth, check_mouth, mouth_argument};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
 use crate::worked::DriverSpeed;
-use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material};
+use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -60,11 +63,13 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
+        refuse_contradictions(&question)?;
         let question = with_speed(question, &wheel)?;
+        check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = [question.pin_material, question.wheel_material].map(|of| of.unwrap_or(MATERIALS[0]));
+        let materials = materials(&question)?;
         let density = question.density.unwrap_or(materials[1].density);
-        let mut scale = scale(&question)?;
+        let mut scale = scale(&question);
         if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
             scale = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
         }
@@ -82,7 +87,8 @@ impl WheelDesign {
         let thickness = sizes.map(|sizes| question.thickness.unwrap_or_else(|| usual_thickness(sizes.pin_diameter)));
         let wheel_inertia = own_inertia(sizes.as_ref(), thickness, density)?;
         let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
-            (Some(all), _, own) => Some(holds_the_wheel(all, own)?),
+            // A thickness that the program chose is no reason to refuse what was given.
+            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),
             (None, None, None) => None,
             (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };
@@ -136,8 +142,7 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        let friction = self.question.friction_torque.unwrap_or(0.0);
-        Ok(Some(WheelLoads::new(wheel, inertia, friction, speed)?))
+        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -248,7 +253,8 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
 fn holds_the_wheel(all: f64, wheel: Option<f64>) -> Result<f64, Error> {
     let Some(wheel) = wheel.filter(|wheel| all < *wheel) else { return Ok(all) };
     Err(refused!(
-        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give          the inertia of the table alone with --inertia",
+        "--total-inertia {}: the wheel alone has {} kg m², so with everything that turns with it, it has more; give that, or give \
+         the inertia of the table alone with --inertia",
         as_typed(all),
         rounded_up(wheel)
     ))
@@ -281,10 +287,7 @@ fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion
     let wheel = wheel.indexing();
     let (time, option, fraction) = match (question.index_time, question.dwell_time) {
         (None, None) => return Ok(question),
-        (Some(_), Some(_)) => {
-            return Err(refused!("of --index-time and --dwell-time, one gives the speed of a wheel; leave one out"));
-        }
-        (Some(time), None) => (time, "index-time", wheel.motion_fraction()),
+        (Some(time), _) => (time, "index-time", wheel.motion_fraction()),
         (None, Some(time)) => (time, "dwell-time", wheel.dwell_fraction()),
     };
     if fraction <= SAME {
@@ -314,55 +317,92 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
     }
 }
 
-/// The one length that was given.
-fn scale(question: &WheelQuestion) -> Result<Option<Scale>, Error> {
-    let crank = question.crank_radius.map(Scale::CrankRadius);
-    let centres = question.centre_distance.map(Scale::CentreDistance);
-    let outside = question.outside_diameter.map(Scale::OutsideDiameter);
-    let given = [crank, centres, question.wheel_radius.map(Scale::WheelRadius), outside];
-    let mut given = given.into_iter().flatten();
-    match (given.next(), given.next()) {
-        (_, Some(_)) => Err(refused!(
-            "of --crank-radius, --centre-distance, --wheel-radius and --outside-diameter, one gives the size; leave the others \
-             out"
-        )),
-        (one, None) => Ok(one),
+/// Arguments that say the same: of each of these, one is given.
+const SAY_THE_SAME: [&[&str]; 4] = [
+    &["crank-radius", "centre-distance", "wheel-radius", "outside-diameter"],
+    &["rpm", "rad-s", "index-time", "dwell-time"],
+    &["inertia", "total-inertia", "table-mass"],
+    &["horn", "locking-arc-radius"],
+];
+
+/// Refuses two arguments that say the same.
+fn refuse_contradictions(question: &WheelQuestion) -> Result<(), Error> {
+    let given = question.numbers();
+    for group in SAY_THE_SAME {
+        let mut of_group = given.iter().filter(|(argument, _)| group.contains(&argument.name));
+        if let (Some((one, value)), Some((other, second))) = (of_group.next(), of_group.next()) {
+            return Err(refused!(
+                "--{} {} and --{} {} say the same in two ways; leave one of them out",
+                one.name,
+                as_typed(*value),
+                other.name,
+                as_typed(*second)
+            ));
+        }
     }
+    Ok(())
 }
 
-pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let choices = Choices {
+/// A shaft that was given; one of no diameter is none.
+pub(super) fn given(shaft: Option<f64>) -> Option<f64> {
+    shaft.filter(|diameter| *diameter != 0.0)
+}
+
+/// The one length that was given.
+fn scale(question: &WheelQuestion) -> Option<Scale> {
+    let crank = question.crank_radius.map(Scale::CrankRadius);
+    let centres = question.centre_distance.map(Scale::CentreDistance);
+    let radius = question.wheel_radius.map(Scale::WheelRadius);
+    crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
+}
+
+/// What was chosen of the parts.
+pub(super) fn choices(question: &WheelQuestion) -> Choices {
+    Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
         locking_arc_radius: question.locking_arc_radius,
-        wheel_shaft: question.wheel_shaft,
-        driver_shaft: question.driver_shaft,
-    };
+        wheel_shaft: given(question.wheel_shaft),
+        driver_shaft: given(question.driver_shaft),
+        plate_shaft: given(question.plate_shaft),
+        mouth: asked_mouth(question).unwrap_or_default(),
+    }
+}
+
+pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let choices = choices(question);
     let (locking, bore) = (question.locking_play, question.bore_play);
     if locking.or(bore).is_none() {
         return Sizes::new(wheel, scale, &choices);
     }
     // The other plays are those that it has without.
     let Play { slot, locking: as_slot, bore: of_slot } =
-        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, ..choices })?.play;
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?
+            .play;
     let play = Play { slot, locking: locking.unwrap_or(as_slot), bore: bore.unwrap_or(of_slot) };
     Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
+pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),
         Remedy::LessPlay => ("play", question.play),
         Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
+        Remedy::ThickerHorn => ("horn", question.horn),
     };
     let arguments = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
+        SizesError::Mouth { name, remedies, .. } => {
+            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
+        }
+        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
     };
     Error::Sizes { error, arguments }

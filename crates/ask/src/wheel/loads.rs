@@ -34,6 +34,19 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
     let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
+    let question = &design.question;
+    let of_others =
+        [question.pin_friction, question.disc_friction, question.bearing_friction, question.driver_friction];
+    let friction_torque = if of_others.iter().all(Option::is_none) {
+        "on the wheel; no other friction is included"
+    } else {
+        "on the wheel"
+    };
+    let mean = if loads.as_ref().is_some_and(|loads| loads.mean_crank_torque() > 0.0) {
+        "over a turn of the driver; this is what friction takes"
+    } else {
+        "frictionless: no friction is given"
+    };
     let from = ReportField::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
@@ -49,8 +62,20 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         ReportField::in_unit("table_mass_kg", design.question.table_mass, "kg").needing(Needs::TABLE),
         ReportField::in_unit("table_diameter_mm", design.question.table_diameter, "mm").needing(Needs::TABLE),
         ReportField::in_unit("friction_torque_nm", design.question.friction_torque, "N m")
-            .line("friction torque", "on the wheel; no other friction is included")
+            .line("friction torque", friction_torque)
             .needing(Needs::FRICTION_TORQUE),
+        ReportField::new("pin_friction", question.pin_friction)
+            .line("friction", "coefficient of the pin in its slot")
+            .needing(Needs::PIN_FRICTION),
+        ReportField::new("disc_friction", question.disc_friction)
+            .line("", "coefficient of the locking disc in its arc")
+            .needing(Needs::DISC_FRICTION),
+        ReportField::new("bearing_friction", question.bearing_friction)
+            .line("", "coefficient of the bearings of wheel and driver")
+            .needing(Needs::BEARING_FRICTION),
+        ReportField::in_unit("driver_friction_nm", question.driver_friction, "N m")
+            .line("", "constant torque on the driver")
+            .needing(Needs::DRIVER_FRICTION),
         ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")
             .visible_in_live_figure(),
@@ -79,7 +104,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         ReportField::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
         ReportField::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
-            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes")
+            .line("mean crank torque", mean)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),

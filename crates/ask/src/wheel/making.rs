@@ -64,8 +64,9 @@ impl WheelDesign {
         let modulus = self.contact.map(|_| contact_modulus(pin, wall));
         let force = loads.as_ref().and_then(|loads| self.force(loads.pin_moment().driving.value));
         let width = self.contact.zip(force).map(|(contact, force)| contact.width(force)).transpose()?;
-        let rubbing = loads.zip(question.pin_friction).map(|(loads, friction)| loads.rubbing_crank_torque(friction));
-        let (peak, mean) = rubbing.transpose()?.unzip();
+        let rubbing = loads.filter(|_| question.pin_friction.is_some());
+        let peak = rubbing.as_ref().map(|loads| loads.crank_torque().driving.value);
+        let mean = rubbing.as_ref().map(|loads| loads.mean_crank_torque());
         Ok(vec![
             ReportField::in_unit("contact_modulus_gpa", modulus.map(|modulus| modulus / GIGAPASCAL), "GPa")
                 .line("modulus of the contact", "E* of pin and wall")
@@ -75,9 +76,6 @@ impl WheelDesign {
                 .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE)),
             ReportField::in_unit("pressure_at_yield", pressure_at_yield(POISSON), "× yield stress")
                 .line("pressure at yield", "greatest pressure at which a wall begins to yield below its surface"),
-            ReportField::new("pin_friction", question.pin_friction)
-                .line("pin friction", "coefficient in the slot")
-                .needing(Needs::PIN_FRICTION),
             ReportField::in_unit("rubbing_peak_crank_torque_nm", peak, "N m")
                 .line("peak crank torque", "with the pin's friction in the slot")
                 .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::PIN_FRICTION)),
@@ -139,14 +137,14 @@ impl WheelDesign {
             mm("locking_overlap_mm", sizes.locking_gap().map(|gap| self.centre_error() - gap))
                 .line("disc", "deeper in the arc than it fits, with the axes nearer by as much"),
             degrees("late_entry_deg", late).line("entry", "of the pin, late by"),
-            self.blow(sizes),
+            self.blow_at_entry(),
         ];
         Ok(ReportField::all_needing(fields, Needs::SIZE))
     }
 
     /// The knock of a pin as it enters, with the axes as far apart as the question says. Missing where it meets no slot.
-    pub fn blow(&self, sizes: &Sizes) -> ReportField {
-        let entry = sizes.entry(self.centre_error()).zip(self.pin_speed());
+    pub(super) fn blow_at_entry(&self) -> ReportField {
+        let entry = self.sizes.as_ref().and_then(|sizes| sizes.entry(self.centre_error())).zip(self.pin_speed());
         ReportField::in_unit("entry_knock_mm_s", entry.map(|(entry, speed)| entry.closing_speed * speed), "mm/s")
             .line("knock at entry", "if the wheel is in the middle of its backlash")
             .needing(Needs::SIZE.union(Needs::SPEED))

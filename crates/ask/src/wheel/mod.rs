@@ -2,12 +2,18 @@
 
 mod arguments;
 mod design;
+mod drive;
 mod files;
+mod friction;
 mod instant;
 mod kind;
 mod loads;
 mod making;
+mod materials;
+mod mounting;
+mod mouth;
 mod parts;
+mod pin_load;
 mod question;
 mod recommended;
 mod report;
@@ -18,6 +24,7 @@ pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob,
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};
+pub use mounting::{BoreShape, MountingQuestion, PinKind};
 pub use question::{SearchEffort, WheelQuestion, in_millimetres};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};

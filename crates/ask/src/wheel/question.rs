@@ -2,6 +2,7 @@
 
 use super::arguments::{Argument, ArgumentSlot, arguments};
 use super::kind::WheelKind;
+use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
@@ -52,10 +53,24 @@ pub struct WheelQuestion {
     pub locking_arc_radius: Option<f64>,
     /// How much deeper the slots are than the pins need.
     pub bottom_clearance: Option<f64>,
+    /// How much of each wall of a slot a chamfer takes at its mouth: this or one of the next but one.
+    pub mouth_chamfer: Option<f64>,
+    /// Angle of the chamfer to the wall in degrees.
+    pub mouth_angle: Option<f64>,
+    /// Radius of rounded mouths of the slots.
+    pub mouth_radius: Option<f64>,
+    /// How much of each wall of a slot a lead-in takes at its mouth.
+    pub lead_in: Option<f64>,
+    /// How far the lead-in has left the wall at the wheel radius.
+    pub lead_in_flare: Option<f64>,
     /// Diameter of the wheel's shaft.
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, if it ends there; that in the plane of the wheel unless it is given.
+    pub plate_shaft: Option<f64>,
+    /// Holes for mounting, and what the files have besides wheel and driver.
+    pub mounting: MountingQuestion,
     /// By how much the axes are too far apart, for clearance and knock.
     pub centre_error: Option<f64>,
     /// Mass in kg of a round table that turns with the wheel.
@@ -70,6 +85,42 @@ pub struct WheelQuestion {
     pub density: Option<f64>,
     /// Torque of the friction that brakes the wheel, in N m.
     pub friction_torque: Option<f64>,
+    /// Coefficient of friction of a pin in its slot.
+    pub pin_friction: Option<f64>,
+    /// Coefficient of friction of the locking disc in its arc.
+    pub disc_friction: Option<f64>,
+    /// Coefficient of friction of the bearings of wheel and driver.
+    pub bearing_friction: Option<f64>,
+    /// Diameter at which the wheel's bearing rubs; that of the wheel's shaft unless it is given.
+    pub wheel_bearing: Option<f64>,
+    /// Diameter at which the driver's bearing rubs; that of the driver's shaft unless it is given.
+    pub driver_bearing: Option<f64>,
+    /// Constant torque of friction on the driver, in N m.
+    pub driver_friction: Option<f64>,
+    /// Torque in N m that turns the wheel while it should stand, as of a table out of balance.
+    pub held_torque: Option<f64>,
+    /// Overload torque on the driver's arm, in N m, for the strength of the pin.
+    pub arm_torque: Option<f64>,
+    /// Moment of inertia, in kg m², of the driver and all that turns with it.
+    pub driver_inertia: Option<f64>,
+    /// Torque in N m with which the driver is started.
+    pub drive_torque: Option<f64>,
+    /// Turns of the motor in a turn of the driver.
+    pub gear_ratio: Option<f64>,
+    /// Modulus of the pins in GPa, instead of that of their material.
+    pub pin_modulus: Option<f64>,
+    /// Poisson's ratio of the pins, instead of that of their material.
+    pub pin_poisson: Option<f64>,
+    /// Strength of the pins in MPa, instead of that of their material.
+    pub pin_strength: Option<f64>,
+    /// Modulus of the wheel in GPa, instead of that of its material.
+    pub wheel_modulus: Option<f64>,
+    /// Poisson's ratio of the wheel, instead of that of its material.
+    pub wheel_poisson: Option<f64>,
+    /// Strength of the wheel in MPa, instead of that of its material.
+    pub wheel_strength: Option<f64>,
+    /// Allowed pressure between pin and slot in MPa, instead of that at which one of them begins to yield.
+    pub allowed_pressure: Option<f64>,
     /// Material of the pins.
     pub pin_material: Option<Material>,
     /// Material of the wheel.
@@ -78,8 +129,6 @@ pub struct WheelQuestion {
     pub at: Vec<f64>,
     /// Wheel angles, in degrees from the middle of an index, at which to report the motion.
     pub at_wheel: Vec<f64>,
-    /// Coefficient of friction of a pin in its slot; it has no name at the command line.
-    pub pin_friction: Option<f64>,
     /// Degrees of the crank before a pin enters, for the backlash there; it has no name at the command line.
     pub before_entry: Option<f64>,
     /// Whether an external wheel without a size gets the one that suits its load.
@@ -212,7 +261,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 9] = [
+    const GIVEN: [(&str, Needs); 11] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -221,6 +270,8 @@ mod tests {
         ("--pins 2", Needs::SECOND_PIN),
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
+        ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
+        ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
     ];
 

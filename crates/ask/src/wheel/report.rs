@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{loads, parts};
+use super::{drive, loads, parts, pin_load};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -30,6 +30,8 @@ impl WheelDesign {
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
             ("Loads", loads::fields(self, wheel)?),
+            ("Strength of the pin", pin_load::fields(self, wheel)?),
+            ("Motor", drive::fields(self, wheel)?),
         ];
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
@@ -51,6 +53,8 @@ impl WheelDesign {
         fields.extend(parts::tolerances(self)?);
         fields.extend(cycle(self, wheel)?);
         fields.extend(loads::fields(self, wheel)?);
+        fields.extend(pin_load::fields(self, wheel)?);
+        fields.extend(drive::fields(self, wheel)?);
         Ok(fields)
     }
 }
@@ -190,8 +194,18 @@ fn missing(design: &WheelDesign) -> String {
         format!("For torques, {also}add --inertia KGM2.")
     });
     let without = design.question.speed().and(design.inertia).map(|_| {
-        let parts = "the pin, the locking disc, the driver's bearings and the gear";
-        format!("The loads leave out the friction of {parts}, so the motor needs more.")
+        let question = &design.question;
+        let parts = [
+            ("the pin", question.pin_friction),
+            ("the locking disc", question.disc_friction),
+            ("the driver's bearings", question.bearing_friction.or(question.driver_friction)),
+        ];
+        let parts: Vec<_> = parts.into_iter().filter(|(_, of)| of.is_none()).map(|(part, _)| part).collect();
+        let gear = if parts.is_empty() { "the gear".to_owned() } else { format!("{} and the gear", parts.join(", ")) };
+        format!(
+            "The loads leave out the friction of {gear}, so the motor needs more. Not sized: shafts, keys, bearings, screws, the \
+             driver's plate, fatigue and wear."
+        )
     });
     lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

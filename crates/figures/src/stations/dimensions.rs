@@ -8,7 +8,7 @@ use crate::svg::{Canvas, DASHED, DrawingKind, Label, PIXELS_PER_MILLIMETRE, Path
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, GRID, INK, PAPER};
 use crate::{Series, Words};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, Face, Loop, Sizes};
+use geneva_kinematics::wheel::{Edge, Face, Loop, Mouth, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -219,8 +219,15 @@ impl Rows {
     }
 }
 
+/// The one dimension that is no length.
+const CHAMFER_ANGLE: &str = "chamfer angle in degrees";
+
 fn unit_of(name: &str) -> &'static str {
-    if ["stations", "pins"].contains(&name) { "1" } else { "mm" }
+    match name {
+        "stations" | "pins" => "1",
+        CHAMFER_ANGLE => "deg",
+        _ => "mm",
+    }
 }
 
 /// What has no room on the drawing.
@@ -228,6 +235,12 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
     let cut = sizes.locking_disc.map(|disc| disc.crescent);
     let cut =
         cut.into_iter().flat_map(|cut| [("crescent radius", cut.radius), ("crescent centre from driver", cut.centre)]);
+    let mouth = match sizes.mouth {
+        Mouth::Sharp => [None; 2],
+        Mouth::Chamfer { width, angle } => [Some(("slot chamfer", width)), Some((CHAMFER_ANGLE, angle.to_degrees()))],
+        Mouth::Round { radius } => [Some(("slot mouth radius", radius)), None],
+        Mouth::LeadIn { length, flare } => [Some(("slot mouth length", length)), Some(("slot mouth flare", flare))],
+    };
     let bore = |name, diameter: f64| (diameter > 0.0).then_some((name, diameter));
     [
         ("stations", f64::from(sizes.wheel.stations())),
@@ -243,6 +256,7 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
         ("web between slots", sizes.web),
     ]
     .into_iter()
+    .chain(mouth.into_iter().flatten())
     .chain(cut)
     .chain(bore("wheel bore diameter", sizes.wheel_bore()))
     .chain(bore("driver bore diameter", sizes.driver_bore()))
@@ -310,6 +324,38 @@ mod tests {
     fn sizes(stations: u32, pins: u32, a: f64) -> Sizes {
         let wheel = Wheel::with_pins(stations, pins).expect("possible");
         Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).expect("fits")
+    }
+
+    #[test]
+    fn mouths_are_drawn_and_listed() {
+        let of = |mouth| {
+            let choices = Choices { mouth, ..Choices::default() };
+            Sizes::new(Wheel::new(6).expect("possible"), Scale::CrankRadius(25.0), &choices).expect("fits")
+        };
+        for (mouth, listed) in [
+            (Mouth::Chamfer { width: 2.0, angle: 0.5 }, "slot chamfer 2"),
+            (Mouth::Round { radius: 1.5 }, "slot mouth radius 1.5"),
+            (Mouth::LeadIn { length: 5.0, flare: 0.5 }, "slot mouth length 5"),
+        ] {
+            let sizes = of(mouth);
+            let figure = dimensions(&sizes);
+            assert_drawn(&figure);
+            let drawing = ParsedDrawing::parse(&figure);
+            let [pivot, centre] = drawing.line("line-of-centres");
+            let scale = (centre - pivot).norm() / sizes.centre_distance;
+            let data = drawing.elements("wheel")[0].attribute("d").expect("a path").to_owned();
+            let outline = data.split('Z').next().expect("a loop").trim();
+            let corners = crate::checks::corners(outline, 0.02);
+            let is_drawn = |x: f64, y: f64| {
+                let at = pivot + Vector2::new(x, y) * scale;
+                corners.iter().any(|corner| (corner - at).norm() < 0.005 * scale)
+            };
+            let half = sizes.slot_width / 2.0;
+            let wall = sizes.wheel_radius - sizes.mouth_length();
+            assert!(is_drawn(wall, half) && is_drawn(wall, -half), "{mouth:?}");
+            assert!(!is_drawn(sizes.wheel_radius, half), "{mouth:?}: the sharp corner");
+            assert!(drawing.texts().contains(&listed.to_owned()), "{mouth:?}: {:?}", drawing.texts());
+        }
     }
 
     #[test]

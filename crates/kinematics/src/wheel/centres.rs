@@ -4,6 +4,7 @@
 //! a horn at the crescent; farther, a corner of the slot at the pin as it comes in.
 
 use super::clearance::{Assembly, ClosestApproach};
+use super::mouth::Mouth;
 use super::play::EntryContact;
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -49,6 +50,9 @@ impl Sizes {
     /// How far the axes may be from their right distance so that parts as sized are proven to keep clear of each other over a
     /// whole turn, and the pin comes into its slot without meeting a corner. Both are zero without play.
     ///
+    /// A mouth that is not sharp counts in the clearances, but not in where the pin comes in: that limit is the one of sharp
+    /// corners.
+    ///
     /// Shafts that are loose in their bores are such an error too: they may bring the axes nearer, or take them farther
     /// apart, by the play of one bore.
     pub fn centre_tolerance(&self) -> CentreTolerance {
@@ -87,8 +91,10 @@ impl Sizes {
         if error == 0.0 {
             return Ok(0.0);
         }
+        // A mouth only takes material away: what runs with sharp corners runs with it.
+        let sharp = Self { mouth: Mouth::Sharp, ..*self };
         let is_on_wall =
-            |part: f64| self.entry(part * error).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
+            |part: f64| sharp.entry(part * error).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
         let mut runs = last(1.0, is_on_wall);
         let mut given_up = 0.0;
         for _ in 0..TURNS {

@@ -16,6 +16,7 @@
 //! With both parts rigid, the wheel is turned so that the pin is in the middle of its slot, and stands still between. How
 //! far play lets it turn besides is another question ([`play`](super::play), [`dwell_play`](super::dwell_play)).
 
+use super::mouth::Mouth;
 use super::regions::{DiscRegion, WheelRegion};
 use super::search::{Minimum, Search, greatest_speed_ratio};
 use super::sizes::Sizes;
@@ -386,6 +387,12 @@ impl<'a> Assembly<'a> {
             };
             on_arc(axis - centre);
             self.cuts.iter().for_each(|cut| on_arc(centre - on_wheel(cut)));
+        }
+        if self.sizes.mouth != Mouth::Sharp {
+            let cuts: Vec<Point> = self.cuts.iter().map(on_wheel).collect();
+            for k in slots_near(self.sizes.wheel.stations()) {
+                self.wheel.on_mouth(k, &axis, &cuts).iter().for_each(&mut near);
+            }
         }
         if self.wheel.has_rim_at(libm::atan2(s, c)) {
             near(&Point::new(self.wheel.rim * c, -self.wheel.rim * s));

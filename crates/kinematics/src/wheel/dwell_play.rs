@@ -11,11 +11,13 @@
 //!   with the edge of its opening later. A point of the disc at the angle τ is at r² = c² + z² − 2 c z cos τ from the wheel's
 //!   axis, in the direction atan2(z sin τ, c − z cos τ); the locking arc of the radius A has there the half angle
 //!   arccos((c² + r² − A²) / (2 c r)). Their difference is the play: about the gap over c sin τ, which grows as τ falls.
-//! - **The pin that comes**, by the horn on its other side.
+//! - **The pin that comes**, by the horn on its other side. A mouth that is not sharp leaves the wheel room there even after
+//!   the pin has entered, until the pin no longer comes nearer to that side: the play is looked at up to there.
 //! - **The pin that went**, by the wall that it pushed.
 //!
 //! Backwards it is the mirror image: the same at the crank angle as far past the pin's leaving.
 
+use super::mouth::Mouth;
 use super::sizes::Sizes;
 use crate::bisection::try_bisect_times;
 use crate::indexing::Indexing;
@@ -44,7 +46,8 @@ pub struct DwellPlay {
     pub held: f64,
     /// Greatest angle to one side, in radians: forwards before a pin enters, backwards as long after one has left.
     pub greatest: f64,
-    /// Crank angle that is still to go until the pin enters where the play forwards is greatest, in radians.
+    /// Crank angle that is still to go until the pin enters where the play forwards is greatest, in radians. Below zero, the
+    /// pin is so far past its entry and in a mouth that is not sharp.
     pub until_entry: f64,
     /// Whether a wheel that has turned forwards so far can be out of the way of the pin: the pin then meets the rim beside
     /// the slot, and the machine jams or loses an index.
@@ -66,7 +69,12 @@ impl Sizes {
             let others = self.disc_limit(between).ok_or(())?.min(self.leaving_limit(whole - between));
             Ok::<_, ()>(self.coming_limit(between) < others)
         };
-        let [low, high] = try_bisect_times(STEPS, [0.0, whole], by_coming).ok()?;
+        let first = -self.closing_mouth();
+        let [low, high] = match by_coming(first).ok()? {
+            true => try_bisect_times(STEPS, [first, whole], by_coming).ok()?,
+            // So wide is the mouth that the disc is what limits the play until the pin no longer comes nearer to that side.
+            false => [first, first],
+        };
         let greatest = self.forward_play(high)?.max(self.forward_play(low)?);
         let outside = self.until_beside();
         let can_miss = outside < whole && self.disc_limit(outside)? >= self.corner_angle() + self.pin_place(outside).1;
@@ -146,14 +154,40 @@ impl Sizes {
         self.wheel.half_pitch_angle() - libm::asin(sine.clamp(-1.0, 1.0))
     }
 
+    /// Crank angle past the entry, in radians, up to which the pin comes nearer to the side of the mouth that it does not
+    /// push; zero for a sharp mouth, whose walls it runs along from the first.
+    fn closing_mouth(&self) -> f64 {
+        if self.mouth == Mouth::Sharp {
+            return 0.0;
+        }
+        // The room falls towards the walls, and the pin moves away from that side ever faster.
+        let [mut from, mut to] = [0.0, self.mouth_angle()];
+        for _ in 0..STEPS {
+            let third = (to - from) / 3.0;
+            if self.coming_limit(-from - third) < self.coming_limit(third - to) { to -= third } else { from += third }
+        }
+        f64::midpoint(from, to)
+    }
+
+    /// Crank angle past the entry, in radians, at which the pin's centre comes to the ends of the slot's straight walls; zero
+    /// if the mouth is sharp. Until there, and as long before the pin leaves, the wheel turns more loosely than between
+    /// walls.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
+    ///
+    /// let mouth = Mouth::LeadIn { length: 5.0, flare: 0.5 }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() })?;
+    /// assert!((sizes.mouth_angle() - (5.0_f64 / 25.0).asin()).abs() < 1e-12); // rad
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn mouth_angle(&self) -> f64 {
+        libm::asin((self.mouth_length() / self.crank_radius).clamp(0.0, 1.0))
+    }
+
     /// The greatest angle from the slot's middle, in radians, of a pin's centre at this distance from the wheel's axis.
-    fn room_in_mouth(&self, r: f64) -> f64 {
-        let (rim, rho) = (self.tip_radius, self.pin_radius());
-        let cosine = (r * r + rim * rim - rho * rho) / (2.0 * r * rim);
-        let at_corner = self.corner_angle() - libm::acos(cosine.min(1.0));
-        // Farther in it is the wall that stops the pin.
-        let is_beyond = cosine < 1.0 && r * libm::cos(at_corner) >= self.wheel_radius;
-        if is_beyond { at_corner } else { libm::asin((self.slot_gap() / r).min(1.0)) }
+    pub(super) fn room_in_mouth(&self, r: f64) -> f64 {
+        self.mouth_profile().room(r, self.pin_radius(), self.slot_gap())
     }
 
     /// How far the pin that comes lets the wheel turn forwards.

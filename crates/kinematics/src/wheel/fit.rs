@@ -15,6 +15,32 @@ pub enum Remedy {
     LessPlay,
     /// Less depth of the slots, at their bottom.
     LessDepth,
+    /// A thicker horn.
+    ThickerHorn,
+}
+
+/// A size of a mouth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MouthSize {
+    /// How much of a wall a chamfer takes.
+    Chamfer,
+    /// Radius of a rounded mouth.
+    Radius,
+    /// How much of a wall a lead-in takes.
+    LeadIn,
+    /// How far a lead-in opens on each side.
+    Flare,
+}
+
+impl fmt::Display for MouthSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Chamfer => "mouth chamfer",
+            Self::Radius => "mouth radius",
+            Self::LeadIn => "lead-in",
+            Self::Flare => "flare of the lead-in",
+        })
+    }
 }
 
 /// A part on a shaft.
@@ -35,6 +61,7 @@ impl fmt::Display for Remedy {
             Self::ThinnerHorn => "a thinner horn",
             Self::LessPlay => "less play",
             Self::LessDepth => "shallower slots",
+            Self::ThickerHorn => "a thicker horn",
         })
     }
 }
@@ -85,6 +112,29 @@ pub enum SizesError {
         by: f64,
         /// What to change: one of these, or more.
         remedies: &'static [Remedy],
+    },
+    /// A mouth of the slots that leaves too little of horn, rim or wall.
+    #[error(
+        "{name} {asked} mm: {reason}; give more than 0 and less than {most:.4} mm{}",
+        if remedies.is_empty() { String::new() } else { format!(", or choose {}", joined_by_or(remedies)) }
+    )]
+    Mouth {
+        /// Which size of the mouth.
+        name: MouthSize,
+        /// What was asked for, in millimetres.
+        asked: f64,
+        /// What it must be below, in millimetres.
+        most: f64,
+        /// What is in the way.
+        reason: &'static str,
+        /// What to change besides.
+        remedies: &'static [Remedy],
+    },
+    /// A chamfer whose face is along the wall or across it.
+    #[error("chamfer angle {}°: give more than 0° and less than 90°, from the slot's wall; 10° to 20° let the pin in softly", asked.to_degrees())]
+    ChamferAngle {
+        /// What was asked for, in radians.
+        asked: f64,
     },
     /// A shaft that leaves no material, or that something runs against.
     #[error(

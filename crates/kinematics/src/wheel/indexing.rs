@@ -57,7 +57,13 @@ impl Indexing for Wheel {
         let (turn, half) = (Turn::from_radians(crank), libm::sin(0.5 * crank));
         let radius = (rest * rest + 4.0 * sine * half * half).sqrt() / sine;
         let rate = pin_slot::sliding_product(&self.centre_distance_ratio(), &turn) / radius;
-        Ok(PinInSlot { radius, radius_rate: rate, sliding: rate, coriolis: 2.0 * velocity * rate })
+        Ok(PinInSlot {
+            radius,
+            radius_rate: rate,
+            sliding: rate,
+            coriolis: 2.0 * velocity * rate,
+            turning: 1.0 + velocity,
+        })
     }
 
     /// By the law of sines, sin(θ + φ) = sin φ / sin α.

@@ -3,6 +3,7 @@
 //! Each part lies about its own axis. The wheel has the middle of one slot, the driver one pin, on the first axis. In the
 //! assembly the wheel's axis is the origin, the driver's is at (c, 0), the wheel is turned by φ and the driver by π − θ.
 
+use super::mouth::MouthFace;
 use super::sizes::Sizes;
 use crate::Turn;
 use crate::error::{KinematicsError, size};
@@ -237,7 +238,7 @@ impl Face {
 ///
 /// let sizes = Sizes::new(Wheel::with_pins(6, 2)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
 /// let outline = sizes.outline();
-/// // At each station: two walls and the end of a slot, two pieces of rim and a locking arc.
+/// // At each station: two walls and the end of a slot, two pieces of rim and a locking arc. A mouth adds two faces.
 /// assert_eq!((outline.wheel.outer.edges.len(), outline.pins.len()), (6 * 6, 2));
 /// assert!(outline.wheel.area() < PI * sizes.tip_radius * sizes.tip_radius); // mm²
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
@@ -280,19 +281,49 @@ impl Sizes {
         (0..pins).map(move |k| 2.0 * PI * f64::from(k) / f64::from(pins))
     }
 
+    /// The face of a mouth that is not sharp, above the slot on the first axis, from the wall to the rim; in millimetres.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Edge, Mouth, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { mouth: Mouth::Round { radius: 1.0 }, ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &choices)?;
+    /// assert!(matches!(sizes.mouth_face(), Some(Edge::Arc { radius, .. }) if radius == 1.0));
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn mouth_face(&self) -> Option<Edge> {
+        let mouth = self.mouth_profile();
+        Some(match mouth.face? {
+            MouthFace::Flat { .. } => Edge::Line { from: mouth.wall_end, to: mouth.rim },
+            MouthFace::Round { centre, radius, end } => {
+                Edge::Arc { centre, radius, start: -FRAC_PI_2, sweep: FRAC_PI_2 + end }
+            }
+        })
+    }
+
     fn wheel_loop(&self) -> Loop {
         let half_pitch = self.wheel.half_pitch_angle();
-        let (half, end, mouth) = (self.slot_width / 2.0, self.slot_end, self.wheel_radius);
+        let (half, end, wall_end) = (self.slot_width / 2.0, self.slot_end, self.mouth_profile().wall_end.x);
         let (corner, tip) = (self.corner_angle(), self.tip_angle());
         let locking = self.locking_end_angle();
         let (rim, c) = (self.tip_radius, self.centre_distance);
         let opening = libm::atan2(rim * libm::sin(locking), c - rim * libm::cos(locking));
         let line = |from, to| Edge::Line { from: Vector2::from(from), to: Vector2::from(to) };
         let round = |start, sweep| Edge::Arc { centre: Vector2::zeros(), radius: rim, start, sweep };
-        let sector = [
-            line([mouth, -half], [end, -half]),
+        let above = self.mouth_face();
+        // Its mirror image below the slot runs from the rim to the wall.
+        let below = above.map(|face| match face {
+            Edge::Line { from, to } => line([to.x, -to.y], [from.x, -from.y]),
+            Edge::Arc { centre, radius, start, sweep } => {
+                Edge::Arc { centre: Vector2::new(centre.x, -centre.y), radius, start: -start - sweep, sweep }
+            }
+        });
+        let slot = [
+            line([wall_end, -half], [end, -half]),
             Edge::Arc { centre: Vector2::new(end, 0.0), radius: half, start: -FRAC_PI_2, sweep: -PI },
-            line([end, half], [mouth, half]),
+            line([end, half], [wall_end, half]),
+        ];
+        let horns = [
             round(corner, tip - corner),
             Edge::Arc {
                 centre: Turn::from_radians(half_pitch).direction() * c,
@@ -302,8 +333,10 @@ impl Sizes {
             },
             round(2.0 * half_pitch - tip, tip - corner),
         ];
-        let slots = (0..self.wheel.stations()).map(|k| 2.0 * half_pitch * f64::from(k));
-        Loop { edges: slots.flat_map(|slot| sector.map(|edge| edge.transform(slot, Vector2::zeros()))).collect() }
+        let sector: Vec<Edge> = below.into_iter().chain(slot).chain(above).chain(horns).collect();
+        let turns = (0..self.wheel.stations()).map(|k| 2.0 * half_pitch * f64::from(k));
+        let at = |turn: f64| sector.iter().map(move |edge| edge.transform(turn, Vector2::zeros()));
+        Loop { edges: turns.flat_map(at).collect() }
     }
 
     fn disc_loop(&self) -> Option<Loop> {

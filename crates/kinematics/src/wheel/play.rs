@@ -20,6 +20,8 @@ pub enum EntryContact {
     OtherWall,
     /// A corner of the slot's mouth, or the rim beside it.
     Mouth,
+    /// The face of a mouth that is not sharp: the chamfer, rounding or arc between wall and rim.
+    MouthFace,
 }
 
 /// The first contact of a pin that comes to the wheel at rest.
@@ -31,6 +33,11 @@ pub struct PinEntry {
     pub crank_angle: f64,
     /// Speed with which pin and wheel close in on each other, across their faces, over the pin's speed, dimensionless.
     pub closing_speed: f64,
+    /// Whether it is on the side of the slot that the pin then pushes, be it wall, mouth or the rim beside it.
+    pub is_driving_side: bool,
+    /// Angle of the line across their faces from the line across the slot, in radians: zero on a wall, a right angle where the
+    /// pin runs straight against the wheel.
+    pub slant: f64,
     /// Angular velocity over the driver's that the wheel must take on at once, dimensionless; negative if backwards, which
     /// the locking disc does not allow.
     pub velocity_jump: f64,
@@ -40,14 +47,27 @@ pub struct PinEntry {
 ///
 /// The axes are at the right distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Knock {
     /// With the wheel in the middle of its play, dimensionless.
     pub centred: f64,
     /// The greatest with the wheel anywhere within the play that it has in the middle of the dwell, dimensionless.
     pub within: f64,
     /// The greatest with the wheel anywhere in the play that it has near the end of the dwell, forwards as far as
-    /// [`DwellPlay::greatest`](super::DwellPlay), dimensionless. It is the blow on the corner of a horn in the pin's way.
+    /// [`DwellPlay::greatest`](super::DwellPlay), dimensionless. With sharp mouths it is the blow on the corner of a horn in
+    /// the pin's way.
     pub drifted: f64,
+    /// The entry in the middle of the play, whose speed is `centred`.
+    pub centred_entry: PinEntry,
+    /// The entry whose speed is `drifted`, or nearly so.
+    pub hardest_entry: PinEntry,
+}
+
+impl PinEntry {
+    /// The one that closes in faster, the first of equals.
+    fn harder(self, other: Self) -> Self {
+        if other.closing_speed > self.closing_speed { other } else { self }
+    }
 }
 
 /// Places of the wheel within its play at which the blow is looked at, and halvings of the interval in which is the farthest
@@ -75,24 +95,31 @@ impl Sizes {
     /// ```
     pub fn knock(&self) -> Option<Knock> {
         let play = self.dwell_play()?;
-        let speed = |drift: f64| self.drifted_entry(drift).map(|entry| entry.closing_speed);
-        let on_wall =
-            |drift: f64| self.drifted_entry(drift).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
-        let centred = speed(0.0)?;
-        let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], on_wall);
+        let entry = |drift: f64| self.drifted_entry(drift);
+        let is_driven = |drift: f64| entry(drift).is_some_and(|entry| entry.is_driving_side);
+        let centred = entry(0.0)?;
+        let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], is_driven);
         let most = |from: f64, to: f64| {
-            let at = |k: u32| speed(from + (to - from) * f64::from(k) / f64::from(PLACES));
-            let passing = Some(low).filter(|low| (from..=to).contains(low)).and_then(speed);
-            (0..=PLACES).filter_map(at).chain(passing).fold(centred, f64::max)
+            let at = |k: u32| entry(from + (to - from) * f64::from(k) / f64::from(PLACES));
+            let passing = Some(low).filter(|low| (from..=to).contains(low)).and_then(entry);
+            (0..=PLACES).filter_map(at).chain(passing).fold(centred, PinEntry::harder)
         };
         let within = most(-play.middle, play.middle);
-        Some(Knock { centred, within, drifted: within.max(most(0.0, play.greatest)) })
+        let hardest = within.harder(most(0.0, play.greatest));
+        Some(Knock {
+            centred: centred.closing_speed,
+            within: within.closing_speed,
+            drifted: hardest.closing_speed,
+            centred_entry: centred,
+            hardest_entry: hardest,
+        })
     }
 
     /// Backlash of the wheel to either side before a wall of the slot meets the pin, at a crank angle of the
     /// engagement in radians; in radians.
     ///
-    /// The gap over the pin's distance from the wheel's axis: greatest on the line of centres.
+    /// The gap over the pin's distance from the wheel's axis: between straight walls it is greatest on the line of centres.
+    /// In a mouth that is not sharp there is more room.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
@@ -113,7 +140,7 @@ impl Sizes {
         let half = libm::sin(crank_angle / 2.0);
         // r² = (c − a)² + 4 a c sin²(θ/2).
         let r = ((c - a) * (c - a) + 4.0 * a * c * half * half).sqrt();
-        Ok(libm::asin((self.slot_gap() / r).min(1.0)))
+        Ok(self.room_in_mouth(r))
     }
 
     /// Entry of a pin into the wheel at rest if the axes are farther apart than they should be, in millimetres, or nearer
@@ -161,29 +188,36 @@ impl Sizes {
         let beyond = centre_error * sin * drift_cos - centre * cos * drift_sin - 2.0 * a * half * half;
         let axis = Point::new(centre * (cos * drift_cos + sin * drift_sin), a + beyond);
         let pin = |tau: f64| axis - Point::new(libm::sin(tau), libm::cos(tau)) * a;
-        let (mouth, half) = (self.wheel_radius, self.slot_width / 2.0);
+        let mouth = self.mouth_profile();
 
-        let mut met: Vec<(f64, EntryContact, Point)> = Vec::new();
+        let mut met: Vec<(f64, EntryContact, Point, bool)> = Vec::new();
         // Walls: a (1 − cos τ) = ±gap − beyond, as it goes out to one wall or comes in to the other.
         let sine_of_half = |height: f64| (height / (2.0 * a)).sqrt();
         if (0.0..=2.0 * a).contains(&(gap - beyond)) {
             let tau = 2.0 * libm::asin(sine_of_half(gap - beyond));
-            met.push((tau, EntryContact::DrivingWall, Point::new(0.0, -1.0)));
+            met.push((tau, EntryContact::DrivingWall, Point::new(0.0, -1.0), true));
         }
         if (0.0..=2.0 * a).contains(&(-gap - beyond)) {
             let tau = -2.0 * libm::asin(sine_of_half(-gap - beyond));
-            met.push((tau, EntryContact::OtherWall, Point::new(0.0, 1.0)));
+            met.push((tau, EntryContact::OtherWall, Point::new(0.0, 1.0), false));
         }
-        met.retain(|(tau, ..)| pin(*tau).x <= mouth);
-        for corner in [Point::new(mouth, half), Point::new(mouth, -half)] {
+        met.retain(|(tau, ..)| pin(*tau).x <= mouth.wall_end.x);
+        let mirrored = |p: Point| Point::new(p.x, -p.y);
+        for corner in mouth.corners().into_iter().flat_map(|corner| [corner, mirrored(corner)]) {
             let from = axis - corner;
             let reach = (from.norm_squared() + a * a - rho * rho) / (2.0 * a * from.norm());
             if reach <= 1.0 {
                 let tau = libm::atan2(from.x, from.y) - libm::acos(reach);
                 let normal = (pin(tau) - corner) / rho;
                 if normal.x >= 0.0 {
-                    met.push((tau, EntryContact::Mouth, normal));
+                    met.push((tau, EntryContact::Mouth, normal, corner.y > 0.0));
                 }
+            }
+        }
+        for side in [1.0, -1.0] {
+            let on_side = |p: Point| Point::new(p.x, side * p.y);
+            if let Some((tau, normal)) = mouth.first_on_face(&on_side(axis), a * side, rho) {
+                met.push((tau, EntryContact::MouthFace, on_side(normal), side > 0.0));
             }
         }
         let rim = self.tip_radius + rho;
@@ -193,10 +227,10 @@ impl Sizes {
             let at = pin(tau);
             let angle = libm::atan2(at.y, at.x).abs();
             if (self.corner_angle()..=self.tip_angle()).contains(&angle) {
-                met.push((tau, EntryContact::Mouth, at / rim));
+                met.push((tau, EntryContact::Mouth, at / rim, at.y > 0.0));
             }
         }
-        let (tau, contact, normal) = met.into_iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
+        let (tau, contact, normal, is_driving_side) = met.into_iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
         let velocity = Point::new(-libm::cos(tau), libm::sin(tau));
         let closing_speed = -velocity.dot(&normal);
         let touching = pin(tau) - normal * rho;
@@ -204,6 +238,8 @@ impl Sizes {
             contact,
             crank_angle: tau - drift - self.wheel.engagement_half_angle(),
             closing_speed,
+            is_driving_side,
+            slant: libm::asin(normal.x.clamp(-1.0, 1.0)).abs(),
             velocity_jump: -a * closing_speed / touching.perp(&normal),
         })
     }

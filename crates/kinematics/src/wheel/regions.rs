@@ -3,6 +3,7 @@
 //! Both parts are mirror-symmetric about each slot or pin and repeat from one to the next. A point is folded into half a
 //! pitch; nothing outside that half can be nearer than its own mirror image inside.
 
+use super::mouth::MouthProfile;
 use super::sizes::Sizes;
 use crate::indexing::Indexing;
 use nalgebra::Vector2;
@@ -16,7 +17,7 @@ pub(super) struct WheelRegion {
     half_pitch: f64,
     slot_end: f64,
     half_width: f64,
-    corner: Point,
+    mouth: MouthProfile,
     corner_angle: f64,
     tip: Point,
     tip_angle: f64,
@@ -34,7 +35,7 @@ impl WheelRegion {
             half_pitch,
             slot_end: sizes.slot_end,
             half_width: sizes.slot_width / 2.0,
-            corner: Point::new(sizes.wheel_radius, sizes.slot_width / 2.0),
+            mouth: sizes.mouth_profile(),
             corner_angle: sizes.corner_angle(),
             tip: at(sizes.tip_radius, tip_angle),
             tip_angle,
@@ -45,12 +46,27 @@ impl WheelRegion {
     }
 
     /// The corners and tips of slot `k`, and the centre of the locking arc after it.
-    pub(super) fn sector(&self, k: i32) -> ([Point; 4], Point) {
+    pub(super) fn sector(&self, k: i32) -> ([Point; 6], Point) {
         let (sin, cos) = libm::sincos(2.0 * self.half_pitch * f64::from(k));
         let turned = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
         let mirrored = |p: Point| Point::new(p.x, -p.y);
-        let points = [self.corner, mirrored(self.corner), self.tip, mirrored(self.tip)];
+        let [wall, rim] = self.mouth.corners();
+        let points = [rim, mirrored(rim), self.tip, mirrored(self.tip), wall, mirrored(wall)];
         (points.map(turned), turned(self.locking_centre))
+    }
+
+    /// The points of the round faces of slot `k`'s mouth that are nearest to a point, and those that are farthest from one,
+    /// where the faces reach so far.
+    pub(super) fn on_mouth(&self, k: i32, near: &Point, far: &[Point]) -> Vec<Point> {
+        let (sin, cos) = libm::sincos(2.0 * self.half_pitch * f64::from(k));
+        let mut all = Vec::new();
+        for side in [1.0, -1.0] {
+            let back = |p: &Point| Point::new(cos * p.x + sin * p.y, side * (cos * p.y - sin * p.x));
+            let feet = self.mouth.on_arc(|centre| back(near) - centre).into_iter();
+            let feet = feet.chain(far.iter().filter_map(|p| self.mouth.on_arc(|centre| centre - back(p))));
+            all.extend(feet.map(|p| Point::new(cos * p.x - sin * side * p.y, sin * p.x + cos * side * p.y)));
+        }
+        all
     }
 
     /// Radius of the locking arcs, in millimetres.
@@ -81,10 +97,10 @@ impl WheelRegion {
         let to_slot = if from_end.x < 0.0 { from_end.norm() } else { p.y } - self.half_width;
         let from_locking = p - self.locking_centre;
         let to_locking = from_locking.norm() - self.locking_radius;
-        let is_outside = radius > self.rim || to_slot < 0.0 || to_locking < 0.0;
+        let is_outside = radius > self.rim || to_slot < 0.0 || to_locking < 0.0 || self.mouth.is_open(p);
 
-        let mut least = (p - self.corner).norm().min((p - self.tip).norm());
-        if p.x <= self.corner.x {
+        let mut least = self.mouth.distance(p).min((p - self.tip).norm());
+        if p.x <= self.mouth.wall_end.x {
             least = least.min(to_slot.abs());
         }
         if (self.corner_angle..=self.tip_angle).contains(&angle) {

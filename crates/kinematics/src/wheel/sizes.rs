@@ -6,6 +6,7 @@
 //! Every play is the difference of two widths or diameters, as in a table of fits; the gap on each side is half of it.
 
 use super::Wheel;
+use super::mouth::{Mouth, MouthProfile};
 use crate::indexing::Indexing;
 
 /// The length that is given; it turns a wheel's ratios into millimetres.
@@ -79,6 +80,8 @@ pub struct Choices {
     /// Diameter of the driver's shaft in the plate, in millimetres. By default as in the plane of the wheel. A shaft that ends
     /// in the plate can be thicker than one that has to pass crescent and rim.
     pub plate_shaft: Option<f64>,
+    /// Shape of the mouths of the slots. By default their corners are sharp.
+    pub mouth: Mouth,
 }
 
 /// An arc that is cut out of the locking disc; its centre lies on the line from the driver's axis through the pin.
@@ -126,22 +129,25 @@ pub struct Sizes {
     pub centre_distance: f64,
     /// Distance of the pin's centre from the wheel's axis as it enters, in millimetres: c cos α.
     pub wheel_radius: f64,
-    /// Radius of the wheel's rim, in millimetres: the corners of a slot stand at R along it, h beside its middle, so that
-    /// the pin enters between straight walls.
+    /// Radius of the wheel's rim, in millimetres: the corners of a slot with sharp mouths stand at R along it, h beside its
+    /// middle, so that the pin enters between straight walls.
     pub tip_radius: f64,
     /// Diameter of a pin, in millimetres.
     pub pin_diameter: f64,
     /// The plays.
     pub play: Play,
-    /// Width of a slot, in millimetres.
+    /// Width of a slot between its straight walls, in millimetres.
     pub slot_width: f64,
+    /// Shape of the mouths of the slots.
+    pub mouth: Mouth,
     /// How much deeper a slot is than the pin and its gap need, in millimetres.
     pub bottom_clearance: f64,
     /// Distance of the centre of a slot's round end from the wheel's axis, in millimetres: c − a − b.
     pub slot_end: f64,
     /// From the wheel radius to the bottom of a slot, in millimetres: R − (c − a) + b + h.
     pub slot_depth: f64,
-    /// Least thickness of the wheel between a slot and a locking arc, in millimetres; it is at the slot's corner.
+    /// Least thickness of the wheel between a straight wall of a slot, as far as the wheel radius, and a locking arc, in
+    /// millimetres. Where a mouth takes the corner away, [`mouth_horn`](Self::mouth_horn) is what is left there.
     pub horn_thickness: f64,
     /// Least thickness of the wheel between two neighbouring slots, in millimetres; it is between their ends.
     pub web: f64,
@@ -236,9 +242,32 @@ impl Sizes {
         self.slot_end - (self.slot_width + self.wheel_bore()) / 2.0
     }
 
-    /// Angle of a slot's corners from its middle, seen from the wheel's axis, in radians.
+    /// One side of the mouth of a slot; the sharp one in place of a shape that does not fit.
+    pub(super) fn mouth_profile(&self) -> MouthProfile {
+        let of = |mouth: Mouth| mouth.profile(self.wheel_radius, self.slot_width / 2.0, self.tip_radius);
+        let corner = nalgebra::Vector2::new(self.wheel_radius, self.slot_width / 2.0);
+        of(self.mouth).unwrap_or(MouthProfile { wall_end: corner, face: None, rim: corner })
+    }
+
+    /// How much of each wall of a slot its mouth takes, along the slot from the wheel radius, in millimetres; zero if the
+    /// corners are sharp.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
+    ///
+    /// let mouth = Mouth::LeadIn { length: 4.0, flare: 0.4 }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() })?;
+    /// assert!((sizes.mouth_length() - 4.0).abs() < 1e-12); // mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn mouth_length(&self) -> f64 {
+        self.wheel_radius - self.mouth_profile().wall_end.x
+    }
+
+    /// Angle of the rim's ends beside a slot from the slot's middle, seen from the wheel's axis, in radians.
     pub(super) fn corner_angle(&self) -> f64 {
-        libm::atan2(self.slot_width / 2.0, self.wheel_radius)
+        let corner = self.mouth_profile().rim;
+        libm::atan2(corner.y, corner.x)
     }
 
     /// Angle of the ends of a locking arc from its middle, seen from the wheel's axis, in radians.

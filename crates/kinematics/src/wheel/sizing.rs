@@ -28,8 +28,9 @@ impl Sizes {
     /// # Errors
     ///
     /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play or a
-    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
-    /// [`SizesError::Shaft`] for a shaft that is too thick.
+    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way,
+    /// [`SizesError::Mouth`] and [`SizesError::ChamferAngle`] for a mouth that leaves too little, and [`SizesError::Shaft`] for a
+    /// shaft that is too thick.
     pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
         let [a, c, wheel_radius] = lengths(&wheel, scale, choices)?;
         let (pin_diameter, play) = pin_and_play(&wheel, [a, c], choices)?;
@@ -63,6 +64,7 @@ impl Sizes {
             pin_diameter,
             play,
             slot_width,
+            mouth: choices.mouth,
             bottom_clearance,
             slot_end,
             slot_depth: wheel_radius - slot_end + half,
@@ -78,6 +80,7 @@ impl Sizes {
             driver_shaft: 0.0,
             plate_shaft: 0.0,
         };
+        sizes.check_mouth()?;
         if wheel.dwell_fraction() > SHORTEST_DWELL {
             let radius = fits(locking_arc_radius - play.locking / 2.0, "the play leaves no locking disc", &[LessPlay])?;
             let crescent = Crescent::shallowest(&sizes, radius)?;

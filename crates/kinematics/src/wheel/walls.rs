@@ -91,6 +91,7 @@ impl Sizes {
     pub(super) fn walls(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let walls = [
             ("the horn", Some(self.horn_thickness)),
+            ("the horn at the mouth", self.mouth_horn()),
             ("the web between two slots", Some(self.web)),
             ("the web at the bore", Some(self.bore_web()).filter(|_| self.wheel_bore() > 0.0)),
             ("the locking disc between crescent and bore", self.disc_web()),

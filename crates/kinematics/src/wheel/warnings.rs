@@ -3,6 +3,7 @@
 //! That a wheel can miss its pin follows from the play. The least thickness of a wall is a rule of thumb of ours: it asks for
 //! a look at the strength, and proves nothing.
 
+use super::mouth::Mouth;
 use super::sizes::Sizes;
 use super::standard_fit::play_of_h8_e8_at;
 use std::fmt;
@@ -16,6 +17,25 @@ pub enum Warning {
     CanMiss {
         /// How far it turns, in radians.
         turns: f64,
+    },
+    /// The play of a slot is more than a tenth of the pin: only a print or a rough cut needs as much.
+    LargePlay {
+        /// Play of the slot, in millimetres.
+        play: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+    },
+    /// In the dwell the wheel turns so far that its rim moves by more than a quarter of the pin.
+    LargeBacklash {
+        /// How far the rim moves to one side, in millimetres.
+        at_rim: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+    },
+    /// The pin lands on the mouth of its slot harder than it would on a sharp corner, with the wheel anywhere in its play.
+    HarderMouth {
+        /// How many times as hard, dimensionless: the ratio of the closing speeds.
+        times: f64,
     },
     /// A wall of wheel, locking disc or plate is thinner than a fifth of the pin.
     ThinWall {
@@ -33,8 +53,16 @@ pub enum Warning {
     },
 }
 
+/// A play that is more than this part of the pin's diameter gets a warning, and so does a rim that moves by more than the other
+/// part. Both are our choice.
+const LARGE_PLAY: f64 = 0.1;
+const LARGE_BACKLASH: f64 = 0.25;
+
 /// A wall that is thinner than this part of the pin's diameter gets a warning.
 const THIN: f64 = 0.2;
+
+/// Blows that are this much harder get a warning, dimensionless: less is not felt.
+const HARDER: f64 = 1.02;
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -45,6 +73,21 @@ impl fmt::Display for Warning {
                 "during the dwell the wheel can turn by {:.2}°, and the pin then hits its rim beside the slot: choose less play \
                  or a thicker pin",
                 turns.to_degrees()
+            ),
+            Self::LargePlay { play, pin } => write!(
+                f,
+                "the play of {play:.3} mm is more than a tenth of the pin's {pin:.3} mm, which only a print or a rough cut needs: \
+                 choose less play or a thicker pin"
+            ),
+            Self::LargeBacklash { at_rim, pin } => write!(
+                f,
+                "near the ends of the dwell the wheel's rim can move by {at_rim:.3} mm, more than a quarter of the pin's {pin:.3} \
+                 mm: choose less play"
+            ),
+            Self::HarderMouth { times } => write!(
+                f,
+                "the hardest blow at entry is {times:.2} times that on a sharp corner: choose a flatter chamfer, or a longer \
+                 lead-in with less flare"
             ),
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
@@ -74,11 +117,29 @@ impl Sizes {
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);
         let thin = self.walls().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
         let tight = is_tight.then_some(Warning::NoPlay).into_iter();
+        let (play, pin) = (self.play.slot, self.pin_diameter);
+        let large = (turns.is_none() && play > LARGE_PLAY * pin).then_some(Warning::LargePlay { play, pin });
+        let at_rim = self.dwell_play().map(|play| play.greatest * self.tip_radius);
+        let far = at_rim.filter(|at_rim| turns.is_none() && *at_rim > LARGE_BACKLASH * pin);
         tight
+            .chain(large)
+            .chain(far.map(|at_rim| Warning::LargeBacklash { at_rim, pin }))
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
+            .chain(self.harder_mouth())
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
             .collect()
     }
+
+    /// The warning that a mouth makes the hardest blow at entry harder, where it does.
+    fn harder_mouth(&self) -> Option<Warning> {
+        if self.mouth == Mouth::Sharp {
+            return None;
+        }
+        let sharp = Self { mouth: Mouth::Sharp, ..*self }.knock()?.drifted;
+        let times = self.knock()?.drifted / sharp;
+        (times > HARDER).then_some(Warning::HarderMouth { times })
+    }
+
     /// The warning to someone who let the program choose the play, if it is more than that of the fit H8/e8.
     ///
     /// ```

@@ -111,7 +111,7 @@ pub(super) fn placed(sizes: &Sizes, theta: f64) -> (Loop, Option<Loop>, Vec<Loop
 }
 
 #[track_caller]
-fn check(sizes: &Sizes, steps: i32) {
+pub(super) fn check(sizes: &Sizes, steps: i32) {
     let clearance = sizes.clearance();
     let (mut crescent, mut resting, mut pins) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
     for step in -steps..=steps {
@@ -302,7 +302,7 @@ fn the_pin_comes_in_where_its_path_meets_the_wheel() {
         // Just so near that the pin touches the other wall as it comes in; a little nearer it meets its corner.
         let other_wall = -(sizes.slot_gap() + 1e-6) / libm::sin(sizes.wheel.half_pitch_angle());
         for error in [-1.0, -0.2, other_wall, 0.0, 0.03, 0.2, 1.0] {
-            let PinEntry { contact, crank_angle, closing_speed, velocity_jump } = sizes.entry(error).unwrap();
+            let PinEntry { contact, crank_angle, closing_speed, velocity_jump, .. } = sizes.entry(error).unwrap();
             let (theta, rate) = marched(&sizes, error).unwrap();
             println!("{stations} stations, {error} mm: {contact:?} {crank_angle} {closing_speed} {velocity_jump}");
             approx::assert_relative_eq!(crank_angle, theta, epsilon = 2e-5);

@@ -11,6 +11,7 @@ mod geometry;
 mod indexing;
 mod misplaced;
 mod motion;
+mod mouth;
 mod shared_tolerance;
 mod sizes;
 mod standard_fit;

@@ -22,7 +22,15 @@ fn the_programs_own_sizes_need_no_warning_and_dangerous_ones_get_theirs() {
         let found = warnings(stations, &with(pin, play));
         assert!(matches!(found[..], [Warning::CanMiss { .. }]), "{stations} {pin} {play}: {found:?}");
     }
-    assert_eq!(warnings(6, &with(7.5, 0.8)), []);
+    assert_eq!(warnings(6, &with(7.5, 0.2)), []);
+    let [Warning::LargePlay { play, pin }, Warning::LargeBacklash { at_rim, .. }] = warnings(6, &with(7.5, 0.8))[..]
+    else {
+        panic!("{:?}", warnings(6, &with(7.5, 0.8)))
+    };
+    assert_eq!((play, pin), (0.8, 7.5));
+    // By the play of the wheel near the ends of its dwell.
+    let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CrankRadius(25.0), &with(7.5, 0.8)).unwrap();
+    assert_eq!(at_rim, sizes.dwell_play().unwrap().greatest * sizes.tip_radius);
     let horn = Choices { horn_thickness: Some(0.4), ..Choices::default() };
     let found = warnings(6, &horn);
     assert_eq!(found, [Warning::ThinWall { wall: "the horn", thickness: 0.4 }]);
@@ -37,6 +45,8 @@ fn each_warning_begins_at_its_threshold() {
     assert_eq!(horn(1.501), []);
     let play = |play| warnings(6, &Choices { play: Some(Play::from_slot(play)), ..Choices::default() });
     assert_eq!((play(0.0), play(1e-6)), (vec![Warning::NoPlay], vec![]));
+    let is_large = |of: &Warning| matches!(of, Warning::LargePlay { .. });
+    assert!(!play(0.749).iter().any(is_large) && play(0.751).iter().any(is_large));
     // For a pin of 7.5 mm, the loosest H8/e8 has 25 + 22 + 22 micrometres.
     let sizes = |play| {
         let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };

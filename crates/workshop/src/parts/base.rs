@@ -1,9 +1,9 @@
 //! The base plate that carries both axes.
 
+use super::error::MountingError;
 use super::holes::{Hole, HolePurpose, Widening};
-use super::list::{Layer, Part, Place};
 use super::mounting::{BasePlate, Fastener, ScrewHole};
-use super::walls::MountingError;
+use super::part::{Layer, Part, Place};
 use crate::geometry::Point;
 use geneva_kinematics::wheel::{Edge, Loop, Sizes};
 use std::f64::consts::FRAC_PI_2;

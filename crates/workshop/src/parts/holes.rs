@@ -1,8 +1,8 @@
 //! Holes as closed lines: bores with keyway or flat, round holes, and the pockets of nuts.
 
+use super::error::MountingError;
 use super::mounting::{Fastener, Pattern, ScrewHole, ShaftFit};
 use super::standards::{KEYED_SHAFTS, Keyway, Thread};
-use super::walls::MountingError;
 use crate::geometry::{Point, direction};
 use geneva_kinematics::wheel::{Edge, Loop};
 use std::f64::consts::PI;
@@ -20,6 +20,8 @@ pub enum HolePurpose {
     DiscDowel,
     /// A hole at a corner of the base plate.
     Fixing,
+    /// The inside of an internal wheel's ring, with its slots.
+    Inside,
 }
 
 impl HolePurpose {
@@ -31,6 +33,7 @@ impl HolePurpose {
             Self::Hub => "a hole of the hub",
             Self::DiscDowel => "a hole between disc and plate",
             Self::Fixing => "a fixing hole",
+            Self::Inside => "the inside of the ring",
         }
     }
 }
@@ -141,6 +144,17 @@ pub(super) fn bore(
 }
 
 impl Pattern {
+    /// The circles around its holes and pockets, the first towards an angle in radians.
+    pub(super) fn circles(&self, purpose: HolePurpose, first: f64) -> impl Iterator<Item = Hole> {
+        self.holes(purpose, first).map(move |hole| {
+            let across = match self.fastener {
+                Fastener::Screw(thread, ScrewHole::NutTrap) => thread.nut_width() * 2.0 / libm::sqrt(3.0),
+                other => other.hole(),
+            };
+            Hole::round(purpose, hole.centre, across)
+        })
+    }
+
     /// Its holes, the first towards an angle in radians.
     pub(super) fn holes(&self, purpose: HolePurpose, first: f64) -> impl Iterator<Item = Hole> {
         let Self { count, circle, fastener } = *self;

@@ -1,120 +1,15 @@
 //! The parts of wheel and driver, each once, with all that its files need.
 
 use super::base::base_plate;
+use super::error::MountingError;
 use super::holes::{Hole, HolePurpose, bore};
 use super::mounting::{Fastener, MOST_HOLES, Mounting, Pattern, PinMount, ScrewHole};
-use super::walls::{MountingError, ThinWall, least_wall, thin_walls};
+use super::part::{Layer, Part, Place};
+use super::walls::{ThinWall, least_wall, thin_walls};
 use crate::geometry::{Point, direction, turned};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Face, Loop, Sizes};
 use std::f64::consts::PI;
-
-/// A layer of the drawing; the pieces of one layer are cut from one sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
-    /// The wheel.
-    Wheel,
-    /// The driver's locking disc, in the wheel's plane.
-    LockingDisc,
-    /// The driver's plate, behind the wheel.
-    Plate,
-    /// The pins, or the holes for them in the plate.
-    Pins,
-    /// The plate that carries both axes.
-    BasePlate,
-    /// Crosses at axes and pins.
-    Centres,
-    /// Pockets and shoulders that don't go through a part.
-    Pockets,
-}
-
-impl Layer {
-    /// All layers.
-    pub const ALL: [Self; 7] =
-        [Self::Wheel, Self::LockingDisc, Self::Plate, Self::Pins, Self::BasePlate, Self::Centres, Self::Pockets];
-
-    /// The layer's name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Wheel => "WHEEL",
-            Self::LockingDisc => "LOCKING_DISC",
-            Self::Plate => "DRIVER_PLATE",
-            Self::Pins => "PINS",
-            Self::BasePlate => "BASE_PLATE",
-            Self::Centres => "CENTRES",
-            Self::Pockets => "POCKETS",
-        }
-    }
-
-    /// What its part is called in a sentence.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Wheel => "wheel",
-            Self::LockingDisc => "locking disc",
-            Self::Plate => "driver plate",
-            Self::Pins => "pin",
-            Self::BasePlate => "base plate",
-            Self::Centres => "centre marks",
-            Self::Pockets => "pockets",
-        }
-    }
-}
-
-/// Where a part is in the assembly, in the middle of a dwell: the wheel's axis is the origin, the driver's is at (c, 0).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Angle by which the part is turned about its own axis, in radians.
-    pub turn: f64,
-    /// Where its axis is, in millimetres.
-    pub at: Point,
-    /// Height of its lower face, in millimetres; that of the wheel is at 0.
-    pub bottom: f64,
-}
-
-/// A part: a plate with holes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Part {
-    /// What it is.
-    pub layer: Layer,
-    /// Its outer line, counter-clockwise, about its own axis, in millimetres.
-    pub outer: Loop,
-    /// Its holes.
-    pub holes: Vec<Hole>,
-    /// Where its axis and the middles of its pins are marked, in millimetres.
-    pub marks: Vec<Point>,
-    /// Its thickness, or a pin's length, in millimetres.
-    pub thickness: f64,
-    /// Its places in the assembly: more than one if there are several of it.
-    pub places: Vec<Place>,
-    /// Whether it is in one piece with the plate, where a file has solids.
-    pub is_joined: bool,
-}
-
-impl Part {
-    /// How many of it there are.
-    pub fn quantity(&self) -> usize {
-        self.places.len()
-    }
-
-    /// Its outline with the holes that go through it.
-    pub fn face(&self) -> Face {
-        Face { outer: self.outer.clone(), holes: self.holes.iter().map(|hole| hole.outline.clone()).collect() }
-    }
-
-    /// Its volume in cubic millimetres, less the pockets.
-    pub fn volume(&self) -> f64 {
-        let pocket = |hole: &Hole| {
-            let wide = hole.widening.as_ref()?;
-            Some((crate::geometry::area(&wide.outline) - crate::geometry::area(&hole.outline)).abs() * wide.depth)
-        };
-        self.face().area() * self.thickness - self.holes.iter().filter_map(pocket).sum::<f64>()
-    }
-
-    /// Whether it is cut out of a sheet.
-    pub fn is_cut(&self) -> bool {
-        self.layer != Layer::Pins
-    }
-}
 
 /// All parts, and which of their walls are thin.
 #[derive(Clone, Debug, PartialEq)]
@@ -153,17 +48,11 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     if !(thickness > 0.0 && thickness.is_finite()) {
         return Err(MountingError::Thickness { part: Layer::Wheel.words(), asked: thickness });
     }
-    for (what, pattern) in [
-        ("the wheel's hub", mounting.wheel_hub),
-        ("the driver's hub", mounting.driver_hub),
-        ("the dowels of the disc", mounting.disc_dowels),
-    ] {
-        pattern.map_or(Ok(()), |pattern| pattern.validate(what))?;
-    }
+    mounting.validate()?;
     let (outline, pins) = (sizes.outline(), sizes.wheel.pins());
     let (half_pitch, between) = (sizes.wheel.half_pitch_angle(), PI / f64::from(pins));
     let driver = Place { turn: PI - between, at: Point::new(sizes.centre_distance, 0.0), bottom: 0.0 };
-    let play = axial_play(sizes);
+    let play = axial_play(sizes, mounting);
     let plain = |layer, face: Face, places| Part {
         layer,
         outer: face.outer,
@@ -200,7 +89,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     )?);
     let directions = (0..pins).map(|k| 2.0 * between * f64::from(k));
     let middles: Vec<(f64, Point)> = directions.map(|angle| (angle, direction(angle) * sizes.crank_radius)).collect();
-    let fastener = pin_fastener(sizes, mounting.pins)?;
+    let fastener = pin_fastener(sizes.pin_diameter, mounting.pins)?;
     plate.holes.extend(middles.iter().map(|(angle, at)| Hole::fastened(HolePurpose::Pin, *at, fastener, *angle)));
     plate.marks.extend(middles.iter().map(|(_, at)| *at));
 
@@ -228,15 +117,15 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     Ok(PartList { parts: all, thin_walls })
 }
 
-/// The play between wheel and plate along the axes, in millimetres: that of the slots.
-pub(crate) fn axial_play(sizes: &Sizes) -> f64 {
-    sizes.play.slot
+/// The gap between wheel and plate along the axes, in millimetres.
+pub(crate) fn axial_play(sizes: &Sizes, mounting: &Mounting) -> f64 {
+    mounting.axial_play.unwrap_or(sizes.play.slot)
 }
 
 /// A pin: a dowel through the plate, or what stands on the plate in one piece with it.
 fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Point)], driver: Place) -> Part {
     let is_joined = mounting.pins == PinMount::Solid && !mounting.disc_is_apart();
-    let play = axial_play(sizes);
+    let play = axial_play(sizes, mounting);
     let through = if is_joined { 0.0 } else { thickness };
     let places = middles.iter().map(|(_, middle)| Place {
         at: driver.at + turned(*middle, driver.turn),
@@ -255,13 +144,28 @@ fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Poin
 }
 
 /// What goes through the pins' holes in the plate.
-fn pin_fastener(sizes: &Sizes, pins: PinMount) -> Result<Fastener, MountingError> {
+pub(super) fn pin_fastener(pin: f64, pins: PinMount) -> Result<Fastener, MountingError> {
     match pins {
-        PinMount::Solid | PinMount::Dowel => Ok(Fastener::Dowel(sizes.pin_diameter)),
-        PinMount::Screw(thread, _) if thread.diameter() > sizes.pin_diameter => {
-            Err(MountingError::ThickScrew { screw: thread.name(), pin: sizes.pin_diameter })
+        PinMount::Solid | PinMount::Dowel => Ok(Fastener::Dowel(pin)),
+        PinMount::Screw(thread, _) if thread.diameter() > pin => {
+            Err(MountingError::ThickScrew { screw: thread.name(), pin })
         }
         PinMount::Screw(thread, hole) => Ok(Fastener::Screw(thread, hole)),
+    }
+}
+
+impl Mounting {
+    /// Refuses patterns whose numbers make no holes.
+    pub(super) fn validate(&self) -> Result<(), MountingError> {
+        let patterns = [
+            ("the wheel's hub", self.wheel_hub),
+            ("the driver's hub", self.driver_hub),
+            ("the dowels of the disc", self.disc_dowels),
+        ];
+        if let Some(asked) = self.axial_play.filter(|play| !(*play >= 0.0 && play.is_finite())) {
+            return Err(MountingError::Pattern { what: "axial play in mm", asked, range: "zero or more and finite" });
+        }
+        patterns.into_iter().try_for_each(|(what, pattern)| pattern.map_or(Ok(()), |pattern| pattern.validate(what)))
     }
 }
 
@@ -284,10 +188,10 @@ impl Pattern {
 }
 
 /// Puts a pattern into all of these parts, turned to where its thinnest wall is thickest.
-fn place(pattern: Pattern, purpose: HolePurpose, parts: &mut [&mut Part]) -> Result<(), MountingError> {
+pub(super) fn place(pattern: Pattern, purpose: HolePurpose, parts: &mut [&mut Part]) -> Result<(), MountingError> {
     let pitch = 2.0 * PI / f64::from(pattern.count);
     let least = |first: f64| {
-        let holes = || pattern.holes(purpose, first);
+        let holes = || pattern.circles(purpose, first);
         let of = |part: &&mut Part| {
             holes().filter_map(|hole| Some(least_wall(part, &hole)?.1)).fold(f64::INFINITY, f64::min)
         };

@@ -124,6 +124,8 @@ pub struct Mounting {
     pub is_stacked: bool,
     /// A plate that carries both axes.
     pub base: Option<BasePlate>,
+    /// Gap between wheel and plate along the axes, in millimetres; by default as the play of the slots.
+    pub axial_play: Option<f64>,
 }
 
 impl Mounting {

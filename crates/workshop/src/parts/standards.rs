@@ -6,7 +6,7 @@
 /// use geneva_workshop::Thread;
 ///
 /// assert_eq!(Thread::M3.clearance_hole(), 3.4); // mm
-/// assert_eq!(Thread::named("M8"), Some(Thread::M8));
+/// assert_eq!(Thread::from_name("M8"), Some(Thread::M8));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Thread {
@@ -38,7 +38,7 @@ impl Thread {
     }
 
     /// The thread of this name, if there is one.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|thread| thread.name() == name)
     }
 
@@ -165,7 +165,7 @@ mod tests {
             let drill: f64 = thread.diameter() - pitch;
             assert!((thread.tapping_hole() - drill).abs() <= 0.05 + 1e-12, "{thread:?}");
             assert!(thread.clearance_hole() > thread.diameter());
-            assert_eq!(Thread::named(thread.name()), Some(thread));
+            assert_eq!(Thread::from_name(thread.name()), Some(thread));
         }
     }
 }

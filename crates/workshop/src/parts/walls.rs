@@ -1,125 +1,12 @@
 //! Walls around the holes: what breaks out, what is thin, and what else can't be mounted.
 
+use super::error::MountingError;
 use super::holes::{Hole, HolePurpose};
-use super::list::{Layer, Part};
-use crate::geometry::{Point, along, distance, encloses};
-use geneva_kinematics::KinematicsError;
+use super::part::{Layer, Part};
+use crate::geometry::{Point, distance, encloses, point_along};
 use geneva_kinematics::wheel::{Edge, Loop};
 use std::f64::consts::PI;
 use std::fmt;
-use thiserror::Error;
-
-/// What can't be mounted as it was chosen: which part, by how much, and what to change.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum MountingError {
-    /// A tolerance that no mesh has.
-    #[error(transparent)]
-    Kinematics(#[from] KinematicsError),
-    /// An archive that could not be packed.
-    #[error("the file could not be packed: {0}")]
-    Archive(String),
-    /// A kerf that no cut has, or that is too wide for a part.
-    #[error(
-        "kerf {kerf} mm: {}; give the width that the beam takes away",
-        part.map_or_else(
-            || "it must be finite and not negative".to_owned(),
-            |part| format!("it is too wide for a hollow or a hole of the {part}")
-        )
-    )]
-    Kerf {
-        /// What was asked for, in millimetres.
-        kerf: f64,
-        /// Which part, if it is too wide for one.
-        part: Option<&'static str>,
-    },
-    /// A thickness that is not positive and finite.
-    #[error("thickness {asked} mm: it must be above zero and finite; give how thick the {part} is")]
-    Thickness {
-        /// Of which part.
-        part: &'static str,
-        /// What was asked for, in millimetres.
-        asked: f64,
-    },
-    /// A keyway or a flat without a shaft.
-    #[error("{part}: a keyway or a flat needs a shaft; give the shaft's diameter")]
-    NoShaft {
-        /// Which part.
-        part: &'static str,
-    },
-    /// A shaft for which the standard has no key.
-    #[error(
-        "{part}: DIN 6885 has keys for shafts from {least} to {most} mm, not for {shaft} mm; choose such a shaft, or a flat"
-    )]
-    Keyed {
-        /// Which part.
-        part: &'static str,
-        /// Diameter of the shaft, in millimetres.
-        shaft: f64,
-        /// Least diameter with a key, in millimetres.
-        least: f64,
-        /// Greatest diameter with a key, in millimetres.
-        most: f64,
-    },
-    /// A flat that is not on its shaft.
-    #[error(
-        "{part}: a flat {across} mm from the opposite side of a shaft of {shaft} mm; it must be more than half of the shaft and \
-         less than all of it"
-    )]
-    Flat {
-        /// Which part.
-        part: &'static str,
-        /// From the flat to the opposite side, in millimetres.
-        across: f64,
-        /// Diameter of the shaft, in millimetres.
-        shaft: f64,
-    },
-    /// A pattern whose numbers make no holes.
-    #[error("{what} {asked}: it must be {range}; give such a number")]
-    Pattern {
-        /// Which number.
-        what: &'static str,
-        /// What was asked for.
-        asked: f64,
-        /// What it may be.
-        range: &'static str,
-    },
-    /// A screw that is thicker than the pin.
-    #[error("the screw {screw} is thicker than the pin of {pin} mm; choose a thinner screw, or a thicker pin")]
-    ThickScrew {
-        /// The screw's thread.
-        screw: &'static str,
-        /// Diameter of the pin, in millimetres.
-        pin: f64,
-    },
-    /// A hole that comes out of its part, or runs into another hole.
-    #[error("{part}: {hole} runs into {other} by {by:.3} mm; {remedy}")]
-    BreaksOut {
-        /// Which part.
-        part: &'static str,
-        /// Which hole.
-        hole: &'static str,
-        /// What it runs into.
-        other: &'static str,
-        /// By how much, in millimetres.
-        by: f64,
-        /// What to change.
-        remedy: &'static str,
-    },
-    /// A pocket or a shoulder that is as deep as its part is thick.
-    #[error("{part}: a pocket of {depth} mm in {hole} needs a part that is thicker than {thickness} mm; {remedy}")]
-    TooDeep {
-        /// Which part.
-        part: &'static str,
-        /// Which hole.
-        hole: &'static str,
-        /// Depth of the pocket, in millimetres.
-        depth: f64,
-        /// Thickness of the part, in millimetres.
-        thickness: f64,
-        /// What to change.
-        remedy: &'static str,
-    },
-}
 
 /// A wall beside a hole that is thin: less than half the hole's width, a limit of our choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,6 +47,7 @@ pub(crate) fn remedy(purpose: HolePurpose) -> &'static str {
         HolePurpose::Hub => "choose another circle for the hub, fewer or thinner screws or dowels",
         HolePurpose::DiscDowel => "choose another circle for the dowels, fewer or thinner ones",
         HolePurpose::Fixing => "choose thinner screws for the base plate",
+        HolePurpose::Inside => "choose a thinner pin",
     }
 }
 
@@ -168,7 +56,7 @@ const POINTS: u32 = 4;
 
 fn points(of: &Loop) -> impl Iterator<Item = Point> {
     let parts = || (0..POINTS).map(|k| f64::from(k) / f64::from(POINTS));
-    of.edges.iter().flat_map(move |edge| parts().map(move |part| along(edge, part)))
+    of.edges.iter().flat_map(move |edge| parts().map(move |part| point_along(edge, part)))
 }
 
 /// The circle that a loop is, if it is one.
@@ -212,6 +100,8 @@ fn wall<'l>(hole: &Loop, other: &'l Loop, is_around: bool) -> Option<(&'l Edge, 
 fn rim(layer: Layer, edge: &Edge) -> &'static str {
     match (layer, edge) {
         (Layer::Wheel, Edge::Line { .. }) => "a slot",
+        // The corner of a rounded mouth.
+        (Layer::Wheel, Edge::Arc { centre, sweep, .. }) if centre.norm() > 0.0 && *sweep > 0.0 => "a slot",
         (Layer::Wheel, Edge::Arc { centre, radius, .. }) if centre.norm() > *radius => {
             // The end of a slot is nearer to the axis than its mouth; a locking arc is about the driver's axis.
             if edge.start_point().norm() > centre.norm() { "a slot" } else { "a locking arc" }
@@ -234,7 +124,7 @@ pub(super) fn least_wall(part: &Part, hole: &Hole) -> Option<(&'static str, f64)
 
 /// Thin walls of the holes that were chosen for mounting; those of round bores and pins are among the warnings of the sizes.
 pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
-    let mut thin = Vec::new();
+    let mut thin: Vec<ThinWall> = Vec::new();
     for hole in &part.holes {
         let Some((other, thickness)) = least_wall(part, hole) else { continue };
         let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole.purpose));
@@ -242,7 +132,8 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }
         let is_plain = hole.diameter().is_some() && hole.widening.is_none();
-        let is_of_sizes = is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin);
+        let is_of_sizes = is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin)
+            || hole.purpose == HolePurpose::Inside;
         // A keyway or a flat is as wide as its straight line across.
         let across = hole.outline.edges.iter().filter_map(|edge| match edge {
             Edge::Line { from, to } => Some((to - from).norm()),
@@ -251,7 +142,16 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
         let width = hole.diameter().unwrap_or_else(|| across.fold(0.0, f64::max));
         let least = OF_HOLE * width;
         if thickness < least && !is_of_sizes {
-            thin.push(ThinWall { part: name, hole: words, other, thickness, least, remedy });
+            let wall = ThinWall { part: name, hole: words, other, thickness, least, remedy };
+            // Of walls between the same two kinds of holes the thinnest is told.
+            let is_like = |known: &&mut ThinWall| {
+                [(known.hole, known.other), (known.other, known.hole)].contains(&(wall.hole, wall.other))
+            };
+            match thin.iter_mut().find(is_like) {
+                Some(known) if known.thickness <= wall.thickness => {}
+                Some(known) => *known = wall,
+                None => thin.push(wall),
+            }
         }
     }
     Ok(thin)

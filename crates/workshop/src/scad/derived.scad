@@ -39,7 +39,7 @@ assert(!has_dwell || locking_disc_radius > 0, "the play leaves no locking disc: 
 
 // The crescent: an arc through both edges of the opening. Its centre is as far out as lets the horn's tip pass with this gap at
 // all crank angles; the tip is at (u, v) from the driver's axis, u along the pin's line.
-gap = locking_play / 2 + slot_play / 2 * tip_radius / deepest + 1e-7 * centre_distance;
+gap = locking_play / 2 + slot_play / 2 * tip_radius / deepest + 1e-8 * centre_distance;
 edge = locking_disc_radius * cos(engagement);
 
 function tip(theta) =
@@ -70,7 +70,7 @@ crescent_radius = has_dwell
 crescent_bottom = crescent_centre - crescent_radius;
 
 // How far the opening's edge passes beside the horn's tip as it comes out of the locking arc.
-mouth = has_dwell
+opening = has_dwell
   ? let (out = acos(max(-1, min(1, (pow(centre_distance, 2) + pow(locking_disc_radius, 2) - pow(tip_radius, 2))
       / (2 * centre_distance * locking_disc_radius)))),
       theta = engagement - out,
@@ -79,7 +79,7 @@ mouth = has_dwell
     tip_radius * sin(phi - tip_angle + beside)
   : 1 + locking_play;
 
-assert(mouth > locking_play / 2,
+assert(opening > locking_play / 2,
   "the edges of the locking disc run into the horns: make pin_diameter, horn_thickness or the plays smaller");
 assert(!has_dwell || crescent_centre > 0 && crescent_bottom > 0,
   "the crescent reaches beyond the driver's axis: make pin_diameter, horn_thickness or the plays smaller");

@@ -40,6 +40,10 @@ module wheel_outline() {
       translate([slot_end, 0]) hollow(slot_width / 2);
       translate([slot_end, -slot_width / 2]) square([tip_radius, slot_width]);
       rotate(half_pitch) translate([centre_distance, 0]) hollow(locking_arc_radius);
+      if (len(mouth) > 0) for (side = [1, -1]) polygon(concat(
+        [for (p = mouth) [wheel_radius + p[0], side * (slot_width / 2 + p[1])]],
+        [[2 * tip_radius, side * (slot_width / 2 + mouth[len(mouth) - 1][1])], [2 * tip_radius, 0], [slot_end, 0]]
+      ));
     }
     bore(wheel_bore, wheel_key, wheel_flat, wheel_key_direction);
     holes(wheel_holes);

@@ -3,6 +3,11 @@
 use super::ActsOn::Parts;
 use super::{Argument, ArgumentSlot, Knob};
 
+/// The group of shapes that the mouths of the slots can have.
+const MOUTH: &str = "mouth";
+/// What can be typed for a size of a mouth, in millimetres.
+const OF_MOUTH: [f64; 2] = [0.0, 1000.0];
+
 pub(super) const ROWS: &[Argument] = &[
     Argument::new(
         "pin-diameter",
@@ -77,27 +82,80 @@ pub(super) const ROWS: &[Argument] = &[
             .typed([0.0, 1000.0]),
     ),
     Argument::new(
-        "wheel-shaft",
+        "mouth-chamfer",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.wheel_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.mouth_chamfer),
         &[Parts],
-        "Diameter of the wheel's shaft, in millimetres",
+        "How much of each wall of a slot a chamfer takes at its mouth, along the slot, in millimetres; zero for sharp corners. \
+         Give this, --mouth-radius or --lead-in [default: 0]",
     )
     .with_knob(
-        Knob::follows("diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5, "wheel_shaft_mm")
-            .typed([0.001, 10_000.0]),
+        Knob::at("chamfer of the mouths", "mm", [0.0, 5.0], 0.1, 0.0)
+            .typed(OF_MOUTH)
+            .on_side(MOUTH, 0)
+            .told_by("mouth_chamfer_mm"),
     ),
+    Argument::new(
+        "mouth-angle",
+        "DEG",
+        ArgumentSlot::AboveZero(|question| &mut question.mouth_angle),
+        &[Parts],
+        "Angle of the chamfer to the wall of the slot, in degrees, less than 90; the flatter it is, the softer is the blow on \
+         it [default: 45]",
+    )
+    .with_knob(Knob::follows("angle of the chamfer", "°", [2.0, 80.0], 1.0, "mouth_angle_deg").typed([0.1, 89.9])),
+    Argument::new(
+        "mouth-radius",
+        "MM",
+        ArgumentSlot::LengthOrZero(|question| &mut question.mouth_radius),
+        &[Parts],
+        "Radius of rounded mouths of the slots, in millimetres, tangent to wall and rim; zero for sharp corners",
+    )
+    .with_knob(
+        Knob::follows("or radius of the mouths", "mm", [0.0, 5.0], 0.1, "mouth_radius_mm").typed(OF_MOUTH).on_side(MOUTH, 1),
+    ),
+    Argument::new(
+        "lead-in",
+        "MM",
+        ArgumentSlot::LengthOrZero(|question| &mut question.lead_in),
+        &[Parts],
+        "How much of each wall of a slot an arc takes at its mouth, along the slot, in millimetres; it leaves the wall without a \
+         corner. Zero for sharp corners",
+    )
+    .with_knob(Knob::follows("or lead-in", "mm", [0.0, 10.0], 0.1, "lead_in_mm").typed(OF_MOUTH).on_side(MOUTH, 2)),
+    Argument::new(
+        "lead-in-flare",
+        "MM",
+        ArgumentSlot::Length(|question| &mut question.lead_in_flare),
+        &[Parts],
+        "How far a lead-in has left the wall at the wheel radius, in millimetres [default: a tenth of --lead-in]",
+    )
+    .with_knob(Knob::follows("flare of the lead-in", "mm", [0.05, 2.0], 0.05, "lead_in_flare_mm").typed([0.001, 1000.0])),
+    Argument::new(
+        "wheel-shaft",
+        "MM",
+        ArgumentSlot::LengthOrZero(|question| &mut question.wheel_shaft),
+        &[Parts],
+        "Diameter of the wheel's shaft, in millimetres; 0 for none, and no bore [default: 0]",
+    )
+    .with_knob(Knob::at("diameter of the wheel's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
         "driver-shaft",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.driver_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.driver_shaft),
         &[Parts],
-        "Diameter of the driver's shaft in the plane of the wheel, in millimetres",
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres; 0 if it ends in the plate [default: 0]",
     )
-    .with_knob(
-        Knob::follows("diameter of the driver's shaft", "mm", [1.0, 100.0], 0.5, "driver_shaft_mm")
-            .typed([0.001, 10_000.0]),
-    ),
+    .with_knob(Knob::at("diameter of the driver's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
+    Argument::new(
+        "plate-shaft",
+        "MM",
+        ArgumentSlot::LengthOrZero(|question| &mut question.plate_shaft),
+        &[Parts],
+        "Diameter of the driver's shaft in its plate, in millimetres, for a shaft that ends there; 0 as in the plane of the \
+         wheel [default: as --driver-shaft]",
+    )
+    .with_knob(Knob::at("diameter of the driver's shaft in the plate", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
         "centre-error",
         "MM",

@@ -1,5 +1,8 @@
 //! The loads, compared with a fine scan and with laws of mechanics, and at their limits.
 
+mod drive;
+mod friction;
+
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use geneva_dynamics::DynamicsError;
 use geneva_dynamics::wheel_loads::{Load, Peak, WheelLoads};
@@ -178,19 +181,6 @@ fn without_friction_the_mean_square_is_the_same_part_of_the_peak_at_any_inertia_
         };
         assert_relative_eq!(share(0.37, 21.0), share(1.0, 1.0), max_relative = 1e-9);
     }
-}
-
-#[test]
-fn a_pin_that_rubs_needs_more_torque_by_the_work_along_its_slot() {
-    let wheel = Wheel::with_pins(6, 2).unwrap();
-    let loads = WheelLoads::new(&wheel, 2e-3, 0.1, 6.0).unwrap();
-    let (peak, mean) = loads.rubbing_crank_torque(0.0).unwrap();
-    assert_relative_eq!(peak, loads.crank_torque().driving.value, max_relative = 1e-6);
-    assert_relative_eq!(mean, loads.mean_crank_torque(), max_relative = 1e-5);
-    // Twice the friction, twice the work on top.
-    let [little, much] = [0.15, 0.3].map(|friction| loads.rubbing_crank_torque(friction).unwrap());
-    assert!(little.0 > peak);
-    assert_relative_eq!(much.1 - mean, 2.0 * (little.1 - mean), max_relative = 1e-12);
 }
 
 #[test]

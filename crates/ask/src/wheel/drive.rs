@@ -1,0 +1,201 @@
+//! What the motor feels, as it is reported.
+
+use super::design::WheelDesign;
+use super::friction::{disc, held_torque};
+use crate::number_format::degrees;
+use crate::{Error, Needs, ReportField, Rounding};
+use geneva_kinematics::indexing::Indexing;
+
+const LOADED: Needs = Needs::SPEED.union(Needs::INERTIA);
+const GEARED: Needs = LOADED.union(Needs::GEAR_RATIO);
+const STARTED: Needs = LOADED.union(Needs::DRIVER_INERTIA).union(Needs::DRIVE_TORQUE);
+
+/// The fields of the motor.
+pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+    let (loads, question) = (design.loads(wheel)?, &design.question);
+    let loads = loads.as_ref();
+    let reflected = loads.map(|loads| loads.reflected_inertia());
+    let holding = loads.zip(question.held_torque).map(|(loads, held)| loads.holding_torque(held)).transpose()?;
+    let droop = loads.zip(question.driver_inertia).map(|(loads, inertia)| loads.speed_droop(inertia)).transpose()?;
+    let asked = loads.zip(question.drive_torque.zip(question.driver_inertia));
+    let start = asked.map(|(loads, (torque, inertia))| loads.run_up(torque, inertia)).transpose()?;
+    let run = start.flatten();
+    let time = ReportField::in_unit("run_up_time_s", run.map(|run| run.time), "s").needing(STARTED);
+    let time = match (start, run) {
+        (Some(_), None) => {
+            time.words("start in mid-index", "this torque can't bring the driver to its speed within a hundred turns")
+        }
+        (_, run) => {
+            let turned = run.map_or_else(String::new, |run| degrees(run.angle));
+            time.line(
+                "start in mid-index",
+                format!("until the driver has its speed, with that torque; it turns {turned}°"),
+            )
+        }
+    };
+    let disc_force = match (&design.sizes, question.disc_friction) {
+        (Some(sizes), Some(friction)) => {
+            disc(sizes, friction).map(|disc| disc.force(held_torque(design))).transpose()?
+        }
+        _ => None,
+    };
+    let ratio = question.gear_ratio;
+    let geared = |torque: Option<f64>| torque.zip(ratio).map(|(torque, ratio)| torque / ratio);
+    let motor_speed = question.speed().zip(ratio).map(|(speed, ratio)| speed.rpm() * ratio);
+    let newton_metres = |key, value: Option<f64>| ReportField::in_unit(key, value, "N m");
+    let inertia = |key, value: Option<f64>| ReportField::in_unit(key, value, "kg m²");
+    Ok(vec![
+        inertia("reflected_inertia_kgm2", reflected.map(|reflected| reflected.peak))
+            .line(
+                "reflected inertia",
+                "of the wheel at the driver's shaft in mid-index: J v², v the peak velocity ratio",
+            )
+            .needing(LOADED),
+        inertia("mean_reflected_inertia_kgm2", reflected.map(|reflected| reflected.mean))
+            .line("", "its mean over a turn of the driver")
+            .needing(LOADED),
+        newton_metres("dwell_crank_torque_nm", loads.map(|loads| loads.dwell_crank_torque()))
+            .line("crank torque in the dwell", "what the locking disc and the driver's own friction take")
+            .needing(LOADED),
+        ReportField::in_unit("locking_disc_force_n", disc_force, "N")
+            .line("force on the locking disc", "in the dwell: torque on the wheel / arm of the arc's end, at most")
+            .needing(Needs::SIZE.union(Needs::DISC_FRICTION)),
+        newton_metres("breakaway_torque_nm", loads.map(|loads| loads.breakaway_torque()))
+            .line("breakaway torque", "at the crank, after a stop in mid-index: friction alone")
+            .needing(LOADED),
+        newton_metres("holding_torque_nm", holding)
+            .line("holding torque", "at the crank, in a stop in mid-index: torque on the wheel × peak velocity ratio")
+            .needing(LOADED.union(Needs::HELD_TORQUE)),
+        ReportField::in_unit("speed_droop", droop, "× driver speed")
+            .line("speed droop", "in mid-index, without the motor's help: 1 − 1/√(1 + J v²/driver's inertia)")
+            .needing(LOADED.union(Needs::DRIVER_INERTIA))
+            .rounded(Rounding::Significant(3)),
+        time,
+        ReportField::in_unit("run_up_angle_deg", run.map(|run| run.angle.to_degrees()), "°").needing(STARTED),
+        ReportField::in_unit("motor_speed_rpm", motor_speed, "rpm")
+            .line("motor speed", "driver speed × gear ratio")
+            .needing(Needs::SPEED.union(Needs::GEAR_RATIO)),
+        newton_metres("motor_peak_torque_nm", geared(loads.map(|loads| loads.crank_torque().driving.value)))
+            .line("motor torque", "its peak: peak crank torque / gear ratio; the gear takes more")
+            .needing(GEARED),
+        newton_metres("motor_rms_torque_nm", geared(loads.map(|loads| loads.rms_crank_torque())))
+            .line("", "its RMS")
+            .needing(GEARED),
+        inertia("motor_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.peak))))
+            .line("", "reflected inertia at the motor in mid-index: / gear ratio²")
+            .needing(GEARED),
+        inertia("motor_mean_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.mean))))
+            .line("", "its mean")
+            .needing(GEARED),
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{MechanismReport, ReportField, answer};
+    use approx::assert_relative_eq;
+    use std::f64::consts::{PI, TAU};
+
+    const SIX: &str = "wheel --stations 6 --crank-radius 40 --rpm 50 --total-inertia 0.0246 --thickness 12";
+
+    fn report(more: &str) -> MechanismReport {
+        answer(&format!("{SIX} {more}")).expect(more)
+    }
+
+    fn number(report: &MechanismReport, key: &str) -> f64 {
+        report.field(key).and_then(ReportField::number).expect(key)
+    }
+
+    #[test]
+    fn the_motor_feels_what_the_gear_leaves() {
+        let report = report("--gear-ratio 8 --held-torque 0.7 --driver-inertia 0.0246");
+        // Of six stations the wheel is as fast as its driver in mid-index.
+        assert_relative_eq!(number(&report, "reflected_inertia_kgm2"), 0.0246, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "motor_reflected_inertia_kgm2"), 0.0246 / 64.0, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "motor_speed_rpm"), 400.0, max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "holding_torque_nm"), 0.7, max_relative = 1e-12);
+        // Two equal inertias share the energy of one.
+        assert_relative_eq!(number(&report, "speed_droop"), 1.0 - 0.5_f64.sqrt(), max_relative = 1e-12);
+        let peak = number(&report, "motor_peak_torque_nm") * 8.0;
+        assert_relative_eq!(peak, number(&report, "peak_crank_torque_nm"), max_relative = 1e-12);
+        assert_relative_eq!(number(&report, "peak_power_w"), peak * 50.0 * TAU / 60.0, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn a_start_ends_or_is_said_not_to() {
+        // Frictionless: the torque's work is the energy of driver and wheel.
+        let start = report("--driver-inertia 0.05 --drive-torque 3");
+        let work = 3.0 * number(&start, "run_up_angle_deg").to_radians();
+        let speed = 50.0 * TAU / 60.0;
+        assert!(work > 0.5 * 0.05 * speed * speed && work < 0.5 * 0.0746 * speed * speed, "{work}");
+        assert!(number(&start, "run_up_time_s") > 0.0);
+        let weak = report("--driver-inertia 0.05 --drive-torque 0.5 --friction-torque 2");
+        let field = weak.field("run_up_time_s").expect("a field");
+        assert_eq!(field.number(), None);
+        assert!(field.line.as_ref().is_some_and(|line| line.meaning.contains("can't bring")));
+    }
+
+    #[test]
+    fn friction_counts_in_every_load_and_its_absence_is_said() {
+        let none = report("");
+        let meaning = |of: &MechanismReport| of.field("mean_crank_torque_nm").unwrap().line.clone().unwrap().meaning;
+        assert_eq!(number(&none, "mean_crank_torque_nm"), 0.0);
+        assert!(meaning(&none).contains("frictionless"));
+        let all = "--friction-torque 0.1 --pin-friction 0.15 --disc-friction 0.15 --bearing-friction 0.1 --wheel-bearing 20 \
+                   --driver-bearing 20 --driver-friction 0.02";
+        let rubbed = report(all);
+        assert!(!meaning(&rubbed).contains("frictionless"));
+        for key in [
+            "peak_wheel_torque_nm",
+            "peak_pin_force_n",
+            "peak_crank_torque_nm",
+            "rms_crank_torque_nm",
+            "mean_crank_torque_nm",
+            "peak_power_w",
+            "breakaway_torque_nm",
+            "dwell_crank_torque_nm",
+        ] {
+            assert!(number(&rubbed, key) > number(&none, key), "{key}");
+        }
+        assert!(number(&rubbed, "braking_crank_torque_nm") > number(&none, "braking_crank_torque_nm"));
+        // Each friction alone takes something.
+        let mean = |more: &str| number(&report(more), "mean_crank_torque_nm");
+        let table = mean("--friction-torque 0.1");
+        assert_relative_eq!(table, 0.1 / 6.0, max_relative = 1e-12);
+        for more in [
+            "--pin-friction 0.15",
+            "--bearing-friction 0.1 --wheel-bearing 20 --driver-bearing 20",
+            "--disc-friction 0.15",
+        ] {
+            assert!(mean(&format!("--friction-torque 0.1 {more}")) > table, "{more}");
+        }
+        // The disc rubs in the dwell only, two thirds of the turn.
+        let disc = report("--friction-torque 0.1 --disc-friction 0.15");
+        let dwell = number(&disc, "dwell_crank_torque_nm");
+        assert_relative_eq!(number(&disc, "mean_crank_torque_nm"), table + dwell * 2.0 / 3.0, max_relative = 1e-12);
+        // Its force holds the torque at the arm of the arc's end: c sin β less the friction's.
+        let (centres, arc, rim) = (
+            number(&disc, "centre_distance_mm"),
+            number(&disc, "locking_arc_radius_mm"),
+            number(&disc, "tip_radius_mm"),
+        );
+        // By bisection on the arc: where it meets the rim.
+        let (mut low, mut high) = (0.0, PI);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let distance = (centres - arc * f64::cos(middle)).hypot(arc * f64::sin(middle));
+            if distance < rim { low = middle } else { high = middle }
+        }
+        let force = number(&disc, "locking_disc_force_n");
+        let radius = number(&disc, "locking_radius_mm");
+        let held = force * (centres * low.sin() - 0.15 * (centres * low.cos() - radius)) / 1e3;
+        assert_relative_eq!(held, 0.1, max_relative = 1e-9);
+        assert_relative_eq!(dwell, 0.15 * force * radius / 1e3, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn a_bearing_without_a_diameter_is_refused() {
+        let error = answer(&format!("{SIX} --bearing-friction 0.1 --wheel-bearing 20")).unwrap_err().to_string();
+        assert!(error.contains("--bearing-friction 0.1") && error.contains("add --driver-bearing MM"), "{error}");
+    }
+}
