@@ -107,7 +107,8 @@ impl ToleranceClass {
             }
             ToleranceLetter::UpperP => {
                 // Holes of fine grades are moved so that they fit a shaft of the next finer grade as shafts of the letter fit H.
-                let moved = if self.grade <= 7 && range > 0 { width - self::width(self.grade - 1, range)? } else { 0.0 };
+                let moved =
+                    if self.grade <= 7 && range > 0 { width - self::width(self.grade - 1, range)? } else { 0.0 };
                 below(at(&P)? - moved, width)
             }
         };
@@ -141,7 +142,13 @@ mod tests {
 
     /// Micrometres as the standard rounds them: to 1 up to 100, to 5 up to 200, and then to 10.
     fn rounded(x: f64) -> f64 {
-        let step = if x <= 100.0 { 1.0 } else if x <= 200.0 { 5.0 } else { 10.0 };
+        let step = if x <= 100.0 {
+            1.0
+        } else if x <= 200.0 {
+            5.0
+        } else {
+            10.0
+        };
         (x / step).round() * step
     }
 
@@ -155,7 +162,8 @@ mod tests {
     fn grades_are_multiples_of_the_tolerance_unit_but_where_the_standard_rounds_otherwise() {
         let unit = |mean: f64| 0.45 * mean.cbrt() + 0.001 * mean;
         let factors = [7.0, 10.0, 16.0, 25.0, 40.0, 64.0, 100.0];
-        let found: Vec<_> = WIDTHS.iter().zip(factors).map(|(row, k)| differences(row, |mean, _| k * unit(mean))).collect();
+        let found: Vec<_> =
+            WIDTHS.iter().zip(factors).map(|(row, k)| differences(row, |mean, _| k * unit(mean))).collect();
         let expected: [&[(usize, f64)]; 7] = [
             &[],
             &[(0, 1.0), (1, 1.0), (11, 1.0), (12, 1.0)],
@@ -203,7 +211,10 @@ mod tests {
             (UpperP, 7, 100.0, -59.0, -24.0),
         ] {
             let [below, above] = ToleranceClass { letter, grade }.limits(size).expect("a size of the standard");
-            assert!((below * 1000.0 - lower).abs() < 1e-9 && (above * 1000.0 - upper).abs() < 1e-9, "{letter:?}{grade} {size}");
+            assert!(
+                (below * 1000.0 - lower).abs() < 1e-9 && (above * 1000.0 - upper).abs() < 1e-9,
+                "{letter:?}{grade} {size}"
+            );
         }
     }
 

@@ -12,11 +12,7 @@ pub(super) enum Row {
     /// A size with its limits.
     Size(Dimension),
     /// A frame of ISO 1101 with the sign of position: its zone and its datums.
-    Position {
-        zone: String,
-        datums: &'static [&'static str],
-        is_from_chain: bool,
-    },
+    Position { zone: String, datums: &'static [&'static str], is_from_chain: bool },
     /// What the callout is about is a datum of this letter.
     Datum(&'static str),
 }

@@ -12,6 +12,10 @@ pub enum Measured {
     SlotEnd,
     /// Radius of a slot's round end.
     SlotEndRadius,
+    /// How much of a slot's wall a mouth takes, from the wheel radius.
+    MouthLength,
+    /// Radius of a mouth.
+    MouthRadius,
     /// Diameter over the wheel's rim.
     Rim,
     /// Radius of the locking arcs.

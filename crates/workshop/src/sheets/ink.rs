@@ -1,6 +1,6 @@
 //! Lines and texts of a sheet in millimetres on paper, from its upper left corner, as SVG.
 
-use crate::geometry::{Point, along};
+use crate::geometry::{Point, point_along};
 use crate::svg::path_data;
 use geneva_kinematics::wheel::{Edge, Loop};
 use std::fmt::Write;
@@ -78,7 +78,7 @@ impl Ink {
         let chords = |edge: &Edge| {
             let count = if matches!(edge, Edge::Line { .. }) { 1 } else { CHORDS };
             let edge = *edge;
-            let at = move |k: u32| along(&edge, f64::from(k) / f64::from(count)).component_mul(&Point::new(1.0, -1.0));
+            let at = move |k: u32| point_along(&edge, f64::from(k) / f64::from(count)).component_mul(&Point::new(1.0, -1.0));
             (0..count).map(move |k| [at(k), at(k + 1)])
         };
         self.segments.extend(of.edges.iter().flat_map(chords));

@@ -67,14 +67,24 @@ impl Limits {
 
     /// How the limits are written behind a size: one text, or an upper and a lower one.
     pub(super) fn words(&self) -> Result<String, [String; 2]> {
-        if self.upper == -self.lower { Ok(format!("±{}", mm(self.upper))) } else { Err([self.upper, self.lower].map(deviation)) }
+        if self.upper == -self.lower {
+            Ok(format!("±{}", mm(self.upper)))
+        } else {
+            Err([self.upper, self.lower].map(deviation))
+        }
     }
 }
 
 /// The largest number of whole micrometres in a tolerance that is zero or more, in millimetres.
 pub(super) fn to_micrometres(x: f64) -> f64 {
     let whole = |x: f64| libm::floor(x * 1000.0 + 1e-6) / 1000.0;
-    if x.is_infinite() { x } else if x < 0.0 { -whole(-x) } else { whole(x) }
+    if x.is_infinite() {
+        x
+    } else if x < 0.0 {
+        -whole(-x)
+    } else {
+        whole(x)
+    }
 }
 
 /// Greatest sizes and tolerances of lengths: ISO 2768-1, class m, in millimetres.
@@ -158,7 +168,9 @@ impl Chain {
 
     /// The least of what it leaves to a place or a length, in millimetres.
     pub(super) fn least(&self) -> f64 {
-        [self.axes[0], self.axes[1], self.crank, self.slot_zone, self.arc_zone].into_iter().fold(f64::INFINITY, f64::min)
+        [self.axes[0], self.axes[1], self.crank, self.slot_zone, self.arc_zone]
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Classes of a pin and of its hole in the plate.

@@ -79,13 +79,19 @@ impl Sheet {
     /// The sheet as an SVG file, whose unit is a millimetre on paper.
     pub fn svg(&self) -> String {
         let [width, height] = self.paper.size();
-        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n{}</svg>\n", self.markup())
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n{}</svg>\n",
+            self.markup()
+        )
     }
 
     fn markup(&self) -> String {
         let [width, height] = self.paper.size();
         let words = self.layer.words();
-        format!("<title>Drawing of the {words}</title>\n<path fill=\"#fff\" d=\"M0 0H{width}V{height}H0Z\"/>\n{}", self.ink.markup())
+        format!(
+            "<title>Drawing of the {words}</title>\n<path fill=\"#fff\" d=\"M0 0H{width}V{height}H0Z\"/>\n{}",
+            self.ink.markup()
+        )
     }
 }
 
@@ -174,14 +180,18 @@ fn scale(view: &View, paper: Paper) -> DrawingScale {
     let size = greatest - least;
     let fits = |size: Point| largest([right - left, bottom - top], size);
     let (full, enlarged) = (fits(size), fits(size / ENLARGED));
-    if full.factor() > 1.0 { if enlarged.factor() < 1.0 { DrawingScale { drawn: 1, real: 1 } } else { enlarged } } else { full }
+    if full.factor() > 1.0 {
+        if enlarged.factor() < 1.0 { DrawingScale { drawn: 1, real: 1 } } else { enlarged }
+    } else {
+        full
+    }
 }
 
 /// The largest scale in which something fits into a room of this width and height, in millimetres.
 fn largest(room: [f64; 2], size: Point) -> DrawingScale {
     let smallest = DrawingScale { drawn: 1, real: 10_000 };
-    let [across, along] =
-        [(room[0], size.x), (room[1], size.y)].map(|(room, size)| DrawingScale::largest(room, size).unwrap_or(smallest));
+    let [across, along] = [(room[0], size.x), (room[1], size.y)]
+        .map(|(room, size)| DrawingScale::largest(room, size).unwrap_or(smallest));
     if across.factor() < along.factor() { across } else { along }
 }
 
@@ -310,6 +320,8 @@ fn capital(layer: Layer) -> &'static str {
         Layer::LockingDisc => "Locking disc",
         Layer::Pins => "Pin",
         Layer::BasePlate => "Base plate",
+        Layer::LockingSegment => "Locking segment",
+        Layer::RingPlate => "Ring plate",
         Layer::Plate | Layer::Centres | Layer::Pockets => "Driver plate",
     }
 }
@@ -368,7 +380,9 @@ pub fn sheets_svg(sheets: &[Sheet]) -> String {
     let sizes: Vec<[f64; 2]> = sheets.iter().map(|sheet| sheet.paper.size()).collect();
     let width = sizes.iter().map(|[width, _]| *width).fold(0.0, f64::max);
     let height: f64 = sizes.iter().map(|[_, height]| *height).sum();
-    let mut text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n");
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n"
+    );
     let mut top = 0.0;
     for (sheet, [_, height]) in sheets.iter().zip(sizes) {
         let _ = writeln!(text, "<g transform=\"translate(0 {top})\">\n{}</g>", sheet.markup());

@@ -4,10 +4,10 @@ use super::callout::{Row, Side};
 use super::dimension::{Dimension, Measured, deviation, mm};
 use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
 use super::view::{Making, Target, View, on_circle, pocket_rows, thickness, zone};
-use crate::geometry::{Point, direction};
+use crate::geometry::{Point, point_along, direction};
 use crate::parts::{HolePurpose, Layer, Part, PinMount};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, Loop, LockingDisc, ToleranceClass, ToleranceLetter};
+use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, ToleranceClass, ToleranceLetter};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Turned so, what is on the first axis points up.
@@ -27,7 +27,10 @@ impl Making<'_> {
             Layer::LockingDisc => self.disc(part),
             Layer::Pins => self.pin(part),
             Layer::BasePlate => self.base(part),
-            Layer::Plate | Layer::Centres | Layer::Pockets => self.plate(part),
+            // An internal wheel has other sizes and no sheets.
+            Layer::Plate | Layer::LockingSegment | Layer::RingPlate | Layer::Centres | Layer::Pockets => {
+                self.plate(part)
+            }
         }
     }
 
@@ -36,7 +39,7 @@ impl Making<'_> {
         let (stations, pitch) = (sizes.wheel.stations(), 2.0 * sizes.wheel.half_pitch_angle());
         let mut view = View::new(part, UPRIGHT);
         let half = sizes.slot_width / 2.0;
-        let corner = |x: f64| Point::new(x, sizes.wheel_radius);
+        let corner = |x: f64| Point::new(x, sizes.wheel_radius - sizes.mouth_length());
         let slot = Dimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
             .limited(Limits::class(SLOT, sizes.slot_width).within([chain.width, f64::INFINITY]));
         view.add(
@@ -58,9 +61,8 @@ impl Making<'_> {
             vec![Row::Size(end), Row::Size(Dimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
         );
         let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
-        let radius = Dimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "").limited(
-            Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]),
-        );
+        let radius = Dimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
+            .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
         let centres =
             Dimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
         view.add(
@@ -80,6 +82,7 @@ impl Making<'_> {
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
+        self.add_mouth(&mut view);
         view.add_holes(self);
         view.notes.push("Slot walls, locking arcs: Ra 1.6. Corners of mouths: 0.1 at most.".to_owned());
         // The axes' whole share: on a base plate, bores and shafts take half of it.
@@ -90,6 +93,21 @@ impl Making<'_> {
             deviation(-chain.axes[0])
         ));
         view
+    }
+
+    /// The mouths of the slots where they are not sharp: on the left of the upper slot.
+    fn add_mouth(&self, view: &mut View) {
+        let Some(face) = self.sizes.mouth_face() else { return };
+        let length = Dimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
+        let shape = match face {
+            Edge::Line { from, to } => {
+                let angle = libm::atan2(to.y - from.y, to.x - from.x).to_degrees();
+                Row::Words(format!("chamfer {}° to the wall", mm(angle)))
+            }
+            Edge::Arc { radius, .. } => Row::Size(Dimension::new(Measured::MouthRadius, "from the wall R", radius, "")),
+        };
+        let middle = point_along(&face, 0.5);
+        view.add(Target::Edge(Point::new(-middle.y, middle.x)), Side::Left, vec![Row::Size(length), shape]);
     }
 
     fn disc(&self, part: &Part) -> View {
@@ -139,10 +157,7 @@ impl Making<'_> {
         );
         view.add_holes(self);
         view.notes.push("Rim: Ra 1.6. Edges of the opening: 0.1 at most.".to_owned());
-        view.notes.push(format!(
-            "On the plate: crescent's centre in line with axis and pin to {}.",
-            mm(shift)
-        ));
+        view.notes.push(format!("On the plate: crescent's centre in line with axis and pin to {}.", mm(shift)));
         view
     }
 
@@ -152,7 +167,8 @@ impl Making<'_> {
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let mut view = View::new(part, UPRIGHT);
         let rim = direction(LOWER_RIGHT) * sizes.plate_radius;
-        let mut rows = vec![Row::Size(Dimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
+        let mut rows =
+            vec![Row::Size(Dimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
         if !view.has_bore() {
             rows[0] = Row::Size(
                 Dimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
@@ -189,11 +205,9 @@ impl Making<'_> {
         view.circles.push(sizes.crank_radius);
         view.add_holes(self);
         view.notes.push(match self.mounting.pins {
-            PinMount::Screw(thread, _) => format!(
-                "Pins: bushes Ø{} on screws {}.",
-                mm(sizes.pin_diameter),
-                thread.name()
-            ),
+            PinMount::Screw(thread, _) => {
+                format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter), thread.name())
+            }
             _ => "Pins pressed or bonded in, square within 0.01 on 10.".to_owned(),
         });
         view
@@ -268,14 +282,16 @@ impl Making<'_> {
             vec![Row::Size(Dimension::new(Measured::BaseWidth, "", width, "")), thickness(part)],
         );
         let bores: Vec<_> = view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Bore).cloned().collect();
-        for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left })) {
+        for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left }))
+        {
             let Some(diameter) = hole.diameter() else { continue };
             let limits = Limits::class(BORE, diameter).within([f64::INFINITY, chain.bore]);
             let mut rows = vec![Row::Size(Dimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
             rows.extend(pocket_rows(hole));
             view.add(Target::Edge(on_circle(hole, side, -0.5)), side, rows);
         }
-        let fixing: Vec<_> = view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Fixing).cloned().collect();
+        let fixing: Vec<_> =
+            view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Fixing).cloned().collect();
         let corner = fixing.iter().max_by(|a, b| (a.centre.x - a.centre.y).total_cmp(&(b.centre.x - b.centre.y)));
         if let Some((hole, diameter)) = corner.and_then(|hole| Some((hole, hole.diameter()?))) {
             let reach = |of: fn(&Point) -> f64| {
@@ -327,7 +343,9 @@ fn cut_point(disc: &LockingDisc) -> Point {
 /// The middle of that arc of a radius whose middle is nearest to a direction.
 fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
     let middles = of.edges.iter().filter_map(|edge| match *edge {
-        Edge::Arc { centre, radius, start, sweep } if (radius - wanted).abs() < 1e-9 * wanted && centre.norm() > radius => {
+        Edge::Arc { centre, radius, start, sweep }
+            if (radius - wanted).abs() < 1e-9 * wanted && centre.norm() > radius =>
+        {
             Some(centre + direction(start + sweep / 2.0) * radius)
         }
         _ => None,
@@ -338,7 +356,9 @@ fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
 /// The middle of that arc about the axis whose middle is nearest to a direction, or the place there if the arc passes it.
 fn rim_point(of: &Loop, wanted: f64, towards: Point) -> Point {
     let places = of.edges.iter().filter_map(|edge| match *edge {
-        Edge::Arc { centre, radius, start, sweep } if centre.norm() < 1e-9 && (radius - wanted).abs() < 1e-9 * wanted => {
+        Edge::Arc { centre, radius, start, sweep }
+            if centre.norm() < 1e-9 && (radius - wanted).abs() < 1e-9 * wanted =>
+        {
             let aim = libm::atan2(towards.y, towards.x);
             // In the middle of a short piece, clear of its corners.
             let passes = sweep.abs() > 1.0 && crate::geometry::into_arc(start, sweep, aim) <= sweep.abs();

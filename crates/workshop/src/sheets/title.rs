@@ -84,9 +84,10 @@ impl Title<'_> {
         }
         first_angle(ink, Point::new(greatest.x - 12.0, greatest.y - 4.2));
         ruler(ink, Point::new(left, top - 3.0));
-        let lines = notes.iter().enumerate().flat_map(|(k, note)| {
-            wrapped(&format!("{}. {note}", k + 1), SMALL, left - least.x - 4.0)
-        });
+        let lines = notes
+            .iter()
+            .enumerate()
+            .flat_map(|(k, note)| wrapped(&format!("{}. {note}", k + 1), SMALL, left - least.x - 4.0));
         let mut y = strip + NOTE;
         for line in lines {
             ink.text(Point::new(least.x + 2.0, y), SMALL, &line);

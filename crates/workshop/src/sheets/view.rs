@@ -3,7 +3,7 @@
 use super::callout::{Row, Side};
 use super::dimension::{Dimension, Measured, mm};
 use super::limits::{BORE, Chain, KEYWAY, Limits, general_tolerance};
-use crate::geometry::{Point, along, direction, into_arc};
+use crate::geometry::{Point, point_along, direction, into_arc};
 use crate::parts::{Hole, HolePurpose, Layer, Mounting, Part};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, Loop, Sizes};
@@ -73,7 +73,7 @@ impl View {
         // Quarters of a degree at most: an arc reaches no farther than a hundred thousandth of its radius beyond.
         for edge in &self.part.outer.edges {
             for k in 0..=64 {
-                let p = along(edge, f64::from(k) / 64.0);
+                let p = point_along(edge, f64::from(k) / 64.0);
                 corners = [corners[0].inf(&p), corners[1].sup(&p)];
             }
         }
@@ -112,7 +112,9 @@ impl View {
             let of_pattern: Vec<&Hole> = holes.iter().filter(|hole| hole.purpose == purpose).collect();
             let (Some(pattern), false) = (pattern, of_pattern.is_empty()) else { continue };
             // The one that is farthest down, beside the view's other leaders.
-            let Some(hole) = of_pattern.iter().min_by(|a, b| (a.centre.y - 1e-3 * a.centre.x).total_cmp(&(b.centre.y - 1e-3 * b.centre.x)))
+            let Some(hole) = of_pattern
+                .iter()
+                .min_by(|a, b| (a.centre.y - 1e-3 * a.centre.x).total_cmp(&(b.centre.y - 1e-3 * b.centre.x)))
             else {
                 continue;
             };
@@ -145,9 +147,10 @@ impl View {
             (line[0] - bore.centre).perp(&along).abs()
         };
         match lines.as_slice() {
-            [flat] => rows.push(Row::Size(Dimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat").limited(
-                Limits::new([0.0, general_tolerance(radius) / 2.0]),
-            ))),
+            [flat] => rows.push(Row::Size(
+                Dimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat")
+                    .limited(Limits::new([0.0, general_tolerance(radius) / 2.0])),
+            )),
             [_, bottom, _] => {
                 let width = (bottom[1] - bottom[0]).norm();
                 let name = Dimension::new(Measured::KeywayWidth, "keyway ", width, "");
@@ -186,7 +189,8 @@ impl Making<'_> {
 /// How far the hole of a pattern that is nearest to straight above the axis is from there.
 fn beside_upright(holes: &[&Hole]) -> String {
     let angle = |hole: &&Hole| libm::atan2(hole.centre.x, hole.centre.y).to_degrees();
-    let nearest = holes.iter().map(angle).fold(180.0, |best: f64, next| if next.abs() < best.abs() - 1e-6 { next } else { best });
+    let nearest =
+        holes.iter().map(angle).fold(180.0, |best: f64, next| if next.abs() < best.abs() - 1e-6 { next } else { best });
     match mm(nearest.abs()).as_str() {
         "0" => "one on the upper centre line".to_owned(),
         degrees => format!("one {degrees}° {} of upright", if nearest > 0.0 { "right" } else { "left" }),
