@@ -29,7 +29,7 @@ pub use parts::{
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts,
 };
 pub use scad::scad;
-pub use sheets::{Dimension, DrawingScale, Measured, Paper, Sheet, SheetText, sheets, sheets_html, sheets_svg};
+pub use sheets::{PrintedDimension, DrawingScale, Measured, Paper, Sheet, SheetText, sheets, sheets_html, sheets_svg};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;

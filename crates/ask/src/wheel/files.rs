@@ -5,7 +5,6 @@ use super::kind::{AnyWheel, WheelKind};
 use super::mounting::with_arguments;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
@@ -364,7 +363,7 @@ mod tests {
 
     #[test]
     fn drawings_say_what_is_made_of_what_and_how_large() {
-        let text = "wheel --stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
+        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
         let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
         let page = design.drawings_html().expect("a page");
         for words in ["Geneva wheel, 6 stations, crank radius 40 mm", ">cast iron<", ">steel<", "1 of 4", "@page"] {

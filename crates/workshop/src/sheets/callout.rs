@@ -1,6 +1,6 @@
 //! What is written beside a view: sizes, frames and datums in two columns, with leaders to what they are about.
 
-use super::dimension::Dimension;
+use super::dimension::PrintedDimension;
 use super::ink::{Ink, Pen, SMALL, TEXT, text_width};
 use crate::geometry::Point;
 
@@ -10,7 +10,7 @@ pub(super) enum Row {
     /// Plain words.
     Words(String),
     /// A size with its limits.
-    Size(Dimension),
+    Size(PrintedDimension),
     /// A frame of ISO 1101 with the sign of position: its zone and its datums.
     Position { zone: String, datums: &'static [&'static str], is_from_chain: bool },
     /// What the callout is about is a datum of this letter.

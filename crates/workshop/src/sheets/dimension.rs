@@ -1,5 +1,6 @@
 //! Sizes as they are written on a sheet.
 
+use super::length::mm;
 use super::limits::Limits;
 use geneva_kinematics::wheel::ToleranceClass;
 
@@ -83,7 +84,7 @@ pub enum Measured {
 /// A dimension as it is written on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Dimension {
+pub struct PrintedDimension {
     /// What it measures.
     pub measured: Measured,
     /// The size, in millimetres.
@@ -98,7 +99,7 @@ pub struct Dimension {
     pub text: String,
 }
 
-impl Dimension {
+impl PrintedDimension {
     /// A dimension with what is written before and behind its size.
     pub(super) fn new(measured: Measured, before: &str, nominal: f64, behind: &str) -> Self {
         let text = format!("{before}{}{behind}", mm(nominal));
@@ -119,20 +120,5 @@ impl Dimension {
     pub(super) fn limit_words(&self) -> Option<Result<String, [String; 2]>> {
         let [lower, upper] = self.limits?;
         Some(Limits { class: self.class, ..Limits::new([lower, upper]) }.words())
-    }
-}
-
-/// A length with at most three decimals.
-pub(super) fn mm(x: f64) -> String {
-    let text = format!("{x:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// A deviation with its sign.
-pub(super) fn deviation(x: f64) -> String {
-    match mm(x.abs()) {
-        zero if zero == "0" => zero,
-        text if x < 0.0 => format!("−{text}"),
-        text => format!("+{text}"),
     }
 }

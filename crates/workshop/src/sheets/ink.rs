@@ -78,7 +78,8 @@ impl Ink {
         let chords = |edge: &Edge| {
             let count = if matches!(edge, Edge::Line { .. }) { 1 } else { CHORDS };
             let edge = *edge;
-            let at = move |k: u32| point_along(&edge, f64::from(k) / f64::from(count)).component_mul(&Point::new(1.0, -1.0));
+            let at =
+                move |k: u32| point_along(&edge, f64::from(k) / f64::from(count)).component_mul(&Point::new(1.0, -1.0));
             (0..count).map(move |k| [at(k), at(k + 1)])
         };
         self.segments.extend(of.edges.iter().flat_map(chords));

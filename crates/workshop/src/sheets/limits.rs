@@ -1,6 +1,6 @@
 //! By how much a size may be off: the letters of ISO 286, the chains of all sizes, and general tolerances.
 
-use super::dimension::{deviation, mm};
+use super::length::{deviation, mm};
 use geneva_kinematics::wheel::ToleranceLetter::{LowerH, LowerM, UpperH, UpperJs, UpperP};
 use geneva_kinematics::wheel::{SharedTolerance, Sizes, ToleranceClass};
 

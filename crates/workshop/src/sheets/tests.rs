@@ -1,8 +1,16 @@
+//! Tests of the sheets: dimensions against outlines, room, limits at their worst.
+
+use super::length::mm;
+use super::limits::Chain;
+use super::part_views::crescent_shift;
+use super::title::frame;
 use super::*;
-use crate::geometry::direction;
-use crate::parts::{BasePlate, Fastener, HolePurpose, Pattern, ScrewHole, ShaftFit, Thread};
+use crate::geometry::{Point, direction};
+use crate::parts::{
+    BasePlate, Fastener, HolePurpose, Layer, Mounting, Part, Pattern, PinMount, ScrewHole, ShaftFit, Thread, parts,
+};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Choices, Loop, Mouth, Play, Scale, Wheel};
+use geneva_kinematics::wheel::{Choices, Loop, Mouth, Play, Scale, SharedTolerance, Sizes, Wheel};
 use roxmltree::Document;
 use std::f64::consts::PI;
 
@@ -66,7 +74,7 @@ fn designs() -> Vec<(Sizes, Mounting)> {
     let mounting = Mounting {
         driver_hub: Some(Pattern { count: 3, circle: 20.0, fastener: screw(ScrewHole::NutTrap) }),
         disc_dowels: Some(Pattern { count: 2, circle: 32.0, fastener: Fastener::Dowel(3.0) }),
-        pins: crate::parts::PinMount::Screw(Thread::M4, ScrewHole::Tapped),
+        pins: PinMount::Screw(Thread::M4, ScrewHole::Tapped),
         ..Mounting::default()
     };
     all.push((Sizes::new(wheel, Scale::CrankRadius(40.0), &choices).unwrap(), mounting));
@@ -254,7 +262,7 @@ fn every_printed_dimension_is_measured_on_the_outlines() {
                 let Some(measured) = measure(&sheet, &sizes, &list, size.measured) else { continue };
                 let number: String =
                     size.text.chars().filter(|c| c.is_ascii_digit() || *c == '.' || *c == ' ' || *c == 'R').collect();
-                assert!(number.contains(&dimension::mm(size.nominal)), "{size:?}");
+                assert!(number.contains(&mm(size.nominal)), "{size:?}");
                 let loose = 1e-4 * size.nominal.max(1.0);
                 assert!((measured - size.nominal).abs() < loose, "{k}: {size:?}, but {measured}");
                 assert!(sheet.ink.texts.iter().any(|text| text.text == size.text), "{size:?} is not on the sheet");
@@ -330,7 +338,7 @@ fn texts_overlap_nothing_and_all_is_inside_the_frame() {
 fn with_all_limits_at_their_worst_nothing_touches() {
     let (mut tried, mut narrowed) = (0, 0);
     for (k, [stations, pins, crank, play]) in
-        [[3, 1, 60, 4], [4, 1, 40, 3], [6, 2, 50, 4], [8, 1, 30, 2], [15, 1, 20, 2]].into_iter().enumerate()
+        [[3, 1, 60, 4], [4, 1, 40, 3], [6, 2, 50, 4], [8, 1, 30, 2], [12, 1, 40, 3]].into_iter().enumerate()
     {
         // Play in tenths of a millimetre; the bores have much less.
         let slot = f64::from(play) / 10.0;
@@ -365,7 +373,7 @@ fn with_all_limits_at_their_worst_nothing_touches() {
         wrong.tip_radius = libm::hypot(wrong.wheel_radius, wrong.slot_width / 2.0);
         let mut disc = wrong.locking_disc.unwrap();
         disc.radius += limits(Layer::LockingDisc, Measured::Disc)[1] / 2.0;
-        let shift = parts::crescent_shift(&disc);
+        let shift = crescent_shift(&disc);
         let radius = disc.crescent.radius + limits(Layer::LockingDisc, Measured::Crescent)[0];
         for (out, error) in [(1.0, -loose + axes[0]), (1.0, loose + axes[1]), (-1.0, -loose + axes[0])] {
             for by in crank {

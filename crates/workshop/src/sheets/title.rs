@@ -1,8 +1,9 @@
 //! Frame, title block, scale bar and notes of a sheet.
 
-use super::SheetText;
 use super::ink::{Ink, Pen, SMALL, TEXT, text_width, wrapped};
+use super::length::mm;
 use super::paper::{DrawingScale, Paper};
+use super::text::SheetText;
 use crate::geometry::Point;
 use crate::parts::Part;
 
@@ -47,7 +48,7 @@ impl Title<'_> {
         let top = greatest.y - 3.0 * ROW;
         ink.rectangle(Pen::Thick, Point::new(left, top), greatest);
         let pieces = self.part.quantity().to_string();
-        let thickness = format!("{} mm", super::dimension::mm(self.part.thickness));
+        let thickness = format!("{} mm", mm(self.part.thickness));
         let size = if self.part.is_cut() { ["Thickness", thickness.as_str()] } else { ["Length", thickness.as_str()] };
         let scale = self.scale.to_string();
         let sheet = format!("{} of {}", self.sheet[0], self.sheet[1]);

@@ -1,10 +1,11 @@
 //! What is dimensioned on a part.
 
 use super::callout::{Row, Side};
-use super::dimension::{Dimension, Measured, mm};
+use super::dimension::{PrintedDimension, Measured};
+use super::length::mm;
 use super::limits::{BORE, Chain, KEYWAY, Limits, general_tolerance};
-use crate::geometry::{Point, point_along, direction, into_arc};
-use crate::parts::{Hole, HolePurpose, Layer, Mounting, Part};
+use crate::geometry::{Point, direction, into_arc, point_along};
+use crate::parts::{Fastener, Hole, HolePurpose, Layer, Mounting, Part, Pattern};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, Loop, Sizes};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -81,7 +82,7 @@ impl View {
     }
 
     /// All dimensions on it.
-    pub(super) fn dimensions(&self) -> impl Iterator<Item = &Dimension> {
+    pub(super) fn dimensions(&self) -> impl Iterator<Item = &PrintedDimension> {
         let rows = self.features.iter().flat_map(|feature| &feature.rows);
         rows.filter_map(|row| if let Row::Size(size) = row { Some(size) } else { None })
     }
@@ -119,11 +120,11 @@ impl View {
                 continue;
             };
             let Some(diameter) = hole.diameter() else { continue };
-            let size = Dimension::new(of_hole, &format!("{}× Ø", of_pattern.len()), diameter, "");
-            let is_dowel = matches!(pattern.fastener, crate::parts::Fastener::Dowel(_));
+            let size = PrintedDimension::new(of_hole, &format!("{}× Ø", of_pattern.len()), diameter, "");
+            let is_dowel = matches!(pattern.fastener, Fastener::Dowel(_));
             let size = if is_dowel { size.limited(Limits::class(BORE, diameter)) } else { size };
             let mut rows = vec![Row::Size(size)];
-            rows.push(Row::Size(Dimension::new(of_circle, "evenly on Ø", pattern.circle, "")));
+            rows.push(Row::Size(PrintedDimension::new(of_circle, "evenly on Ø", pattern.circle, "")));
             rows.push(Row::Words(beside_upright(&of_pattern)));
             rows.extend(pocket_rows(hole));
             let side = if hole.centre.x < 0.0 { Side::Left } else { Side::Right };
@@ -139,7 +140,7 @@ impl View {
         });
         let Some(radius) = circle else { return };
         let limits = Limits::class(BORE, 2.0 * radius).within([f64::INFINITY, making.chain.bore]);
-        let mut rows = vec![Row::Size(Dimension::new(Measured::Bore, "Ø", 2.0 * radius, "").limited(limits))];
+        let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", 2.0 * radius, "").limited(limits))];
         rows.push(Row::Datum("A"));
         let lines: Vec<[Point; 2]> = bore.outline.edges.iter().filter_map(straight).collect();
         let far = |line: &[Point; 2]| {
@@ -148,14 +149,14 @@ impl View {
         };
         match lines.as_slice() {
             [flat] => rows.push(Row::Size(
-                Dimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat")
+                PrintedDimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat")
                     .limited(Limits::new([0.0, general_tolerance(radius) / 2.0])),
             )),
             [_, bottom, _] => {
                 let width = (bottom[1] - bottom[0]).norm();
-                let name = Dimension::new(Measured::KeywayWidth, "keyway ", width, "");
+                let name = PrintedDimension::new(Measured::KeywayWidth, "keyway ", width, "");
                 rows.push(Row::Size(name.limited(Limits::class(KEYWAY, width))));
-                let across = Dimension::new(Measured::AcrossBore, "", radius + far(bottom), " with keyway");
+                let across = PrintedDimension::new(Measured::AcrossBore, "", radius + far(bottom), " with keyway");
                 rows.push(Row::Size(across.limited(Limits::new([0.0, keyway_depth(width)]))));
             }
             _ => {}
@@ -181,7 +182,7 @@ impl View {
 }
 
 impl Making<'_> {
-    fn hub(&self, layer: Layer) -> Option<crate::parts::Pattern> {
+    fn hub(&self, layer: Layer) -> Option<Pattern> {
         if layer == Layer::Wheel { self.mounting.wheel_hub } else { self.mounting.driver_hub }
     }
 }
@@ -225,13 +226,13 @@ pub(super) fn on_circle(hole: &Hole, side: Side, up: f64) -> Point {
 pub(super) fn pocket_rows(hole: &Hole) -> Vec<Row> {
     let Some(wide) = &hole.widening else { return Vec::new() };
     let side = if wide.is_from_below { " deep from the back" } else { " deep from the front" };
-    let depth = Row::Size(Dimension::new(Measured::PocketDepth, "", wide.depth, side));
+    let depth = Row::Size(PrintedDimension::new(Measured::PocketDepth, "", wide.depth, side));
     match wide.outline.edges.as_slice() {
-        [Edge::Arc { radius, .. }] => vec![Row::Size(Dimension::new(Measured::Shoulder, "Ø", 2.0 * radius, "")), depth],
+        [Edge::Arc { radius, .. }] => vec![Row::Size(PrintedDimension::new(Measured::Shoulder, "Ø", 2.0 * radius, "")), depth],
         edges => {
             let first = edges.iter().find_map(straight);
             let width = first.map(|[from, to]| 2.0 * (from - hole.centre).perp(&(to - from).normalize()).abs());
-            let size = |width| Row::Size(Dimension::new(Measured::NutWidth, "hexagon ", width, " across flats"));
+            let size = |width| Row::Size(PrintedDimension::new(Measured::NutWidth, "hexagon ", width, " across flats"));
             width.map(size).into_iter().chain([depth]).collect()
         }
     }
@@ -239,7 +240,7 @@ pub(super) fn pocket_rows(hole: &Hole) -> Vec<Row> {
 
 /// The thickness as a row.
 pub(super) fn thickness(part: &Part) -> Row {
-    Row::Size(Dimension::new(Measured::Thickness, "t = ", part.thickness, ""))
+    Row::Size(PrintedDimension::new(Measured::Thickness, "t = ", part.thickness, ""))
 }
 
 /// A zone that is round or not, as it is written in a frame.

@@ -1,10 +1,11 @@
 //! The views of all parts with their sizes.
 
 use super::callout::{Row, Side};
-use super::dimension::{Dimension, Measured, deviation, mm};
+use super::dimension::{PrintedDimension, Measured};
+use super::length::{deviation, mm};
 use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
 use super::view::{Making, Target, View, on_circle, pocket_rows, thickness, zone};
-use crate::geometry::{Point, point_along, direction};
+use crate::geometry::{Point, direction, point_along};
 use crate::parts::{HolePurpose, Layer, Part, PinMount};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, ToleranceClass, ToleranceLetter};
@@ -40,7 +41,7 @@ impl Making<'_> {
         let mut view = View::new(part, UPRIGHT);
         let half = sizes.slot_width / 2.0;
         let corner = |x: f64| Point::new(x, sizes.wheel_radius - sizes.mouth_length());
-        let slot = Dimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
+        let slot = PrintedDimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
             .limited(Limits::class(SLOT, sizes.slot_width).within([chain.width, f64::INFINITY]));
         view.add(
             Target::Across([corner(-half), corner(half)]),
@@ -52,19 +53,19 @@ impl Making<'_> {
                 Row::Datum("B"),
             ],
         );
-        let end = Dimension::new(Measured::SlotEnd, "", sizes.slot_end, "");
+        let end = PrintedDimension::new(Measured::SlotEnd, "", sizes.slot_end, "");
         let general = general_tolerance(sizes.slot_end);
         let end = end.limited(Limits::new([-general, general]).within([general, chain.slot_end]));
         view.add(
             Target::Along([Point::zeros(), Point::new(0.0, sizes.slot_end)]),
             Side::Left,
-            vec![Row::Size(end), Row::Size(Dimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
+            vec![Row::Size(end), Row::Size(PrintedDimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
         );
         let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
-        let radius = Dimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
+        let radius = PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
             .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
         let centres =
-            Dimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
+            PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
         view.add(
             Target::Edge(arc),
             Side::Right,
@@ -76,7 +77,7 @@ impl Making<'_> {
             ],
         );
         let rim = rim_point(&view.part.outer, sizes.tip_radius, direction(LOWER_RIGHT));
-        let rim_size = Dimension::new(Measured::Rim, "Ø", 2.0 * sizes.tip_radius, "");
+        let rim_size = PrintedDimension::new(Measured::Rim, "Ø", 2.0 * sizes.tip_radius, "");
         let mut rows = vec![Row::Size(rim_size.limited(Limits::class(RIM, 2.0 * sizes.tip_radius))), thickness(part)];
         if !view.has_bore() {
             rows.insert(1, Row::Datum("A"));
@@ -98,13 +99,13 @@ impl Making<'_> {
     /// The mouths of the slots where they are not sharp: on the left of the upper slot.
     fn add_mouth(&self, view: &mut View) {
         let Some(face) = self.sizes.mouth_face() else { return };
-        let length = Dimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
+        let length = PrintedDimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
         let shape = match face {
             Edge::Line { from, to } => {
                 let angle = libm::atan2(to.y - from.y, to.x - from.x).to_degrees();
                 Row::Words(format!("chamfer {}° to the wall", mm(angle)))
             }
-            Edge::Arc { radius, .. } => Row::Size(Dimension::new(Measured::MouthRadius, "from the wall R", radius, "")),
+            Edge::Arc { radius, .. } => Row::Size(PrintedDimension::new(Measured::MouthRadius, "from the wall R", radius, "")),
         };
         let middle = point_along(&face, 0.5);
         view.add(Target::Edge(Point::new(-middle.y, middle.x)), Side::Left, vec![Row::Size(length), shape]);
@@ -117,7 +118,7 @@ impl Making<'_> {
         let cut = disc.crescent;
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let rim = rim_point(&view.part.outer, disc.radius, direction(LOWER_RIGHT));
-        let size = Dimension::new(Measured::Disc, "Ø", 2.0 * disc.radius, "");
+        let size = PrintedDimension::new(Measured::Disc, "Ø", 2.0 * disc.radius, "");
         let limits = Limits::class(DISC, 2.0 * disc.radius).within([f64::INFINITY, 2.0 * self.chain.locking]);
         let mut rows = vec![Row::Size(size.limited(limits)), thickness(part)];
         if !view.has_bore() {
@@ -128,11 +129,11 @@ impl Making<'_> {
         let shift = crescent_shift(&disc);
         let wider = Limits::class(SLOT, 2.0 * cut.radius);
         let limits = Limits::new([2.0 * shift, 2.0 * shift + to_micrometres(wider.upper / 2.0)]);
-        let radius = Dimension::new(Measured::Crescent, &format!("{many}R"), cut.radius, "").limited(limits);
+        let radius = PrintedDimension::new(Measured::Crescent, &format!("{many}R"), cut.radius, "").limited(limits);
         let to = cut_point(&disc);
         let place = Row::Position { zone: zone("Ø", 2.0 * shift), datums: &["A"], is_from_chain: false };
         let mut rows = vec![Row::Size(radius), place];
-        let centre = |before: &str| Row::Size(Dimension::new(Measured::CrescentCentre, before, cut.centre, ""));
+        let centre = |before: &str| Row::Size(PrintedDimension::new(Measured::CrescentCentre, before, cut.centre, ""));
         let is_far = cut.centre > FAR * disc.radius;
         if is_far {
             rows.push(centre("centre at exact "));
@@ -149,7 +150,7 @@ impl Making<'_> {
             );
         }
         let [y, x] = [libm::cos(cut.half_angle), libm::sin(cut.half_angle)].map(|part| part * disc.radius);
-        let opening = Dimension::new(Measured::Opening, "(", 2.0 * x, ")");
+        let opening = PrintedDimension::new(Measured::Opening, "(", 2.0 * x, ")");
         view.add(
             Target::Across([Point::new(-x, y), Point::new(x, y)]),
             Side::Left,
@@ -168,16 +169,16 @@ impl Making<'_> {
         let mut view = View::new(part, UPRIGHT);
         let rim = direction(LOWER_RIGHT) * sizes.plate_radius;
         let mut rows =
-            vec![Row::Size(Dimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
+            vec![Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
         if !view.has_bore() {
             rows[0] = Row::Size(
-                Dimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
+                PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
                     .limited(Limits::class(RIM, 2.0 * sizes.plate_radius)),
             );
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
-        let crank = Dimension::new(Measured::CrankRadius, "", sizes.crank_radius, "");
+        let crank = PrintedDimension::new(Measured::CrankRadius, "", sizes.crank_radius, "");
         let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.crank, chain.crank]) };
         view.add(
             Target::Along([Point::zeros(), Point::new(0.0, sizes.crank_radius)]),
@@ -188,7 +189,7 @@ impl Making<'_> {
         if let Some(hole) = hole
             && let Some(diameter) = hole.diameter()
         {
-            let size = Dimension::new(Measured::PinHole, &format!("{many}Ø"), diameter, "");
+            let size = PrintedDimension::new(Measured::PinHole, &format!("{many}Ø"), diameter, "");
             let is_dowel = !matches!(self.mounting.pins, PinMount::Screw(..));
             let size = if is_dowel {
                 size.limited(Limits::class(chain.pin_classes(diameter)[1], diameter))
@@ -236,10 +237,10 @@ impl Making<'_> {
         let diameter = 2.0 * radius;
         let classes = self.chain.pin_classes(diameter);
         let limits = Limits::class(classes[0], diameter).within([f64::INFINITY, self.chain.width.max(0.0)]);
-        let size = Dimension::new(Measured::Pin, "Ø", diameter, "").limited(limits);
+        let size = PrintedDimension::new(Measured::Pin, "Ø", diameter, "").limited(limits);
         view.add(Target::Along([p(cut, -radius), p(cut, radius)]), Side::Left, vec![Row::Size(size)]);
         let across = Target::Across([p(0.0, radius - cut), p(length, radius - cut)]);
-        view.add(across, Side::Right, vec![Row::Size(Dimension::new(Measured::PinLength, "", length, ""))]);
+        view.add(across, Side::Right, vec![Row::Size(PrintedDimension::new(Measured::PinLength, "", length, ""))]);
         view.add(
             Target::Edge(p(length - cut / 2.0, cut / 2.0 - radius)),
             Side::Right,
@@ -258,7 +259,7 @@ impl Making<'_> {
         let (sizes, chain) = (self.sizes, &self.chain);
         let mut view = View::new(part, 0.0);
         let [least, greatest] = view.extent();
-        let axes = Dimension::new(Measured::AxisDistance, "", sizes.centre_distance, "");
+        let axes = PrintedDimension::new(Measured::AxisDistance, "", sizes.centre_distance, "");
         let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.axes[0], chain.axes[1]]) };
         view.add(
             Target::Across([Point::zeros(), Point::new(sizes.centre_distance, 0.0)]),
@@ -269,24 +270,24 @@ impl Making<'_> {
         view.add(
             Target::Across([Point::new(least.x, 0.0), Point::new(greatest.x, 0.0)]),
             Side::Left,
-            vec![Row::Size(Dimension::new(Measured::BaseLength, "", length, ""))],
+            vec![Row::Size(PrintedDimension::new(Measured::BaseLength, "", length, ""))],
         );
         view.add(
             Target::Across([Point::new(least.x, 0.0), Point::zeros()]),
             Side::Left,
-            vec![Row::Size(Dimension::new(Measured::AxisPlace, "", -least.x, ""))],
+            vec![Row::Size(PrintedDimension::new(Measured::AxisPlace, "", -least.x, ""))],
         );
         view.add(
             Target::Along([Point::new(0.0, least.y), Point::new(0.0, greatest.y)]),
             Side::Left,
-            vec![Row::Size(Dimension::new(Measured::BaseWidth, "", width, "")), thickness(part)],
+            vec![Row::Size(PrintedDimension::new(Measured::BaseWidth, "", width, "")), thickness(part)],
         );
         let bores: Vec<_> = view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Bore).cloned().collect();
         for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left }))
         {
             let Some(diameter) = hole.diameter() else { continue };
             let limits = Limits::class(BORE, diameter).within([f64::INFINITY, chain.bore]);
-            let mut rows = vec![Row::Size(Dimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
+            let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
             rows.extend(pocket_rows(hole));
             view.add(Target::Edge(on_circle(hole, side, -0.5)), side, rows);
         }
@@ -298,7 +299,7 @@ impl Making<'_> {
                 let places = || fixing.iter().map(|hole| of(&hole.centre));
                 places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
             };
-            let size = |measured, before: &str, nominal| Row::Size(Dimension::new(measured, before, nominal, ""));
+            let size = |measured, before: &str, nominal| Row::Size(PrintedDimension::new(measured, before, nominal, ""));
             let rows = vec![
                 size(Measured::FixingHole, &format!("{}× Ø", fixing.len()), diameter),
                 size(Measured::FixingLength, "apart ", reach(|p| p.x)),
@@ -308,8 +309,11 @@ impl Making<'_> {
         }
         if let Some(Edge::Arc { centre, radius, .. }) = view.part.outer.edges.first() {
             let at = *centre + direction(0.25 * PI) * *radius;
-            let size = Dimension::new(Measured::BaseCorner, "4× R", *radius, "");
-            let rows = vec![Row::Size(size), Row::Words("about the holes".to_owned())];
+            let size = PrintedDimension::new(Measured::BaseCorner, "4× R", *radius, "");
+            let mut rows = vec![Row::Size(size)];
+            if !fixing.is_empty() {
+                rows.push(Row::Words("about the holes".to_owned()));
+            }
             view.add(Target::Edge(at), Side::Right, rows);
         }
         view
