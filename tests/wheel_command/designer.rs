@@ -4,6 +4,7 @@ use crate::{answered, object};
 use fastrand::Rng;
 use geneva_ask::wheel::{ArgumentSlot, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
+use geneva_kinematics::wheel::as_built::Process;
 use geneva_live::{Live, LiveArguments, by_name};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -34,6 +35,15 @@ impl Asked {
                 None => knob.first.is_some() || random.u32(..3) == 0,
             };
             if !is_given {
+                continue;
+            }
+            if let ArgumentSlot::Process(_) = argument.place {
+                // Most of them by no process, since each asks for a thousand assemblies.
+                let at = if random.u32(..8) == 0 { random.usize(..=Process::ALL.len()) } else { 0 };
+                asked.page.push((argument.name, at.to_string()));
+                if let Some(process) = at.checked_sub(1).map(|at| Process::ALL[at]) {
+                    asked.command.extend([format!("--{}", argument.name), process.name().to_owned()]);
+                }
                 continue;
             }
             if let ArgumentSlot::Material(_) = argument.place {

@@ -71,6 +71,9 @@ impl Needs {
     /// The ratio of the gear between motor and driver.
     pub const GEAR_RATIO: Self = Self(1 << 23);
 
+    /// The process by which the parts are made.
+    pub const PROCESS: Self = Self(1 << 24);
+
     /// All of both.
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -276,8 +279,14 @@ impl MechanismReport {
 
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
-        let in_rows = self.rows().flat_map(|row| &row.0).map(|(_, value)| value);
-        self.fields().map(|field| &field.value).chain(in_rows).all(FieldValue::is_finite)
+        self.not_finite().is_none()
+    }
+
+    /// The key of the first number that is not finite, if there is one.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let in_rows = self.rows().flat_map(|row| &row.0).map(|(key, value)| (*key, value));
+        let all = self.fields().map(|field| (field.key, &field.value)).chain(in_rows);
+        all.into_iter().find(|(_, value)| !value.is_finite()).map(|(key, _)| key)
     }
 }
 

@@ -6,6 +6,7 @@ use geneva_ask::wheel::{Argument, ArgumentSlot, GROUPS, Knob, SearchEffort, Whee
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_figures::stations;
+use geneva_kinematics::wheel::as_built::Process;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
 pub const LIVE: Live = Live {
@@ -93,6 +94,10 @@ pub const LIVE: Live = Live {
     draw,
 };
 
+/// Ways to make the parts as they are called, in the order of [`Process::ALL`] behind none of them.
+const PROCESSES: [&str; 7] =
+    ["any process", "grinding", "milling", "a router", "a laser", "printing in resin", "printing with filament"];
+
 /// Materials as they are called, in the order of [`MATERIALS`].
 const NAMES: [&str; MATERIALS.len()] = {
     let mut names = [""; MATERIALS.len()];
@@ -140,6 +145,7 @@ const CONTROLS: [Control; MOVED] = {
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
+        (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
         (_, None) => Control::following(argument.name, label, unit, slider, step).with_typed_range(typed),
@@ -180,6 +186,11 @@ fn question(settings: &Settings) -> Result<WheelQuestion, String> {
         let name = argument.name;
         match argument.place {
             ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(settings.count(name)?),
+            // The first is none.
+            ArgumentSlot::Process(at) => {
+                let chosen = settings.choice(name)?;
+                *at(&mut question) = chosen.checked_sub(1).and_then(|at| Process::ALL.get(at)).copied();
+            }
             ArgumentSlot::Material(at) => {
                 *at(&mut question) = Some(*MATERIALS.get(settings.choice(name)?).ok_or("no such material")?);
             }

@@ -123,7 +123,9 @@ fn fault(answer: &str) -> Option<&'static str> {
         if !says_what_to_give(error) {
             return Some("is an error that does not say what to give");
         }
-        let is_poor = error.len() < 12 || error.contains('\n') || has_control(error) || error.len() > 400;
+        // The names of all controls of a figure are a longer list.
+        let most = if error.starts_with("no argument") { 1200 } else { 400 };
+        let is_poor = error.len() < 12 || error.contains('\n') || has_control(error) || error.len() > most;
         return is_poor.then_some("is an error without a reason, or not on one line");
     }
     if has_signed_zero(answer) {

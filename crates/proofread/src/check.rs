@@ -6,8 +6,10 @@ use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides;
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
+use crate::judge::letter_units::units_in_letters;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -21,7 +23,7 @@ use crate::tell::hint::{self, HintSearch};
 use crate::tell::tally::CheckTally;
 #[cfg(feature = "cli")]
 use crate::tell::unchecked_chain::UncheckedChain;
-use crate::token::{Span, TokenKind, any, has_number};
+use crate::token::{Span, Token, TokenKind, any, has_number};
 
 /// What to look for.
 ///
@@ -138,6 +140,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         before: None,
         results: EarlierResults::default(),
         factors: Factors::default(),
+        open_pairs: 0,
         budget: options.hint_effort,
         is_plain_text: format == TextFormat::Plain,
         #[cfg(feature = "cli")]
@@ -204,6 +207,20 @@ fn text_around(text: &str, span: Span) -> [&str; 2] {
     [text.get(from..start).unwrap_or_default(), text.get(end..to).unwrap_or_default()]
 }
 
+/// What is said of a chain of which it stays open whether two sides agree.
+const MAY_AGREE: &str = "sides that may agree in another reading";
+
+/// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
+fn place_of_denial(tokens: &[Token]) -> Option<u32> {
+    let says = |token: &Token| match &token.kind {
+        TokenKind::Operator(c) => *c == '≠',
+        TokenKind::Word(word) => matches!(word.as_str(), "false" | "False" | "untrue" | "extraneous" | "Contradiction"),
+        _ => false,
+    };
+    let inner = |token: &Token| token.inner().filter_map(place_of_denial).max();
+    tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max()
+}
+
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
     finding.section = ReportSection::Doubts;
     finding.doubt = Some(doubt);
@@ -230,6 +247,8 @@ struct DocumentCheck<'t> {
     results: EarlierResults,
     /// The factors between the sides that differ.
     factors: Factors,
+    /// How many pairs were compared of which it stays open whether they agree.
+    open_pairs: usize,
     /// What the search for hints may still cost.
     budget: usize,
     /// Whether the text is one of plain lines.
@@ -256,7 +275,10 @@ impl DocumentCheck<'_> {
             compared && chain.sides.iter().any(|side| has_number(&side.tokens))
         };
         let last = chains.len().saturating_sub(1);
+        let false_from = place_of_denial(&formula.tokens);
         for (at, chain) in chains.iter().enumerate() {
+            let with_units = units_in_letters(chain);
+            let chain = with_units.as_ref().unwrap_or(chain);
             if !numeric(&chain) {
                 self.before = None;
                 continue;
@@ -273,16 +295,26 @@ impl DocumentCheck<'_> {
                     .is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()));
             let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
-            self.check_chain(chain, formula, from..to, at == last);
+            // A row below says that this one is false.
+            let is_denied = chain.sides.len() == 2
+                && chain.starts_row
+                && false_from.is_some_and(|place| chain.sides[1].span.end <= place);
+            self.check_chain(chain, formula, from..to, (at == last, is_denied));
         }
     }
 
-    /// Compares the sides of a chain; `last` says that it is the last one of its formula.
-    fn check_chain(&mut self, chain: &Chain, formula: &Formula, trusted: std::ops::Range<usize>, last: bool) {
+    /// Compares the sides of a chain, of which is said whether it is the last one of its formula, and whether the formula itself denies it.
+    fn check_chain(
+        &mut self,
+        chain: &Chain,
+        formula: &Formula,
+        trusted: std::ops::Range<usize>,
+        (last, is_denied): (bool, bool),
+    ) {
         self.report.tally.chains += 1;
         self.report.tally.checkable += usize::from(chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2);
         let before = self.report.tally.pairs;
-        let denied = chain.asked || surroundings::is_meant_false(self.text, formula.span);
+        let denied = chain.asked || is_denied || denial::is_meant_false(self.text, formula.span);
         if denied {
             self.count_unchecked(Some((UncheckedKind::Denied, String::new())), chain, false);
         } else {
@@ -291,6 +323,7 @@ impl DocumentCheck<'_> {
             let known = |at: usize| matches!(obstacles[at], None | Some(Obstacle::NoValue(_)));
             let mut compared = vec![false; chain.sides.len()];
             let mut between = None;
+            let open = self.open_pairs;
             for at in 1..chain.sides.len() {
                 if trusted.contains(&(at - 1)) && trusted.contains(&at) {
                     let ends = last && at + 1 == chain.sides.len();
@@ -306,7 +339,9 @@ impl DocumentCheck<'_> {
             let checked = self.report.tally.pairs > before;
             if (!checked || compared.contains(&true)) && !is_unread(chain) {
                 let outcome = ChainOutcome { text: self.text, chain, compared, obstacles, between };
-                self.count_unchecked(outcome.reason(), chain, checked);
+                let open = self.open_pairs > open;
+                let may_agree = open.then(|| (UncheckedKind::Notation, MAY_AGREE.to_owned()));
+                self.count_unchecked(outcome.reason().or(may_agree), chain, checked);
             }
         }
         self.report.tally.checked += usize::from(self.report.tally.pairs > before);
@@ -388,6 +423,7 @@ impl DocumentCheck<'_> {
             self.results.record(formula.scope, left, right, &values);
         }
         let obstacle = judgement.obstacle.clone();
+        self.open_pairs += usize::from(judgement.verdict == ChainVerdict::Doubtful);
         self.record(formula, chain, [left, right], judgement, relation);
         obstacle
     }

@@ -108,6 +108,8 @@ pub enum NamedOperation {
     Determinant,
     /// A matrix: its rows, each with cells.
     Matrix,
+    /// A number in another base: its digits, and the base.
+    InBase,
 }
 
 impl NamedOperation {
@@ -121,7 +123,7 @@ impl NamedOperation {
             Self::Sum => "∑",
             Self::Product => "∏",
             Self::Determinant => "det",
-            Self::Matrix => "",
+            Self::Matrix | Self::InBase => "",
         }
     }
 }
@@ -480,6 +482,12 @@ fn show_into(tokens: &[Token], out: &mut String) {
                 for row in rows {
                     out.push(' ');
                     show_into(row, out);
+                }
+            }
+            TokenKind::Call(NamedOperation::InBase, arguments) => {
+                for (at, of) in arguments.iter().enumerate() {
+                    out.push_str(if at > 0 { "_" } else { "" });
+                    show_into(of, out);
                 }
             }
             TokenKind::Call(operation, arguments) => {

@@ -290,3 +290,13 @@ fn files_that_are_read_for_their_macros_alone_are_told() {
     let sum: serde_json::Value = serde_json::from_str(&run(&["--format", "json", &main]).1).expect("JSON");
     assert_eq!(sum["sum"]["only_macros"], serde_json::json!([{ "file": main, "count": 2 }]));
 }
+
+#[test]
+fn styles_of_a_folder_above_define_for_what_no_document_includes() {
+    known(&[("book.sty", MACROS)]);
+    known(&[("book.cls", MACROS), ("main.tex", "\\begin{document}Nothing.\\end{document}")]);
+    // Two styles that say different things say nothing.
+    unknown(&[("book.sty", "\\newcommand{\\half}{\\frac{1}{2}}"), ("other.sty", "\\newcommand{\\half}{\\frac{1}{3}}")]);
+    // What a document includes has that document's macros alone.
+    unknown(&[("book.sty", MACROS), ("main.tex", "\\begin{document}\\include{ch/one}\\end{document}")]);
+}

@@ -14,6 +14,7 @@ mod definitions;
 mod directives;
 mod doubts;
 mod formats;
+mod fourteenth;
 mod fuzz;
 mod growth;
 mod hints;

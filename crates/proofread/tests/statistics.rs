@@ -417,3 +417,29 @@ fn a_recomputed_p_value_has_the_digits_that_tell_it_from_the_printed_one() {
         assert_eq!(recomputed(text), [p], "{text}");
     }
 }
+
+#[test]
+fn what_is_cut_off_or_rounded_twice_is_a_doubt() {
+    let only = |text: &str| {
+        let found = listed(text, TextFormat::Markdown);
+        assert_eq!(found.len(), 1, "{text}: {found:?}");
+        found[0].ends_with('?')
+    };
+    for text in [
+        "A share of 85.3% (52/61) was positive.",
+        "Of them 7 of 52 (14%) failed.",
+        "A drop was seen: F(1,25) = 11.30, p = .003.",
+        "The effect was marginal (z = 1.836, p = .06).",
+        "Of 1840 women and 920 men, 110 (6.0%) and 184 (20.0%) subjects had the disease, respectively.",
+    ] {
+        assert!(only(text), "{text}");
+    }
+    for text in [
+        "A share of 85.4% (52/61) was positive.",
+        "Of them 7 of 52 (15%) failed.",
+        "A drop was seen: F(1,25) = 11.30, p = .004.",
+        "The effect was marginal (z = 1.836, p = .05).",
+    ] {
+        assert!(!only(text), "{text}");
+    }
+}

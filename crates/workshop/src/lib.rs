@@ -9,7 +9,9 @@
 
 mod body;
 mod drawing;
+mod drawn_wheel;
 mod dxf;
+mod dxf_reader;
 mod geometry;
 mod mesh;
 mod offset;
@@ -22,7 +24,9 @@ mod svg;
 mod three_mf;
 
 pub use drawing::PartLayout;
+pub use drawn_wheel::LayerNames;
 pub use dxf::dxf;
+pub use dxf_reader::{Drawing, DrawingError, DrawnEdge};
 pub use mesh::{Mesh, meshes};
 pub use parts::{
     BasePlate, Fastener, Hole, HolePurpose, KEYED_SHAFTS, Keyway, Layer, Mounting, MountingError, Part, PartList,

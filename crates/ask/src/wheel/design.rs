@@ -16,8 +16,10 @@ use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::ProcessNumbers;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Wheel,
+    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
+    Warning, Wheel,
 };
 use std::sync::OnceLock;
 
@@ -142,7 +144,12 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
+        Ok(Some(WheelLoads::with_friction(
+            wheel,
+            inertia,
+            friction(&self.question, self.crank_radius, self.sizes.as_ref())?,
+            speed,
+        )?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -171,7 +178,11 @@ impl WheelDesign {
 
     /// Gap between wheel and plate along the axes in millimetres, if the wheel has a size.
     pub fn axial_play(&self) -> Option<f64> {
-        self.sizes.map(|sizes| self.question.axial_play.unwrap_or(sizes.play.slot))
+        let of_process = |sizes: &Sizes| process_numbers(&self.question, sizes.centre_distance).ok().flatten();
+        self.sizes.as_ref().map(|sizes| {
+            let chosen = of_process(sizes).map_or(sizes.play.slot, |numbers| numbers.axial_play.value);
+            self.question.axial_play.unwrap_or(chosen)
+        })
     }
 
     /// What a maker should know about sizes that do fit: what is wrong with them, with the place of the axes, and with the play
@@ -182,8 +193,13 @@ impl WheelDesign {
     /// A distance of the axes at which the parts can't work together.
     pub fn warnings(&self) -> Result<Vec<String>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(Vec::new()) };
-        let loose = sizes.looser_than_fit().filter(|_| self.question.play.is_none());
-        let of_sizes = sizes.warnings().into_iter().chain(loose).map(|warning| warning.to_string());
+        let chosen = self.question.play.is_none();
+        let loose = sizes.looser_than_fit().filter(|_| chosen && self.question.process.is_none());
+        let is_usual = |warning: &Warning| {
+            chosen && self.question.process.is_some() && matches!(warning, Warning::LargePlay { .. })
+        };
+        let of_sizes = sizes.warnings().into_iter().filter(|warning| !is_usual(warning)).chain(loose);
+        let of_sizes = of_sizes.map(|warning| warning.to_string());
         // Parts without play touch; only what is deeper than the tolerance is an overlap.
         let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
         let error = self.centre_error();
@@ -374,15 +390,26 @@ pub(super) fn choices(question: &WheelQuestion) -> Choices {
 pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
     let choices = choices(question);
     let (locking, bore) = (question.locking_play, question.bore_play);
-    if locking.or(bore).is_none() {
+    if locking.or(bore).is_none() && (question.process.is_none() || question.play.is_some()) {
         return Sizes::new(wheel, scale, &choices);
     }
-    // The other plays are those that it has without.
-    let Play { slot, locking: as_slot, bore: of_slot } =
-        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?
-            .play;
-    let play = Play { slot, locking: locking.unwrap_or(as_slot), bore: bore.unwrap_or(of_slot) };
+    // The other plays are those that it has without, or those of the process.
+    let others =
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?;
+    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
+    let play = of_process.map_or(others.play, |numbers| numbers.play());
+    let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
     Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
+}
+
+/// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.
+pub(super) fn process_numbers(
+    question: &WheelQuestion,
+    centre_distance: f64,
+) -> Result<Option<ProcessNumbers>, KinematicsError> {
+    let Some(process) = question.process else { return Ok(None) };
+    let numbers = ProcessNumbers::new(process, centre_distance)?;
+    question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
 }
 
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
@@ -408,11 +435,9 @@ pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Err
     Error::Sizes { error, arguments }
 }
 
-/// The error of numbers that are not finite.
-pub(super) fn too_large() -> Error {
-    refused!(
-        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",
-    )
+/// The error of a number that is not finite, by its key.
+pub(super) fn too_large(key: &str) -> Error {
+    refused!("`{key}` of this wheel is too large or too small to compute with; give other sizes, speeds or inertias",)
 }
 
 /// The crank radius in millimetres of a wheel of this scale.

@@ -172,7 +172,9 @@ impl WheelDesign {
         let angles = if angles.is_empty() { (-HALF_TURN..=HALF_TURN).map(f64::from).collect() } else { angles };
         let rows = angles.into_iter().map(|degrees| Ok(WheelState::new(self, degrees)?.fields(self).into_row()));
         let rows = rows.collect::<Result<Vec<_>, Error>>()?;
-        let is_finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
-        if is_finite { Ok(rows) } else { Err(too_large()) }
+        match rows.iter().flat_map(|row| &row.0).find(|(_, value)| !value.is_finite()) {
+            None => Ok(rows),
+            Some((key, _)) => Err(too_large(key)),
+        }
     }
 }

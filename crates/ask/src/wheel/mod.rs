@@ -1,6 +1,7 @@
 //! One wheel: its sizes, its times, its motion and loads, its drawing and files; or which wheels have wanted times.
 
 mod arguments;
+mod check;
 mod design;
 mod drive;
 mod files;
@@ -14,6 +15,7 @@ mod mounting;
 mod mouth;
 mod parts;
 mod pin_load;
+mod process;
 mod question;
 mod recommended;
 mod report;
@@ -21,10 +23,14 @@ mod speeds;
 mod times;
 
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, arguments};
+pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};
 pub use mounting::{BoreShape, MountingQuestion, PinKind};
+pub use process::assemblies_that_turn;
 pub use question::{SearchEffort, WheelQuestion, in_millimetres};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
+
+pub use geneva_workshop::LayerNames;

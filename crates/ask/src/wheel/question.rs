@@ -6,6 +6,7 @@ use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_kinematics::wheel::as_built::Process;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +37,10 @@ pub struct WheelQuestion {
     pub outside_diameter: Option<f64>,
     /// Thickness of the wheel.
     pub thickness: Option<f64>,
+    /// How the parts are made.
+    pub process: Option<Process>,
+    /// Least play with which the pin ran on the test piece of the process.
+    pub measured_play: Option<f64>,
     /// Diameter of the pins.
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
@@ -176,7 +181,6 @@ impl WheelQuestion {
 
     fn set(&mut self, name: &str, value: &str) -> Result<(), Error> {
         match name {
-            "pin-friction" => self.pin_friction = Some(number(name, value)?),
             "before-entry" => self.before_entry = Some(number(name, value)?),
             _ => {
                 let known = arguments().find(|argument| argument.name == name).ok_or_else(|| {
@@ -193,6 +197,9 @@ impl WheelQuestion {
                     }
                     ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
+                    }
+                    ArgumentSlot::Process(at) => {
+                        *at(self) = Some(one_of(name, value, &Process::ALL.map(|process| (process.name(), process)))?);
                     }
                     ArgumentSlot::Material(at) => {
                         *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
@@ -215,7 +222,7 @@ impl WheelQuestion {
             | ArgumentSlot::AboveZero(at)
             | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
             ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
-            ArgumentSlot::Kind(_) | ArgumentSlot::Material(_) => None,
+            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Material(_) => None,
         };
         arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
@@ -261,7 +268,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 11] = [
+    const GIVEN: [(&str, Needs); 20] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -273,6 +280,15 @@ mod tests {
         ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
         ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
+        ("--process mill", Needs::PROCESS),
+        ("--disc-friction 0.1", Needs::DISC_FRICTION),
+        ("--bearing-friction 0.01 --wheel-bearing 10 --driver-bearing 10", Needs::BEARING_FRICTION),
+        ("--driver-friction 0.001", Needs::DRIVER_FRICTION),
+        ("--held-torque 0.01", Needs::HELD_TORQUE),
+        ("--arm-torque 1", Needs::ARM_TORQUE),
+        ("--driver-inertia 0.001", Needs::DRIVER_INERTIA),
+        ("--drive-torque 1", Needs::DRIVE_TORQUE),
+        ("--gear-ratio 10", Needs::GEAR_RATIO),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
@@ -307,6 +323,7 @@ mod tests {
         for argument in arguments() {
             let (value, set) = match argument.place {
                 ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Process(_) => ("resin", "process: Some(Resin)".to_owned()),
                 ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
                 ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
                 ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),

@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, loads, parts, pin_load};
+use super::{drive, loads, parts, pin_load, process};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -26,6 +26,7 @@ impl WheelDesign {
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
             ("Limits if all sizes are wrong at once", parts::together(self)?),
+            ("Process", process::fields(self)?),
             ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
@@ -36,7 +37,10 @@ impl WheelDesign {
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = MechanismReport { title, introduction, sections, list: Some(("at", at)), note: missing(self) };
-        if answer.is_finite() { Ok(answer) } else { Err(too_large()) }
+        match answer.not_finite() {
+            None => Ok(answer),
+            Some(key) => Err(too_large(key)),
+        }
     }
 
     /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times and loads.

@@ -9,6 +9,7 @@
 //! the [`Outline`] of both parts and their [`Clearance`] over a whole turn.
 
 mod accurate;
+pub mod as_built;
 mod centres;
 mod clearance;
 mod crescent;

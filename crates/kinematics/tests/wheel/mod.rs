@@ -1,6 +1,7 @@
 //! The external wheel: motion, sizes, outlines and clearances.
 
 mod accurate;
+mod as_built;
 mod assembly;
 mod centres;
 mod clearance;

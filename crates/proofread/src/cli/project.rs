@@ -28,6 +28,10 @@ const HIGHEST: usize = 10;
 const ABOVE: usize = 2;
 /// Most files of a folder above that are looked at.
 const MOST_ABOVE: usize = 200;
+/// In how many folders above a file that no document includes styles are looked for.
+const STYLES_ABOVE: usize = 4;
+/// Most packages and classes of such a folder that are read.
+const MOST_STYLES: usize = 30;
 /// Packages whose commands the reader knows better than their definitions tell.
 const KNOWN: [&str; 9] =
     ["siunitx", "physics", "units", "nicefrac", "amsmath", "mathtools", "gensymb", "cancel", "mhchem"];
@@ -93,6 +97,8 @@ pub(crate) struct Project {
     searched: HashSet<(PathBuf, bool)>,
     /// What was gathered from some files below a folder.
     merged: HashMap<(PathBuf, Vec<InclusionRoot>), Arc<Definitions>>,
+    /// The packages and classes of a folder.
+    styles: HashMap<PathBuf, Vec<PathBuf>>,
     /// How many inclusions were followed.
     followed: usize,
 }
@@ -197,6 +203,10 @@ impl Project {
             let own = contents.inclusions.iter();
             roots.extend(own.filter_map(|of| Some((self.tree.find(&of.name, [folder, None], &top)?, of.early))));
         }
+        // What no document includes may still be written with the styles of its folder, or of one above it.
+        if roots.is_empty() && !contents.is_main && !is_xml(&file) {
+            roots = self.styles_near(&file, &top).into_iter().map(|style| (style, false)).collect();
+        }
         if roots.is_empty() {
             return None;
         }
@@ -219,6 +229,23 @@ impl Project {
         let out = Arc::new(out.definitions);
         self.merged.insert(key, out.clone());
         Some(out)
+    }
+
+    /// The packages and classes in the nearest folder that has any, from that of a file up.
+    fn styles_near(&mut self, file: &Path, top: &Path) -> Vec<PathBuf> {
+        let is_style = |of: &PathBuf| has_extension(of, "sty") || has_extension(of, "cls");
+        for place in file.ancestors().skip(1).take(STYLES_ABOVE + 1).take_while(|place| place.starts_with(top)) {
+            let tree = &self.tree;
+            let styles = self.styles.entry(place.to_owned()).or_insert_with(|| {
+                let found: BTreeSet<PathBuf> =
+                    tree.entries(place).into_iter().filter(is_style).filter_map(|of| tree.file(&of)).collect();
+                found.into_iter().filter(|of| of.starts_with(top)).take(MOST_STYLES).collect()
+            });
+            if !styles.is_empty() {
+                return styles.clone();
+            }
+        }
+        Vec::new()
     }
 
     /// Notes which files a document includes, if the file is one.

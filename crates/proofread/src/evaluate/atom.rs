@@ -1,7 +1,7 @@
 //! What an expression is made of: printed numbers, letters with values, and units alone.
 
 use crate::evaluate::cursor::Cursor;
-use crate::evaluate::exponent::{is_power_of_e, plain_exponent, small_integer};
+use crate::evaluate::exponent::{integer_below, is_power_of_e, plain_exponent};
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::interval::Interval;
 use crate::evaluate::printed::{Mode, PrintedNumber, power_of_ten};
@@ -10,6 +10,9 @@ use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue}
 use crate::token::{Token, TokenKind, any};
 use crate::unit::{is_ambiguous, unit};
 use std::f64::consts::PI;
+
+/// Numbers that a mixed number may have above and below its stroke: thousandths, but no more.
+const LONGEST_PART: u32 = 10_001;
 
 impl Evaluator<'_> {
     /// A printed number with its power of ten and its unit.
@@ -92,7 +95,7 @@ impl Evaluator<'_> {
         if let Some(Token { kind: TokenKind::Fraction(above, below), .. }) = next
             && at <= cursor.at + 1
             && scale.is_none()
-            && let (Some(above), Some(below)) = (small_integer(above), small_integer(below))
+            && let (Some(above), Some(below)) = (integer_below(LONGEST_PART, above), integer_below(LONGEST_PART, below))
             && (above < below || (above < 2.0 * below && below > 1.0))
         {
             self.noticed.insert(ReadingChoices::MIXED);

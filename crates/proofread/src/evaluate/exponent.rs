@@ -6,8 +6,13 @@ use crate::token::{Token, TokenKind};
 
 /// A small integer that stands alone.
 pub(crate) fn small_integer(tokens: &[Token]) -> Option<f64> {
+    integer_below(1000, tokens)
+}
+
+/// A whole number below a bound that stands alone.
+pub(crate) fn integer_below(bound: u32, tokens: &[Token]) -> Option<f64> {
     let [Token { kind: TokenKind::Number(text), .. }] = tokens else { return None };
-    text.parse::<u32>().ok().filter(|number| *number < 1000).map(f64::from)
+    text.parse::<u32>().ok().filter(|number| *number < bound).map(f64::from)
 }
 
 /// An exponent that is a number or a fraction of two, with a sign.

@@ -3,6 +3,7 @@
 
 use crate::decimal::parse_decimal;
 use crate::evaluate::cursor::Cursor;
+use crate::evaluate::exponent::small_integer;
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::interval::Interval;
 use crate::evaluate::reading::ReadingChoices;
@@ -210,6 +211,13 @@ impl Evaluator<'_> {
         let value = match (operation, arguments) {
             (NamedOperation::Sum | NamedOperation::Product, [index, first, last]) => {
                 return self.over_index(operation, [index, first, last], cursor);
+            }
+            (NamedOperation::InBase, [digits, base]) => {
+                let base = small_integer(base).unwrap_or(10.0);
+                let digits = digits.first().and_then(Token::number).unwrap_or_default();
+                let value =
+                    digits.chars().filter_map(|c| c.to_digit(10)).fold(0.0, |sum, digit| sum * base + f64::from(digit));
+                SideValue::from_interval(Interval::exact(value))
             }
             (NamedOperation::Determinant, rows) => self.determinant(rows)?,
             (NamedOperation::Matrix, rows) => return self.column(rows),

@@ -139,6 +139,46 @@ fn is_item(tokens: &[Token], at: usize) -> bool {
     open.is_one_of("([") && close.is_one_of(")]") && short && space.is_space() && starts
 }
 
+/// The brackets that hold whole equations, and no argument: for each bracket that opens, where it closes. What stands before one is the
+/// start, a mark, or a number or a word of running text, and it is no name of a function.
+fn brackets_of_equations(tokens: &[Token]) -> Vec<(usize, usize)> {
+    // The brackets that are open: where they opened, and whether a relation stands in them with something before it.
+    let mut open: Vec<(usize, bool)> = Vec::new();
+    let mut out = Vec::new();
+    for (at, token) in tokens.iter().enumerate() {
+        if token.is_one_of("([{") {
+            open.push((at, false));
+        } else if token.is_sign('=') {
+            open.last_mut().into_iter().for_each(|(from, relates)| *relates |= *from + 1 < at);
+        } else if token.is_one_of(")]}")
+            && let Some((from, relates)) = open.pop()
+            && relates
+            && open.is_empty()
+            && tokens[from].is_sign('(')
+            && token.is_sign(')')
+            && has_number(&tokens[from..at])
+        {
+            let before = tokens[..from].iter().rev().find(|token| !token.is_space());
+            let touches = from > 0 && !tokens[from - 1].is_space();
+            let free = before.is_none_or(|before| match &before.kind {
+                TokenKind::Operator(c) => ",;:.⇒→∴⟹".contains(*c),
+                TokenKind::Number(_) => true,
+                TokenKind::Word(_) => !touches,
+                TokenKind::Line => true,
+                _ => false,
+            });
+            let behind = tokens[at + 1..].iter().find(|token| !token.is_space());
+            let goes_on = behind.is_some_and(|behind| {
+                matches!(behind.kind, TokenKind::Power(_) | TokenKind::Limits(..)) || behind.is_one_of("=≈+-·×/(∧∨")
+            });
+            if free && !goes_on {
+                out.push((from, at));
+            }
+        }
+    }
+    out
+}
+
 /// The chains of a formula.
 pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
     let tokens = join_tokens(formula);
@@ -150,6 +190,7 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         let is_gap = tokens[at].is_space() || tokens[at].kind == TokenKind::Line;
         following[at] = if is_gap { following[at + 1] } else { at };
     }
+    let brackets = brackets_of_equations(&tokens);
     let mut previous_is_line = false;
     let (mut in_remark, mut in_row, mut in_result) = (false, false, false);
     let mut marked = 0;
@@ -187,6 +228,11 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         }
         if in_result && depth == 0 && token.is_sign(')') {
             in_result = false;
+            splitter.end_chain(false, false);
+            continue;
+        }
+        // A bracket around whole equations holds them apart.
+        if depth == 0 && brackets.iter().any(|(open, close)| *open == at || *close == at) {
             splitter.end_chain(false, false);
             continue;
         }

@@ -75,12 +75,62 @@ fn is_equation(cells: &[&[Token]]) -> bool {
     }
 }
 
+/// Whether a cell is an equation by itself: something that is no sign stands before its relation, and something behind it.
+fn owns_equation(cell: &[Token]) -> bool {
+    let cell = trim_space(cell);
+    let Some(at) = cell.iter().position(|token| token.is_one_of("=≈")) else { return false };
+    let starts = cell.first().is_some_and(|first| !first.is_one_of("=≈≠<>≤≥+-·×/,.;:)]"));
+    at > 0 && starts && !trim_space(&cell[at + 1..]).is_empty()
+}
+
+/// The tokens with a wide space between the cells of a row of which one is an equation by itself and the other does not go on with it. None if
+/// there are no such cells.
+fn part_cells(tokens: &[Token]) -> Option<Vec<Token>> {
+    let goes_on = |cell: &[Token]| {
+        trim_space(cell).first().is_some_and(|first| match &first.kind {
+            TokenKind::Operator(c) => !"([|√".contains(*c),
+            TokenKind::Word(_) => true,
+            _ => false,
+        })
+    };
+    let is_open = |cell: &[Token]| trim_space(cell).last().is_some_and(|last| last.is_one_of("+-·×/=≈(["));
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut found = false;
+    for (which, row) in cells(tokens).into_iter().enumerate() {
+        if which > 0 {
+            out.push(Token::new(TokenKind::Line, at));
+        }
+        let mut before: Option<&[Token]> = None;
+        for (place, cell) in row.into_iter().enumerate() {
+            let is_empty = trim_space(cell).is_empty();
+            let parted = !is_empty
+                && before.is_some_and(|before| {
+                    (owns_equation(cell) || owns_equation(before)) && !goes_on(cell) && !is_open(before)
+                });
+            found |= parted;
+            if parted {
+                out.push(Token::new(TokenKind::Space(EQUATION_END), at));
+            } else if place > 0 {
+                out.push(Token::new(TokenKind::Cell, at));
+            }
+            out.extend_from_slice(cell);
+            if !is_empty {
+                before = Some(cell);
+            }
+        }
+    }
+    found.then_some(out)
+}
+
 /// The tokens with a wide space before each aligned equation that begins behind a whole one: in the same row, where all rows have whole
 /// equations side by side, or in a row of its own. None if there is no such equation.
 pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
     if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
         return None;
     }
+    let parted = part_cells(tokens);
+    let tokens = parted.as_deref().unwrap_or(tokens);
     let rows = cells(tokens);
     let is_empty = |cells: &[&[Token]]| cells.iter().all(|cell| trim_space(cell).is_empty());
     let side_by_side = rows.iter().all(|row| row.chunks(2).all(|of| is_empty(of) || is_equation(of)));
@@ -109,7 +159,7 @@ pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
             is_whole = begins || (is_whole && is_empty(part));
         }
     }
-    found.then_some(out)
+    if found { Some(out) } else { parted }
 }
 
 /// The tokens with one column of equations behind the other, or none if there are no such columns.
@@ -126,6 +176,14 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
         return None;
     }
     let columns = rows.iter().map(|row| row.len().div_ceil(2)).max().unwrap_or(0);
+    // A column in which no row has a left side is none of equations: its cells go on with their rows.
+    let has_start =
+        |column: usize| rows.iter().any(|row| row.get(2 * column).is_some_and(|of| !trim_space(of).is_empty()));
+    let is_used =
+        |column: usize| rows.iter().any(|row| row.get(2 * column + 1).is_some_and(|of| !trim_space(of).is_empty()));
+    if (0..columns).any(|column| is_used(column) && !has_start(column)) {
+        return None;
+    }
     let at = tokens.first()?.span;
     let mut out = Vec::with_capacity(tokens.len());
     for column in 0..columns {

@@ -7,7 +7,7 @@
 use crate::join::joined_operations::join_operations;
 use crate::join::split_units::{self, prefixed_unit, pressure_column};
 use crate::join::{congruence, equation_columns};
-use crate::token::{MathFunction, Span, Token, TokenKind, any, show, trim_space};
+use crate::token::{MathFunction, NamedOperation, Span, Token, TokenKind, any, show, trim_space};
 
 /// Joins the tokens of a formula.
 pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
@@ -265,7 +265,18 @@ fn join_scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token
         return;
     }
     let strange = |token: &Token| matches!(token.kind, TokenKind::Operator(c) if !"Δ∇".contains(c));
+    if let ([digits], Some(of)) = (base, base_of(sub))
+        && sup.is_empty()
+        && is_whole_in(digits, of)
+    {
+        let of = Token::new(TokenKind::Number(of.to_string()), span);
+        let arguments = vec![vec![digits.clone()], vec![of]];
+        out.push(Token::new(TokenKind::Call(NamedOperation::InBase, arguments), span));
+        return;
+    }
     if base.is_empty() || base.iter().any(strange) || base[0].number().is_some() {
+        // A bracket that closes still does.
+        out.extend(base.last().filter(|last| last.is_one_of(")]}⌋⌉")).cloned());
         out.push(unknown("a subscript of something else than a letter", span));
         return;
     }
@@ -279,6 +290,21 @@ fn join_scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token
     if !sup.is_empty() && !is_label {
         out.push(Token::new(TokenKind::Power(join_inner(sup)), span));
     }
+}
+
+/// The base of numbers that a subscript names, in digits or as a word.
+fn base_of(sub: &[Token]) -> Option<u32> {
+    const WORDS: [(&str, u32); 8] =
+        [("two", 2), ("three", 3), ("four", 4), ("five", 5), ("eight", 8), ("ten", 10), ("bin", 2), ("dec", 10)];
+    let text = show(ungrouped(sub));
+    let text = text.trim().trim_matches(['(', ')']);
+    let word = WORDS.iter().find(|(word, _)| *word == text).map(|(_, base)| *base);
+    word.or_else(|| text.parse().ok().filter(|base| (2..=10).contains(base)))
+}
+
+/// Whether a token is a whole number whose digits a base has.
+fn is_whole_in(token: &Token, base: u32) -> bool {
+    token.number().is_some_and(|digits| digits.len() <= 40 && digits.chars().all(|c| c.to_digit(base).is_some()))
 }
 
 fn join_superscript(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Token>) {

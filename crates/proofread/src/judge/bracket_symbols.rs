@@ -109,7 +109,38 @@ fn is_all_bracketed(side: &[Token]) -> bool {
 
 /// Whether brackets are cycles of permutations or the sizes of matrices: both sides are nothing else.
 pub(crate) fn may_be_cycles(left: &[Token], right: &[Token]) -> bool {
-    is_all_bracketed(left) && is_all_bracketed(right)
+    let without_square =
+        |side: &[Token]| -> Vec<Token> { side.iter().filter(|token| !token.is_one_of("[]")).cloned().collect() };
+    is_all_bracketed(&without_square(left)) && is_all_bracketed(&without_square(right))
+}
+
+/// Whether square brackets side by side may be the places of a number, as `[6][3]` of 63: a side is nothing but two or more of them.
+pub(crate) fn may_be_places(side: &[Token]) -> bool {
+    let mut depth = 0usize;
+    let (mut groups, mut outside) = (0, false);
+    for token in side.iter().filter(|token| !token.is_space()) {
+        match &token.kind {
+            TokenKind::Operator('[') => {
+                groups += usize::from(depth == 0);
+                depth += 1;
+            }
+            TokenKind::Operator(']') => depth = depth.saturating_sub(1),
+            TokenKind::Number(_) | TokenKind::Operator('·' | '×' | '+' | '-') => outside |= depth == 0,
+            _ => outside = true,
+        }
+    }
+    groups > 1 && !outside
+}
+
+/// Whether pairs in square brackets may be the classes that they stand for: `[(6, 3)] = [(4, 1)]`.
+pub(crate) fn may_be_classes(left: &[Token], right: &[Token]) -> bool {
+    let is_class = |side: &[Token]| {
+        let solid = without_space(side);
+        matches!(solid.as_slice(), [open, pair, .., end, close]
+            if open.is_sign('[') && pair.is_sign('(') && end.is_sign(')') && close.is_sign(']'))
+            && solid.iter().any(|token| token.is_sign(','))
+    };
+    is_class(left) && is_class(right)
 }
 
 /// Whether fractions in brackets are symbols of quadratic residues: they equal 1, −1 or 0, or other fractions in brackets.

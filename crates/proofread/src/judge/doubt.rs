@@ -16,6 +16,7 @@ use crate::judge::number_marks;
 use crate::judge::other_arithmetic;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
+use crate::judge::two_equations;
 use crate::judge::verdict::PairJudgement;
 use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
@@ -42,10 +43,12 @@ pub enum Doubt {
     /// A number of one or two digits on the left, two bare numbers with nothing to compute, or a quantity beside
     /// a bare number or its own size.
     Fragment,
-    /// The result is truncated where it should have been rounded.
+    /// The result is truncated where it should have been rounded, or a statistic was rounded twice.
     Truncated,
-    /// Other digits of the terms of a small difference would give the result.
+    /// Other digits of the terms of a small difference would give the result, or digits that are not printed a result of many digits.
     Inputs,
+    /// What stands behind ≈ is exact, so it may be an approximation of another kind than by digits.
+    Approximation,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
     /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
@@ -62,7 +65,7 @@ impl Doubt {
     ///
     /// let report = proofread("$1/18 = 0.0555$", TextFormat::Markdown, CheckOptions::default())?;
     /// assert_eq!(report.findings[0].doubt, Some(Doubt::Truncated));
-    /// assert_eq!(Doubt::Truncated.reason(), "a truncated result is seldom meant to be rounded");
+    /// assert_eq!(Doubt::Truncated.reason(), "a result that is cut off or rounded twice is seldom meant otherwise");
     /// # Ok::<(), proofread::UnreadableText>(())
     /// ```
     pub fn reason(self) -> &'static str {
@@ -70,8 +73,9 @@ impl Doubt {
             Self::Cut => "a side may begin or end elsewhere",
             Self::Unknown => "something next to the numbers is not understood",
             Self::Fragment => "a number may be part of something else",
-            Self::Truncated => "a truncated result is seldom meant to be rounded",
-            Self::Inputs => "other digits of the terms of a small difference would give the result",
+            Self::Truncated => "a result that is cut off or rounded twice is seldom meant otherwise",
+            Self::Inputs => "other digits of the terms would give the result",
+            Self::Approximation => "what stands behind ≈ is exact, and may be a coarse approximation",
             Self::Habit => "other formulas of the document differ by the same factor",
             Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
             Self::OtherParts => "it may be the total or the share of something else",
@@ -100,11 +104,20 @@ impl PlacedPair<'_> {
         if self.is_fragment(judgement) {
             return Some(Doubt::Fragment);
         }
+        if self.leaves_sign_out(judgement) || self.is_change_to_percent() {
+            return Some(Doubt::Fragment);
+        }
+        if self.is_coarse_approximation() {
+            return Some(Doubt::Approximation);
+        }
         if self.lacks_unit_behind(judgement) {
             return Some(Doubt::Cut);
         }
         if judgement.verdict == ChainVerdict::Dimensions && self.is_free_fall() {
             return Some(Doubt::Unknown);
+        }
+        if self.stands_for(judgement) {
+            return Some(Doubt::Fragment);
         }
         // Each pair looks at the whole formula, which takes too long if both are many.
         let short = self.formula.tokens.len() <= LONGEST;
@@ -112,7 +125,7 @@ impl PlacedPair<'_> {
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
         }
-        if judgement.is_ill_conditioned {
+        if judgement.is_ill_conditioned || self.may_have_more_digits(judgement) {
             return Some(Doubt::Inputs);
         }
         (judgement.verdict == ChainVerdict::Truncated).then_some(Doubt::Truncated)
@@ -193,6 +206,9 @@ impl PlacedPair<'_> {
             || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
             || bracket_symbols::may_be_residue_symbols(left, right)
             || bracket_symbols::may_be_cycles(left, right)
+            || bracket_symbols::may_be_places(left)
+            || bracket_symbols::may_be_places(right)
+            || bracket_symbols::may_be_classes(left, right)
             || notation::has_phasor(right)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
@@ -221,7 +237,7 @@ impl PlacedPair<'_> {
     fn is_one_of_two(&self) -> bool {
         let at = self.chain.sides.iter().position(|side| side.span == self.right.span).unwrap_or(0);
         let three = |from: usize| match self.chain.sides.get(from..from + 3) {
-            Some([one, two, three]) => notation::are_two_equations([&one.tokens, &two.tokens, &three.tokens]),
+            Some([one, two, three]) => two_equations::are_two_equations([&one.tokens, &two.tokens, &three.tokens]),
             _ => false,
         };
         at > 0 && (three(at - 1) || (at > 1 && three(at - 2)))
@@ -304,14 +320,18 @@ impl PlacedPair<'_> {
             is_small && self.begins_chain() && (is_zero || bare(right) || !is_integer(right) || !self.is_whole());
         let computes = |side: &ChainSide| side.tokens.iter().any(|token| !token.is_space() && token.number().is_none());
         let alone = self.begins_chain() || !self.chain.sides.iter().any(computes);
-        let pair = both && bare(left) && bare(right) && alone && [left, right].into_iter().all(is_integer);
+        // A power is no label: 10^3 = 3, 10000 = 10^9, 120 = 3.2 × 10².
+        let is_power = |side: &ChainSide| side.tokens.iter().any(|token| matches!(token.kind, TokenKind::Power(_)));
+        let is_raised = (is_power(self.left) || is_power(self.right)) && (!self.begins_chain() || self.is_whole());
+        let pair =
+            both && bare(left) && bare(right) && alone && !is_raised && [left, right].into_iter().all(is_integer);
         lacks_unit
             || opposite
             || costs
             || deviates
             || sets
             || pair
-            || (bare(left) && (is_small || (bare(right) && apart)))
+            || (bare(left) && (is_small || (bare(right) && apart && !is_raised)))
     }
 
     /// Whether the two sides are all of a formula whose marks show where it begins and ends.

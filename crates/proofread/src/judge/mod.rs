@@ -2,17 +2,21 @@
 
 mod bracket_symbols;
 pub(crate) mod chain_verdict;
+pub(crate) mod denial;
 pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
+pub(crate) mod letter_units;
 mod lost_digits;
 mod notation;
 mod number_marks;
 mod other_arithmetic;
 pub(crate) mod section;
+mod seldom_real;
 mod substitution;
 pub(crate) mod surroundings;
+mod two_equations;
 pub(crate) mod unchecked;
 pub(crate) mod unrounded;
 pub(crate) mod verdict;

@@ -59,6 +59,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     if is_binary(&left.tokens) && is_binary(&right.tokens) {
         out.push(sides().map(|side| in_decimal(&side)));
     }
+    out.extend(all_in_degrees(&left.tokens, &right.tokens));
     out.extend(other_way_round(&right.tokens).map(|other| [left.tokens.clone(), other]));
     out.extend(as_congruence(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
@@ -266,6 +267,29 @@ fn other_way_round(side: &[Token]) -> Option<Vec<Token>> {
         }
     }
     None
+}
+
+/// Both sides with the sign of degrees on each number, if it is on one of the terms of a sum alone: `90 - 21.5° = 68.5`.
+fn all_in_degrees(left: &[Token], right: &[Token]) -> Option<Sides> {
+    let is_degree = |token: &Token| token.word() == Some("°");
+    let is_term =
+        |token: &Token| token.number().is_some() || is_degree(token) || token.is_space() || token.is_one_of("+-()");
+    let adds = left.iter().skip(1).any(|token| token.is_one_of("+-"));
+    if !adds || !left.iter().any(is_degree) || !left.iter().chain(right).all(is_term) {
+        return None;
+    }
+    let [one, other] = [left, right].map(|side| {
+        let mut out: Vec<Token> = Vec::with_capacity(2 * side.len());
+        for (at, token) in side.iter().enumerate() {
+            out.push(token.clone());
+            let next = side[at + 1..].iter().find(|next| !next.is_space());
+            if token.number().is_some() && !next.is_some_and(is_degree) {
+                out.push(Token::new(TokenKind::Word("°".to_owned()), token.span));
+            }
+        }
+        out
+    });
+    Some([one, other])
 }
 
 /// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
@@ -536,44 +560,4 @@ pub(crate) fn counts_up(left: &SideValue, right: &SideValue) -> bool {
         (Ok(left), Ok(right)) => bare && whole(right.point) && libm::ceil(left.point) == right.point,
         _ => false,
     }
-}
-
-/// The number with which a side begins, with its power of ten and unit, and what stands behind the sign that follows.
-fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
-    let first = side.iter().position(|token| !token.is_space() && !token.is_sign('-'))?;
-    side[first].number()?;
-    let is_unit = |token: Option<&Token>| token.and_then(Token::word).is_some_and(|word| unit(word).is_some());
-    for (at, token) in side.iter().enumerate().skip(first + 1) {
-        let next = side[at + 1..].iter().find(|token| !token.is_space());
-        let goes_on = match &token.kind {
-            TokenKind::Operator('×' | '·') => next.and_then(Token::number) == Some("10") || is_unit(next),
-            TokenKind::Operator('/') => is_unit(next),
-            TokenKind::Number(digits) => digits == "10",
-            TokenKind::Word(_) | TokenKind::Power(_) | TokenKind::Space(_) => true,
-            _ => false,
-        };
-        if !goes_on {
-            return token.is_one_of("-/·").then(|| (&side[..at], &side[at + 1..]));
-        }
-    }
-    None
-}
-
-/// Whether a sign parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
-pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
-    let Some((result, rest)) = parts(sides[1]) else { return false };
-    let computes = |token: &Token| {
-        token.is_one_of("+-×·/(√")
-            || matches!(token.kind, TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Power(_))
-    };
-    let holds =
-        |left: &[Token], right: &[Token]| judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated;
-    // Two numbers alone are no equation.
-    if !rest.iter().chain(sides[2]).any(computes) {
-        return false;
-    }
-    // The sign may be the first of the second equation: 5 · 3 = 15   −5 · 3 = −15.
-    let signed = &sides[1][sides[1].len() - rest.len() - 1..];
-    let signed = signed.first().is_some_and(|sign| sign.is_sign('-')) && holds(signed, sides[2]);
-    holds(sides[0], result) && (signed || holds(rest, sides[2]))
 }

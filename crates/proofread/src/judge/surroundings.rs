@@ -79,103 +79,20 @@ fn without_tags(text: &str) -> String {
     out
 }
 
-/// Whether the text asks if the formula holds, or says that it does not.
-pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
-    let (before, after) = text_around(text, span);
-    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_ascii_lowercase();
-    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_ascii_lowercase();
-    let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
-    // Asked at once: 1 + 5 = 2? – but not behind a word.
-    if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
-        return true;
-    }
-    let mut words = sentence.split(|c: char| !c.is_alphabetic());
-    let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
-    if asked && question {
-        return true;
-    }
-    // One of the answers to choose from.
-    if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
-        return true;
-    }
-    let behind = after.split("\n\n").next().unwrap_or_default();
-    if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
-        return true;
-    }
-    let example = text_before(text, span);
-    if example.contains("a proportion") && example.contains("hether") {
-        return true;
-    }
-    const REPORTS: [&str; 11] = [
-        "mistake",
-        "wrongly",
-        "incorrectly",
-        "fallacy",
-        "misconception",
-        "you wrote",
-        "not true",
-        "student writes",
-        "student wrote",
-        "student claims",
-        "on purpose",
-    ];
-    if REPORTS.iter().any(|report| sentence.contains(report)) {
-        return true;
-    }
-    // A heading over what is false, up to where the text says what is right.
-    const HEADINGS: [&str; 7] = [
-        "common error",
-        "common mistake",
-        "typical error",
-        "typical mistake",
-        "false on purpose",
-        "wrong on purpose",
-        "find the error",
-    ];
-    let before = before.to_ascii_lowercase();
-    let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
-    if let Some(at) = headed
-        && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
-            .iter()
-            .any(|word| before[at..].contains(word))
-    {
-        return true;
-    }
-    const DENIALS: [&str; 13] = [
-        "no longer true",
-        "no longer holds",
-        "would be false",
-        "would be wrong",
-        "is false",
-        "not true",
-        "a false statement",
-        "contradiction",
-        "incorrect",
-        "is wrong",
-        "are not equal",
-        "is not a solution",
-        "is inconsistent",
-    ];
-    DENIALS.iter().any(|denial| rest.contains(denial))
-}
-
-/// Whether a formula stands behind a capital letter in brackets, with the letter before or after it behind another one: `(B)` near
-/// `(A)` or `(C)`.
-fn is_answer_to_choose(before: &str, after: &str) -> bool {
-    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
-    let Some(label) = before.trim_end_matches(marks).strip_suffix(')') else { return false };
-    let Some(letter) = label.chars().next_back().filter(|c| ('A'..='F').contains(c)) else { return false };
-    let Some(rest) = label.strip_suffix(letter).and_then(|rest| rest.strip_suffix('(')) else { return false };
-    let near = |by: i8| char::from((letter as u8).wrapping_add_signed(by));
-    rest.contains(&format!("({})", near(-1))) || after.contains(&format!("({})", near(1)))
-}
-
 /// Whether the text near a formula speaks of what is true or false.
 pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
     let near = format!("{before} {after}").to_ascii_lowercase();
     near.split(|c: char| !c.is_alphabetic())
         .any(|word| ["true", "false", "lie", "truth", "believe", "believes", "believed"].contains(&word))
+}
+
+/// Whether one of these words stands in the sentence before a place.
+pub(crate) fn speaks_before(text: &str, span: Span, words: &[&str]) -> bool {
+    let (before, _) = text_around(text, span);
+    let sentence = before.rsplit(['?', '!']).next().unwrap_or_default().rsplit(". ").next().unwrap_or_default();
+    let sentence = sentence.to_ascii_lowercase();
+    words.iter().any(|word| sentence.contains(word))
 }
 
 /// Whether the text near a formula says that something has no value.
@@ -252,6 +169,11 @@ pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
 pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
     if between.len() > 400 {
+        return false;
+    }
+    // Two cells of one row.
+    let has = |tags: [&str; 2]| tags.iter().any(|tag| between.contains(tag));
+    if has(["<entry", "<td"]) && !has(["<row", "<tr"]) {
         return false;
     }
     let plain = without_tags(between);

@@ -132,7 +132,16 @@ fn environment(text: &str, at: usize, searches: &mut Searches) -> Option<(usize,
     }
     let end = format!("\\end{{{name}}}");
     let open = 7 + name.len() + 1;
+    let open = open + length_of_columns(name, &text[at + open..]);
     searches.end(text, at + open, &end).map(|found| (open, found, end.len()))
+}
+
+/// The bytes of the number of columns behind the start of an environment that takes one.
+pub(crate) fn length_of_columns(name: &str, behind: &str) -> usize {
+    let number = behind.strip_prefix('{').and_then(|rest| rest.split_once('}')).map(|(number, _)| number);
+    let is_number =
+        |number: &&str| !number.is_empty() && number.len() < 3 && number.chars().all(|c| c.is_ascii_digit());
+    number.filter(|_| name.starts_with("alignat")).filter(is_number).map_or(0, |number| number.len() + 2)
 }
 
 /// A formula between single dollar signs, as pandoc tells it from sums of money; `spaced` says that space may be inside them.

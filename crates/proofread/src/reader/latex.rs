@@ -2,7 +2,7 @@
 
 use super::adjoining::Joiner;
 use super::definitions::{Macros, NamedMacros, closing, defines, definition};
-use super::delimited::{DISPLAYS, FARTHEST};
+use super::delimited::{DISPLAYS, FARTHEST, length_of_columns};
 use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, tex};
 use crate::token::{Span, signs};
@@ -148,6 +148,7 @@ fn begin<'t>(text: &'t str, at: usize, scope: &mut u32, inside: &mut Vec<u32>, e
     let open = at + 6 + name.len() + 2;
     if DISPLAYS.contains(&name) || MORE.contains(&name) {
         let end = format!("\\end{{{name}}}");
+        let open = open + length_of_columns(name, text.get(open..).unwrap_or_default());
         return read_until(text, at, open - at, &end, *scope, each);
     }
     if VERBATIM.contains(&name) {

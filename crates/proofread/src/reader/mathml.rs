@@ -227,6 +227,53 @@ fn identifier(text: &[SourceChar], upright: bool, out: &mut Vec<Token>) {
     }
 }
 
+/// The columns at which another equation begins behind a whole one of the same row, whose relation stands in a cell of its own.
+fn equation_starts(rows: &[Vec<Vec<Token>>]) -> Vec<usize> {
+    let is_relation = |token: &Token| token.is_one_of("=≈≠<>≤≥");
+    let relates = |cell: &[Token]| cell.iter().any(is_relation);
+    let mut starts = Vec::new();
+    for row in rows {
+        // Whether a relation stands before, and something behind it; and whether an empty cell stands between.
+        let (mut is_related, mut is_whole, mut is_apart) = (false, false, false);
+        for (at, cell) in row.iter().enumerate() {
+            let solid = trim_space(cell);
+            let (Some(first), Some(last)) = (solid.first(), solid.last()) else {
+                is_apart = is_whole;
+                continue;
+            };
+            let begins = match &first.kind {
+                TokenKind::Operator(c) => "([{|√-".contains(*c),
+                TokenKind::Word(_) => false,
+                _ => true,
+            };
+            // The relation of an equation that begins here stands in the same cell or at the start of the next one.
+            let next = row[at + 1..].iter().map(|cell| trim_space(cell)).find(|cell| !cell.is_empty());
+            let has_own = relates(solid) || next.and_then(<[Token]>::first).is_some_and(is_relation);
+            let has_number = crate::token::has_number(solid);
+            if is_whole && begins && (has_own || (is_apart && has_number)) && !(relates(solid) && is_relation(first)) {
+                starts.push(at);
+                (is_related, is_whole) = (relates(solid), relates(solid) && !is_relation(last));
+            } else {
+                is_related |= relates(solid);
+                is_whole = is_related && !is_relation(last) && !last.is_one_of("+-·×/(");
+            }
+            is_apart = false;
+        }
+    }
+    starts.sort_unstable();
+    starts.dedup();
+    starts
+}
+
+/// The rows of a table whose columns are parted at these, the parts one below the other.
+fn parted_at(starts: &[usize], rows: Vec<Vec<Vec<Token>>>) -> Vec<Vec<Token>> {
+    let bounds: Vec<usize> = [0].into_iter().chain(starts.iter().copied()).chain([usize::MAX]).collect();
+    let part = |row: &[Vec<Token>], from: usize, to: usize| -> Vec<Token> {
+        row.iter().take(to).skip(from).flatten().cloned().collect()
+    };
+    bounds.windows(2).flat_map(|of| rows.iter().map(move |row| part(row, of[0], of[1]))).collect()
+}
+
 /// The rows of a table; cells that each have an equation of their own are rows by themselves, column by column.
 pub(crate) fn side_by_side(rows: Vec<Vec<Vec<Token>>>) -> Vec<Vec<Token>> {
     let owns = |cell: &Vec<Token>| {
@@ -235,7 +282,7 @@ pub(crate) fn side_by_side(rows: Vec<Vec<Vec<Token>>>) -> Vec<Vec<Token>> {
         left && !trim_space(&cell[at + 1..]).is_empty()
     };
     if !rows.iter().any(|row| row.iter().filter(|cell| owns(cell)).count() >= 2) {
-        return rows.into_iter().map(|row| row.into_iter().flatten().collect()).collect();
+        return parted_at(&equation_starts(&rows), rows);
     }
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let mut out: Vec<Vec<Token>> = vec![Vec::new(); columns * rows.len()];

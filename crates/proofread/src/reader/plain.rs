@@ -1,8 +1,9 @@
 //! Lines of plain text with an equals sign, as they come out of a PDF or are typed in a mail.
 
+use super::tags::decode_entities;
 use super::words::tokenise_words;
 use super::{Formula, FormulaSink, FormulaStyle};
-use crate::token::{MathFunction, Span, TOO_LONG, Token, TokenKind, signs};
+use crate::token::{MathFunction, SourceChar, Span, TOO_LONG, Token, TokenKind, signs};
 use crate::unit::{is_percent, unit};
 use std::ops::Range;
 
@@ -13,6 +14,7 @@ const LONGEST: usize = 4000;
 pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>) {
     let mut skipped = skip.iter().peekable();
     let mut start = 0;
+    let mut has_open_tables = None;
     for line in text.split_inclusive('\n') {
         let whole = start..start + line.len();
         start = whole.end;
@@ -35,9 +37,13 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
         if from < whole.end {
             pieces.push(from..whole.end);
         }
-        let is_row = is_row_of_table(line);
+        let is_tabbed = is_row_of_equations(line);
+        let is_row = is_tabbed
+            || is_row_of_table(line)
+            || (line.contains(" | ") && *has_open_tables.get_or_insert_with(|| has_open_table(text)));
         if is_row {
-            pieces = pieces.into_iter().flat_map(|piece| cells(text, piece)).collect();
+            let mark = if is_tabbed { '\t' } else { '|' };
+            pieces = pieces.into_iter().flat_map(|piece| cells(text, piece, mark)).collect();
         }
         for piece in pieces {
             let part = &text[piece.clone()];
@@ -66,11 +72,26 @@ fn is_row_of_table(line: &str) -> bool {
     row.starts_with('|') && row.ends_with('|') && row.matches('|').count() > 2
 }
 
+/// Whether a text has a table in Markdown without signs at the ends of its rows: below its head is a line of dashes with signs between them.
+fn has_open_table(text: &str) -> bool {
+    text.lines().any(|line| {
+        let line = line.trim();
+        line.contains("--") && line.contains('|') && line.chars().all(|c| "-:| \t".contains(c))
+    })
+}
+
+/// Whether tabs part several whole equations in a line.
+fn is_row_of_equations(line: &str) -> bool {
+    let mut pieces = line.split('\t').map(str::trim).filter(|piece| piece.contains('='));
+    let is_whole = |piece: &str| !piece.starts_with(['=', '+', '*', '/']) && !piece.ends_with(['=', '+', '*', '/']);
+    line.contains('\t') && pieces.clone().count() > 1 && pieces.all(is_whole)
+}
+
 /// The cells of a row, or of a part of it.
-fn cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
+fn cells(text: &str, row: Range<usize>, mark: char) -> Vec<Range<usize>> {
     let mut start = row.start;
     let mut out = Vec::new();
-    for cell in text[row].split('|') {
+    for cell in text[row].split(mark) {
         out.push(start..start + cell.len());
         start += cell.len() + 1;
     }
@@ -98,12 +119,45 @@ fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
     let numbered = numbered(line);
     let (line, base) = (&line[numbered..], base + numbered);
     let mut tokens = Vec::new();
-    tokenise_words(&signs(line, base), &mut tokens);
+    tokenise_words(&shown_signs(line, base), &mut tokens);
     let tokens = interpret_line(tokens);
     let span = Span::new(base, base + line.trim_end().len());
     let mut formula = Formula::new(tokens, span);
     formula.style = FormulaStyle::Plain;
     each(formula);
+}
+
+/// The characters of a line as they are shown: without tags that only set them off, with entities as what they stand for, and with raised
+/// and lowered characters behind their signs.
+fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
+    const SET_OFF: [&str; 11] = ["b", "strong", "i", "em", "u", "span", "font", "small", "big", "mark", "ins"];
+    let decoded = if line.contains('&') { decode_entities(line, base) } else { signs(line, base) };
+    if !line.contains('<') {
+        return decoded;
+    }
+    let mut out = Vec::with_capacity(decoded.len());
+    let mut at = 0;
+    while let Some(sign) = decoded.get(at) {
+        let end = (sign.c == '<').then(|| decoded[at..].iter().take(80).position(|sign| sign.c == '>')).flatten();
+        let inner: String =
+            end.map(|end| decoded[at + 1..at + end].iter().map(|sign| sign.c).collect()).unwrap_or_default();
+        let (closes, name) = inner.strip_prefix('/').map_or((false, inner.as_str()), |name| (true, name));
+        let name = name.split(char::is_whitespace).next().unwrap_or_default().to_ascii_lowercase();
+        let script: &[char] = match (name.as_str(), closes) {
+            ("sup", false) => &['^', '('],
+            ("sub", false) => &['_', '('],
+            ("sup" | "sub", true) => &[')'],
+            (name, _) if SET_OFF.contains(&name) => &[],
+            _ => {
+                out.push(*sign);
+                at += 1;
+                continue;
+            }
+        };
+        out.extend(script.iter().map(|c| SourceChar { c: *c, span: sign.span }));
+        at += end.unwrap_or(0) + 1;
+    }
+    out
 }
 
 /// The bytes of the marks of a list or a quotation before a line, as in `- 4 + 4 = 8`.
@@ -295,6 +349,10 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 } else if follows_unit
                     && unit(&word).is_some()
                     && (touching || closes || !PROSE.contains(&word.as_str()))
+                {
+                    TokenKind::Word(word)
+                } else if word == "Hg"
+                    && before.and_then(Token::word).is_some_and(|of| matches!(of, "mm" | "cm" | "in"))
                 {
                     TokenKind::Word(word)
                 } else if named {

@@ -6,7 +6,9 @@ use super::siunitx;
 use super::symbols::{attach_script, merge_letters, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
-use crate::token::{ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show};
+use crate::token::{
+    ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show, trim_space,
+};
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
@@ -410,6 +412,11 @@ impl Tex<'_> {
             }
             "cancel" | "bcancel" | "xcancel" => {
                 let of = self.argument(depth);
+                // An equals sign that is struck out denies what it says.
+                if matches!(trim_space(&of), [only] if only.is_sign('=')) {
+                    push(out, TokenKind::Operator('≠'));
+                    return;
+                }
                 // What stands above or below a number that is struck out takes its place.
                 let replaced = has_number(&of) && self.peek().is_some_and(|next| "^_".contains(next.c));
                 push(

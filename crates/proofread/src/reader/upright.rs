@@ -15,7 +15,8 @@ impl Tex<'_> {
             out.push(token(TokenKind::Space(2), span_of_chars(&raw)));
         }
         let is_minute = text.trim() == "min" && command != "operatorname";
-        if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute) {
+        let is_second = text.trim() == "sec" && command != "operatorname" && !self.has_argument_ahead();
+        if let Some(function) = MathFunction::from_name(text.trim()).filter(|_| !is_minute && !is_second) {
             out.push(token(TokenKind::Function(function), span_of_chars(&raw)));
             return;
         }
@@ -38,6 +39,21 @@ impl Tex<'_> {
                 self.read_words(command, piece, depth, out);
             }
         }
+    }
+
+    /// Whether what follows may be the argument of a function: a bracket, an exponent, a letter or a number, or a command for one of them.
+    fn has_argument_ahead(&self) -> bool {
+        const NO_ARGUMENT: [&str; 14] = [
+            "times", "cdot", "quad", "qquad", "right", "approx", "to", "implies", "end", "text", "mathrm", "frac",
+            "leq", "le",
+        ];
+        let rest: String = self.stack.iter().rev().take(12).map(|sign| sign.c).collect();
+        let rest = rest.trim_start_matches([' ', '~', '\n', '}']);
+        let Some(name) = rest.strip_prefix('\\') else {
+            return rest.starts_with(|c: char| c.is_alphanumeric() || "([{^".contains(c));
+        };
+        let name: String = name.chars().take_while(char::is_ascii_alphabetic).collect();
+        !name.is_empty() && !NO_ARGUMENT.contains(&name.as_str())
     }
 
     /// Upright text without formulas that stand apart from it.

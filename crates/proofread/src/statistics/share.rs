@@ -61,10 +61,10 @@ pub(super) fn check(plain: &PlainCharacters, out: &mut Vec<Judged>) -> usize {
     checked + judge_loose(chars, sentence..chars.len(), &mut loose, out)
 }
 
-/// A truncated share is meant to be one.
+/// A truncated share is meant to be one, and one that was rounded twice follows its author's digits.
 fn outcome_of(share: &PrintedShare, whole: f64) -> Outcome {
     let computed = 100.0 * share.part / whole;
-    let is_cut = computed >= share.share.value && computed < share.share.value + 2.0 * share.share.half;
+    let is_cut = share.share.is_cut_or_rounded_twice(computed);
     // In 19.2 % (8/10) + …, a rate is multiplied by a share.
     let is_product = share.at.start == share.range.start && (computed - share.share.value).abs() > 0.5 * computed;
     match () {
@@ -92,11 +92,13 @@ fn judge_loose(chars: &[char], sentence: Range<usize>, loose: &mut Vec<PrintedSh
     if loose.is_empty() || sentence.is_empty() {
         return 0;
     }
+    // Several parts of several wholes, in their order.
+    let in_order = chars[sentence.clone()].iter().collect::<String>().contains("respectively");
     let Some(whole) = whole_of(chars, sentence) else { return 0 };
     let fits: Vec<bool> = loose.iter().map(|share| is_share(share.part, whole, share.share)).collect();
     let agreeing = fits.iter().filter(|fits| **fits).count();
     for (share, _) in loose.iter().zip(&fits).filter(|(_, fits)| !**fits) {
-        let outcome = match agreeing > 0 && 2 * agreeing >= fits.len() {
+        let outcome = match agreeing > 0 && 2 * agreeing >= fits.len() && !in_order {
             true => outcome_of(share, whole),
             false => Outcome::Doubt(Doubt::OtherParts),
         };

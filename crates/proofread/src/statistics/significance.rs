@@ -169,9 +169,16 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
     let is_of_variances = test.kind == TestKind::Fisher && !is_impossible && agrees(test.comparison, p, both_tails);
     let outcome = match is_one_sided || is_of_variances || is_near_adjustment(chars, start) {
         true => Outcome::Doubt(Doubt::OtherTest),
+        false if is_cut(test, p, exact) => Outcome::Doubt(Doubt::Truncated),
         false => Outcome::Difference,
     };
     Some(Judged { left: start..test.end, right: p.range.clone(), whole: start..p.range.end, recomputed, why, outcome })
+}
+
+/// Whether the p-value of the statistic as it is printed, on either side or on both, is cut off or rounded twice.
+fn is_cut(test: &TestStatistic, p: &PrintedP, exact: f64) -> bool {
+    let is_equal = test.comparison == Comparison::Equal && p.comparison == Comparison::Equal && p.number.value > 0.0;
+    is_equal && p.number.is_cut_or_rounded_twice(exact)
 }
 
 /// A p-value with two digits behind its zeros or more, and with as many as it takes to tell it from the printed one.

@@ -214,6 +214,9 @@ impl<'t> Sum<'t> {
         if self.parts.len() > MOST_SHOWN {
             parts.push("…".to_owned());
         }
+        // The note of a part may say that it is not all of this sum.
+        let is_noted = self.parts.iter().any(|cell| cell.text.contains(['*', '†', '‡', '§']));
+        let outcome = if is_noted { Outcome::Doubt(Doubt::OtherParts) } else { outcome };
         let left = parts.join(" + ");
         let right = self.total.text.clone();
         let decimals = self.numbers().map(|number| number.decimals).max().unwrap_or_default();
@@ -476,7 +479,10 @@ fn report_shares(judged: &[(&TableCell, f64, f64, PrintedNumber, bool)], out: &m
             spans: [cell.at; 3],
             recomputed: format!("{:.decimals$}%", 100.0 * part / whole),
             why: Some("the other shares of the table are of this whole".to_owned()),
-            outcome: Outcome::Difference,
+            outcome: match share.is_cut_or_rounded_twice(100.0 * part / whole) {
+                true => Outcome::Doubt(Doubt::Truncated),
+                false => Outcome::Difference,
+            },
         });
         out.push(TableFinding { finding, parts: Vec::new() });
     }

@@ -143,6 +143,8 @@ impl PrintedPair<'_> {
         });
         let line = at("3", false).zip(at("4", false)).filter(|_| is_as_printed);
         let mantissa = match line {
+            // In a unit that begins at zero, all digits of a value that is far smaller count.
+            Some(((three, _), (four, _))) if (four / three - 4.0 / 3.0).abs() < 1e-9 => value / (four - three),
             Some(((three, _), (four, _))) if three != four => 3.0 + (value - three) / (four - three),
             _ if point != 0.0 => number.value * value / point,
             _ => value / if printed.factor == 0.0 { 1.0 } else { printed.factor },

@@ -10,6 +10,22 @@ const OF_MOUTH: [f64; 2] = [0.0, 1000.0];
 
 pub(super) const ROWS: &[Argument] = &[
     Argument::new(
+        "process",
+        "PROCESS",
+        ArgumentSlot::Process(|question| &mut question.process),
+        &[Parts],
+        "How the parts are made: it gives the plays that are not given, and tells how many of 1000 simulated assemblies turn with \
+         the errors of that process",
+    )
+    .with_knob(Knob::at("made by", "", [0.0, 0.0], 1.0, 0.0)),
+    Argument::new(
+        "measured-play",
+        "MM",
+        ArgumentSlot::Length(|question| &mut question.measured_play),
+        &[Parts],
+        "Least play in millimetres with which the pin ran on the test piece of --process: its plays and errors then come from there",
+    ),
+    Argument::new(
         "pin-diameter",
         "MM",
         ArgumentSlot::Length(|question| &mut question.pin_diameter),
@@ -23,7 +39,7 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::LengthOrZero(|question| &mut question.play),
         &[Parts],
         "How much wider slots and locking arcs are than the parts that run in them, in millimetres, zero or more; bores \
-         have a quarter of it [default: a thousandth of the centre distance, or less if parts are small]",
+         have a quarter of it [default: that of --process, or a thousandth of the centre distance, or less if parts are small]",
     )
     .with_knob(Knob::follows("play of the slots", "mm", [0.0, 0.5], 0.01, "play_mm").typed([0.0, 1000.0])),
     Argument::new(

@@ -4,14 +4,17 @@
 //! its parts fit, how they are mounted, and what they carry.
 
 mod fit;
+mod friction;
 mod instants;
 mod load;
 mod need;
 mod size;
+mod strength;
 
 use super::WheelQuestion;
 use super::kind::WheelKind;
 use geneva_dynamics::line_contact::Material;
+use geneva_kinematics::wheel::as_built::Process;
 
 /// An argument of a question about a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +73,8 @@ pub enum ArgumentSlot {
     AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
     ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A process, by its name.
+    Process(fn(&mut WheelQuestion) -> &mut Option<Process>),
     /// A material, by its name.
     Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
@@ -89,6 +94,8 @@ pub enum ActsOn {
     Speed,
     /// The moment of inertia of what the wheel carries: one way to say it.
     Inertia,
+    /// The loads, which need a speed and an inertia.
+    Load,
 }
 
 /// What the arguments of a group are about.
@@ -108,6 +115,8 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
     ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
+    ArgumentGroup { heading: "What rubs", fold: "What rubs", rows: friction::ROWS },
+    ArgumentGroup { heading: "Pin and motor", fold: "Pin and motor", rows: strength::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
 

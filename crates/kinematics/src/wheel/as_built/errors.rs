@@ -1,0 +1,140 @@
+//! Sizes that no made wheel has, and how far made sizes are from the drawn ones.
+
+use thiserror::Error;
+
+/// A size that no wheel has, however badly it was made.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum BuiltError {
+    /// A length that is not positive and finite.
+    #[error("{name} {asked} mm: it must be positive and finite; measure it again")]
+    Length {
+        /// Which length.
+        name: &'static str,
+        /// The length that was given, in millimetres.
+        asked: f64,
+    },
+    /// A direction that is half a pitch or more off, or not finite.
+    #[error(
+        "{name} {asked} rad off: it must be within {most:.4} rad, half a pitch, of its right place; count the slots again"
+    )]
+    Direction {
+        /// Which direction.
+        name: &'static str,
+        /// The error that was given, in radians.
+        asked: f64,
+        /// What its size must be below, in radians.
+        most: f64,
+    },
+    /// A slot as wide as the wheel.
+    #[error("width of a slot {asked} mm: it must be below {most:.4} mm, the wheel's diameter; measure it again")]
+    TooWide {
+        /// The width that was given, in millimetres.
+        asked: f64,
+        /// What it must be below, in millimetres.
+        most: f64,
+    },
+    /// A crank as long as the centre distance.
+    #[error("crank radius {asked} mm: it must be below the centre distance {most} mm; measure both again")]
+    CrankTooLong {
+        /// The crank radius that was given, in millimetres.
+        asked: f64,
+        /// What it must be below, in millimetres.
+        most: f64,
+    },
+}
+
+/// How the errors of a size are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorShape {
+    /// Every error up to the greatest is equally likely.
+    Uniform,
+    /// A normal distribution whose standard deviation is a third of the greatest error; larger errors are drawn again.
+    Normal,
+}
+
+/// The greatest error of each size, to either side, in millimetres.
+///
+/// ```
+/// use geneva_kinematics::wheel::as_built::SizeErrors;
+///
+/// let errors = SizeErrors { centre_distance: 0.05, ..SizeErrors::all(0.1) };
+/// assert_eq!((errors.centre_distance, errors.pin_diameter), (0.05, 0.1)); // mm
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SizeErrors {
+    /// Of the distance between the axes, in millimetres.
+    pub centre_distance: f64,
+    /// Of the distance of a pin from the driver's axis, in millimetres.
+    pub crank_radius: f64,
+    /// Of a pin's diameter, in millimetres.
+    pub pin_diameter: f64,
+    /// Of a slot's width, in millimetres.
+    pub slot_width: f64,
+    /// Of the distance of a slot's end from the wheel's axis, in millimetres.
+    pub slot_end: f64,
+    /// Of the rim's radius at a slot, in millimetres.
+    pub tip_radius: f64,
+    /// Of the radius of a locking arc, in millimetres.
+    pub arc_radius: f64,
+    /// Of the radius of the locking disc, in millimetres.
+    pub disc_radius: f64,
+    /// Of the radius of a crescent, in millimetres.
+    pub crescent_radius: f64,
+    /// Of the place of a slot at the rim, of the centres of locking arcs and crescents and of a pin, across and along their
+    /// radius, in millimetres.
+    pub place: f64,
+}
+
+impl SizeErrors {
+    /// The same greatest error of every size, in millimetres.
+    pub const fn all(error: f64) -> Self {
+        Self {
+            centre_distance: error,
+            crank_radius: error,
+            pin_diameter: error,
+            slot_width: error,
+            slot_end: error,
+            tip_radius: error,
+            arc_radius: error,
+            disc_radius: error,
+            crescent_radius: error,
+            place: error,
+        }
+    }
+}
+
+/// A measurement that can't be used.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum MeasuredError {
+    /// A length that is not positive and finite, or a direction that is not finite.
+    #[error("{name} {asked}: it must be finite, and a length above zero; measure it again")]
+    Value {
+        /// Which size.
+        name: &'static str,
+        /// The value that was given, in millimetres or radians.
+        asked: f64,
+    },
+    /// An uncertainty that is not positive and finite.
+    #[error("uncertainty of {name} {asked}: it must be positive and finite; give how far the value may be off")]
+    Uncertainty {
+        /// Which size.
+        name: &'static str,
+        /// The uncertainty that was given, in millimetres or radians.
+        asked: f64,
+    },
+    /// A slot or an arc that there is not.
+    #[error("{name} number {asked}: the wheel has numbers 1 to {most}; give one of these, or none for all")]
+    Number {
+        /// Which size.
+        name: &'static str,
+        /// The number that was given, from 1.
+        asked: usize,
+        /// The greatest number.
+        most: usize,
+    },
+    /// Nothing that gives the wheel a size.
+    #[error(
+        "nothing tells how large the wheel is; measure the centre distance, the crank radius or the outside diameter"
+    )]
+    NoScale,
+}

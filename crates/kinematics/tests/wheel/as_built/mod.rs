@@ -1,0 +1,9 @@
+//! The wheel as it was made, against the drawn one and against points on the outlines.
+
+mod drawn;
+mod measured;
+mod others;
+mod points;
+mod process;
+mod sweep;
+mod yields;

@@ -1,0 +1,103 @@
+//! Shares of assemblies that turn.
+
+use super::super::assembly::sized;
+use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors, SplitMix64, Yield};
+use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+
+fn four(play: f64) -> Sizes {
+    let choices = Choices { play: Some(Play::from_slot(play)), pin_diameter: Some(6.0), ..Choices::default() };
+    Sizes::new(Wheel::new(4).unwrap(), Scale::CrankRadius(25.0), &choices).unwrap()
+}
+
+#[test]
+fn groups_of_assemblies_add_up_whichever_is_first() {
+    let assemblies = Assemblies::new(&four(0.2), SizeErrors::all(0.1), ErrorShape::Normal, 3);
+    let all = assemblies.count(0..120).unwrap();
+    let parts = assemblies.count(70..120).unwrap().plus(assemblies.count(0..70).unwrap());
+    assert_eq!(all, parts);
+    assert!(all.turning > 0 && all.turning < 120, "{all:?}");
+}
+
+#[test]
+fn more_play_lets_more_assemblies_turn_and_larger_errors_fewer() {
+    let share = |play: f64, error: f64| {
+        let assemblies = Assemblies::new(&four(play), SizeErrors::all(error), ErrorShape::Uniform, 1);
+        assemblies.count(0..400).unwrap().share()
+    };
+    for error in [0.05, 0.1, 0.2] {
+        let shares = [0.1, 0.2, 0.35, 0.5, 0.8].map(|play| share(play, error));
+        assert!(shares.is_sorted(), "{shares:?}");
+    }
+    assert!(share(0.35, 0.05) >= share(0.35, 0.1) && share(0.35, 0.1) >= share(0.35, 0.2));
+}
+
+#[test]
+fn uniform_numbers_and_normal_numbers_have_their_moments() {
+    let mut random = SplitMix64::new(5);
+    let n = 200_000;
+    let mean = |values: &[f64], power: i32| values.iter().map(|x| x.powi(power)).sum::<f64>() / values.len() as f64;
+    let uniform: Vec<f64> = (0..n).map(|_| random.next_signed()).collect();
+    assert!(mean(&uniform, 1).abs() < 0.01 && (mean(&uniform, 2) - 1.0 / 3.0).abs() < 0.01);
+    let normal: Vec<f64> = (0..n).map(|_| random.next_normal()).collect();
+    assert!(mean(&normal, 1).abs() < 0.01 && (mean(&normal, 2) - 1.0).abs() < 0.02);
+    assert!((mean(&normal, 4) - 3.0).abs() < 0.1);
+}
+
+#[test]
+fn the_interval_of_a_share_has_it() {
+    let [low, high] = Yield { tried: 1000, turning: 900 }.interval();
+    // Wilson's score for 0.9 of 1000 by hand: 0.90 − 0.0202, 0.90 + 0.0171.
+    assert!((low - 0.8798).abs() < 1e-4 && (high - 0.9171).abs() < 1e-4, "{low} {high}");
+    assert_eq!(Yield { tried: 10, turning: 10 }.interval()[1], 1.0);
+}
+
+#[test]
+fn the_generator_is_the_published_one() {
+    let mut random = SplitMix64::new(1_234_567);
+    let numbers = [0; 3].map(|_| random.next_u64());
+    assert_eq!(numbers, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
+}
+
+#[test]
+fn sizes_are_drawn_within_their_errors() {
+    let sizes = sized(6, 2, &Choices::default());
+    let errors = SizeErrors::all(0.1);
+    let built = Assemblies::new(&sizes, errors, ErrorShape::Normal, 8).assembly(4);
+    for slot in built.slots() {
+        assert!((slot.width - sizes.slot_width).abs() <= 0.1 && slot.width != sizes.slot_width);
+    }
+    assert!((built.centre_distance - sizes.centre_distance).abs() <= 0.1);
+}
+
+#[test]
+fn shares_are_near_those_of_another_simulation() {
+    // Another program drew 40 assemblies for each case, of one error of each kind for all slots, and swept polygons over the turn: shares in
+    // per cent for plays of 0.1 to 0.8 mm, with errors of 0.05, 0.1 and 0.2 mm of lengths, diameters and places.
+    let others = [
+        (0.1, [88.0, 58.0, 33.0]),
+        (0.2, [100.0, 83.0, 55.0]),
+        (0.35, [100.0, 98.0, 65.0]),
+        (0.5, [100.0, 100.0, 95.0]),
+        (0.8, [100.0, 100.0, 100.0]),
+    ];
+    for (play, shares) in others {
+        for (error, other) in [0.05, 0.1, 0.2].into_iter().zip(shares) {
+            // Which of the places were wrong is not known: all of them, or none.
+            let [most, least] = [0.0, error].map(|place| {
+                let half = error / 2.0;
+                let errors = SizeErrors {
+                    arc_radius: half,
+                    disc_radius: half,
+                    tip_radius: half,
+                    crescent_radius: half,
+                    place,
+                    ..SizeErrors::all(error)
+                };
+                let assemblies = Assemblies::new(&four(play), errors, ErrorShape::Uniform, 1).alike();
+                100.0 * assemblies.count(0..400).unwrap().share()
+            });
+            // Twice the standard deviation of 40 assemblies is up to 16 per cent.
+            assert!(least - 16.0 <= other && other <= most + 16.0, "{play} {error}: {least} {most} {other}");
+        }
+    }
+}

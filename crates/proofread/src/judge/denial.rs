@@ -1,0 +1,113 @@
+//! Whether a text says that a formula is false, or asks whether it holds.
+
+use crate::judge::surroundings::{text_around, text_before};
+use crate::token::Span;
+
+/// Whether the text asks if the formula holds, or says that it does not.
+pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_ascii_lowercase();
+    let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_ascii_lowercase();
+    let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
+    // Asked at once: 1 + 5 = 2? – but not behind a word.
+    if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
+        return true;
+    }
+    let mut words = sentence.split(|c: char| !c.is_alphabetic());
+    let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
+    if asked && question {
+        return true;
+    }
+    // One of the answers to choose from.
+    if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
+        return true;
+    }
+    let behind = after.split("\n\n").next().unwrap_or_default();
+    if sentence.contains("what if ") || behind.contains("This fallacy") || behind.contains("this fallacy") {
+        return true;
+    }
+    if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
+        return true;
+    }
+    let example = text_before(text, span);
+    if example.contains("a proportion") && example.contains("hether") {
+        return true;
+    }
+    // An exercise that has the reader put in brackets, or say which of several statements hold.
+    const EXERCISES: [&str; 7] = [
+        "to make the following statements true",
+        "to make the statement true",
+        "to make each statement true",
+        "to make the equation true",
+        "are true, and which are false",
+        "are true and which are false",
+        "which of the following are true",
+    ];
+    let task = example.to_ascii_lowercase();
+    let asked = EXERCISES.iter().filter_map(|exercise| task.rfind(exercise)).max();
+    if asked.is_some_and(|at| !["solution", "answer", "example"].iter().any(|end| task[at..].contains(end))) {
+        return true;
+    }
+    const REPORTS: [&str; 11] = [
+        "mistake",
+        "wrongly",
+        "incorrectly",
+        "fallacy",
+        "misconception",
+        "you wrote",
+        "not true",
+        "student writes",
+        "student wrote",
+        "student claims",
+        "on purpose",
+    ];
+    if REPORTS.iter().any(|report| sentence.contains(report)) {
+        return true;
+    }
+    // A heading over what is false, up to where the text says what is right.
+    const HEADINGS: [&str; 7] = [
+        "common error",
+        "common mistake",
+        "typical error",
+        "typical mistake",
+        "false on purpose",
+        "wrong on purpose",
+        "find the error",
+    ];
+    let before = before.to_ascii_lowercase();
+    let headed = HEADINGS.iter().filter_map(|heading| before.rfind(heading)).max();
+    if let Some(at) = headed
+        && !["in fact", "no:", "right", "correct", "actually", "really", "instead"]
+            .iter()
+            .any(|word| before[at..].contains(word))
+    {
+        return true;
+    }
+    const DENIALS: [&str; 13] = [
+        "no longer true",
+        "no longer holds",
+        "would be false",
+        "would be wrong",
+        "is false",
+        "not true",
+        "a false statement",
+        "contradiction",
+        "incorrect",
+        "is wrong",
+        "are not equal",
+        "is not a solution",
+        "is inconsistent",
+    ];
+    DENIALS.iter().any(|denial| rest.contains(denial))
+}
+
+/// Whether a formula stands behind a capital letter in brackets, with the letter before or after it behind another one: `(B)` near
+/// `(A)` or `(C)`.
+fn is_answer_to_choose(before: &str, after: &str) -> bool {
+    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
+    let Some(label) = before.trim_end_matches(marks).strip_suffix(')') else { return false };
+    let Some(letter) = label.chars().next_back().filter(|c| ('A'..='F').contains(c)) else { return false };
+    let Some(rest) = label.strip_suffix(letter).and_then(|rest| rest.strip_suffix('(')) else { return false };
+    let near = |by: i8| char::from((letter as u8).wrapping_add_signed(by));
+    rest.contains(&format!("({})", near(-1))) || after.contains(&format!("({})", near(1)))
+}

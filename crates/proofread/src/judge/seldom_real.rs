@@ -1,0 +1,108 @@
+//! Kinds of differences that were real in less than two of five cases at first contact, so that they are set aside. Each is known by what stands in
+//! its chain; the counts are in `judged/README.md`.
+
+use crate::evaluate::expression::Evaluator;
+use crate::evaluate::printed::Mode;
+use crate::evaluate::value::{Literal, SideValue};
+use crate::join::chain::{ChainSide, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::doubt::PlacedPair;
+use crate::judge::substitution::without_space;
+use crate::judge::surroundings;
+use crate::judge::verdict::PairJudgement;
+use crate::token::{Token, TokenKind, any};
+
+/// How far two numbers are apart that differ in nothing but their sign, relative to them.
+const EXACT: f64 = 0.01;
+
+/// Digits of a result that nobody prints who has rounded on the way. Of the flags at first contact on such results that other digits of the
+/// terms explain, none was real (0 of 9, in nine texts), while of those with fewer digits half were.
+const MANY_DIGITS: usize = 5;
+
+/// How far such a result is from the computed one at most, relative to it: what a digit more in each term may give.
+const BY_DIGITS: f64 = 0.002;
+
+impl PlacedPair<'_> {
+    /// Whether the sides differ in sign alone where a sign is often left out: in a difference or an elasticity that the text calls so, and in
+    /// the square of a negative number without brackets, `t² = −3.1² = 9.61`.
+    pub(crate) fn leaves_sign_out(&self, judgement: &PairJudgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let positive = right.is_literal() && right.number().is_ok_and(|of| of.point > 0.0);
+        if !positive || !left.clone().negate().meets(right, EXACT) {
+            return false;
+        }
+        let solid = without_space(&self.left.tokens);
+        let is_difference = matches!(solid.as_slice(), [one, minus, other] if one.number().is_some() && minus.is_sign('-') && other.number().is_some());
+        let is_square = |tokens: &[&Token]| matches!(tokens, [.., Token { kind: TokenKind::Power(power), .. }] if matches!(power.as_slice(), [two] if two.number() == Some("2")));
+        let is_squared = solid.len() == 3
+            && solid[0].is_sign('-')
+            && is_square(&solid)
+            && self.chain.sides.iter().take_while(|side| side.span != self.left.span).any(|side| {
+                let letters = without_space(&side.tokens);
+                letters.len() == 2 && matches!(letters[0].kind, TokenKind::Name(_)) && is_square(&letters)
+            });
+        let called = |words: &[&str]| surroundings::speaks_before(self.text, self.left.span, words);
+        is_squared || (is_difference && called(&["difference", "distance", "apart"])) || called(&["elasticity"])
+    }
+
+    /// Whether a factor of a hundred only changes a number to per cent: `.8 = .8 · 100 = 80%`.
+    pub(crate) fn is_change_to_percent(&self) -> bool {
+        let at = self.chain.sides.iter().position(|side| side.span == self.right.span);
+        let next = at.and_then(|at| self.chain.sides.get(at + 1));
+        let is_percent = next.is_some_and(|next| next.tokens.last().and_then(Token::word) == Some("%"));
+        let (left, right) = (without_space(&self.left.tokens), without_space(&self.right.tokens));
+        match right.as_slice() {
+            [number, times, hundred] => {
+                is_percent
+                    && times.is_one_of("·×")
+                    && hundred.number() == Some("100")
+                    && number.number().is_some()
+                    && left.iter().any(|token| token.number().is_some())
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether both sides are printed quantities of different dimensions, of which one may stand for the other: 2 moles = 44.8 L.
+    pub(crate) fn stands_for(&self, judgement: &PairJudgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let printed = |of: &SideValue| of.literal == Literal::Number && of.has_unit;
+        judgement.verdict == ChainVerdict::Dimensions && printed(left) && printed(right)
+    }
+
+    /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1.
+    pub(crate) fn is_coarse_approximation(&self) -> bool {
+        let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        let is_computed = |kind: &TokenKind| {
+            matches!(
+                kind,
+                TokenKind::Fraction(..) | TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Operator('/')
+            )
+        };
+        let right = &self.right.tokens;
+        self.right.relation == Some(Relation::Approximate) && any(right, &is_computed) && !any(right, &is_decimal)
+    }
+
+    /// Whether a printed result of many digits agrees if the rounded numbers before it had digits that are not printed: `2.012 × 3.1416 =
+    /// 6.32091`.
+    pub(crate) fn may_have_more_digits(&self, judgement: &PairJudgement) -> bool {
+        let Some((left, right)) = &judgement.values else { return false };
+        let is_near = left.difference(right) < BY_DIGITS;
+        if left.is_literal() || !right.is_literal() || !is_near || !judgement.used.is_empty() {
+            return false;
+        }
+        let digits = self.right.tokens.iter().find_map(Token::number).unwrap_or_default();
+        let significant = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
+        // Whole numbers are as they are.
+        let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        let is_long =
+            |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !digits.contains('.') && digits.len() > 2);
+        let strict =
+            |side: &ChainSide| Evaluator::new(Mode::Strict, judgement.reading, None).evaluate_side(&side.tokens).ok();
+        digits.contains('.')
+            && significant >= MANY_DIGITS
+            && any(&self.left.tokens, &is_decimal)
+            && !any(&self.left.tokens, &is_long)
+            && strict(self.left).zip(strict(self.right)).is_some_and(|(left, right)| left.meets(&right, 0.0))
+    }
+}

@@ -1,0 +1,239 @@
+//! Wheels read back from drawings: are the sizes those that were drawn, and is the one wrong size of an outline named?
+
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
+use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
+use geneva_workshop::{Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, dxf, parts};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+fn sizes(stations: u32, pins: u32, play: f64) -> Sizes {
+    let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
+    Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap()
+}
+
+#[test]
+fn our_own_drawings_give_back_the_sizes() {
+    for (stations, pins) in [(3, 1), (4, 1), (6, 2), (8, 1), (12, 1)] {
+        let dowels = Pattern { count: 4, circle: 0.0, fastener: Fastener::Dowel(1.0) };
+        for (layout, is_mounted) in [PartLayout::Apart, PartLayout::Assembled].into_iter().zip([false, true]) {
+            let sizes = sizes(stations, pins, 0.2);
+            // Holes for mounting are no slots.
+            let hub = Pattern { circle: 0.8 * sizes.wheel_shaft_limit, ..dowels };
+            let mounting = Mounting { wheel_hub: is_mounted.then_some(hub), ..Mounting::default() };
+            let list = parts(&sizes, 5.0, &mounting).unwrap();
+            let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
+            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+            let disc = sizes.locking_disc.unwrap();
+            let right = |size| match size {
+                MeasuredSize::CentreDistance | MeasuredSize::ArcCentre(_) => sizes.centre_distance,
+                MeasuredSize::CrankRadius => sizes.crank_radius,
+                MeasuredSize::PinDiameter => sizes.pin_diameter,
+                MeasuredSize::TipRadius => sizes.tip_radius,
+                MeasuredSize::SlotWidth(_) => sizes.slot_width,
+                MeasuredSize::SlotEnd(_) => sizes.slot_end,
+                MeasuredSize::SlotDirection(_) => 0.0,
+                MeasuredSize::ArcRadius(_) => sizes.locking_arc_radius,
+                MeasuredSize::DiscRadius => disc.radius,
+                MeasuredSize::CrescentCentre => disc.crescent.centre,
+                MeasuredSize::CrescentRadius => disc.crescent.radius,
+            };
+            for of in measured.sizes() {
+                assert!((of.value - right(of.size)).abs() < 1e-9, "{stations} {pins} {layout:?} {of:?}");
+            }
+            // Five of each slot and arc, six of the driver; the axes only where the driver is in its place.
+            let axes = usize::from(layout == PartLayout::Assembled);
+            assert_eq!(measured.sizes().len(), 5 * stations as usize + 6 + axes);
+            assert_eq!(measured.wheel().pins(), pins);
+            assert!(measured.nearest().unwrap().culprit.is_none());
+        }
+    }
+}
+
+/// A drawing by another program: each loop a polyline with bulges, in place, turned and moved, in a unit of its own.
+fn polylines(built: &AsBuiltWheel, layers: &LayerNames, turn: f64, inches: bool) -> String {
+    let scale = if inches { 1.0 / 25.4 } else { 1.0 };
+    let mut text = format!("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n{}\n0\nENDSEC\n", if inches { 1 } else { 4 });
+    text += "0\nSECTION\n2\nENTITIES\n";
+    let outline = built.outline();
+    let axis = Vector2::new(built.centre_distance, 0.0);
+    let moved = Vector2::new(17.0, -41.0);
+    let mut add = |layer: &str, of: &Loop, own: f64, by: Vector2<f64>| {
+        let of = of.transform(own, by).transform(turn, moved);
+        if let [Edge::Arc { centre, radius, .. }] = of.edges[..] {
+            let [x, y, r] = [centre.x, centre.y, radius].map(|of| of * scale);
+            write!(text, "0\nCIRCLE\n8\n{layer}\n10\n{x}\n20\n{y}\n40\n{r}\n").unwrap();
+            return;
+        }
+        write!(text, "0\nLWPOLYLINE\n8\n{layer}\n90\n{}\n70\n1\n", of.edges.len()).unwrap();
+        for edge in &of.edges {
+            let [x, y] = [edge.start_point().x, edge.start_point().y].map(|of| of * scale);
+            write!(text, "10\n{x}\n20\n{y}\n").unwrap();
+            if let Edge::Arc { sweep, .. } = edge {
+                writeln!(text, "42\n{}", (sweep / 4.0).tan()).unwrap();
+            }
+        }
+    };
+    add(&layers.wheel, &outline.wheel.outer, built.wheel().half_pitch_angle(), Vector2::zeros());
+    add(&layers.disc, &outline.disc.unwrap().outer, PI, axis);
+    add(&layers.plate, &outline.plate.outer, PI, axis);
+    outline.pins.iter().for_each(|pin| add(&layers.pins, pin, PI, axis));
+    text + "0\nENDSEC\n0\nEOF\n"
+}
+
+#[test]
+fn the_wrong_size_of_an_outline_is_named_and_the_jam_is_that_of_the_outline() {
+    let mut random = SplitMix64::new(77);
+    let layers = LayerNames { wheel: "Star".into(), disc: "Disc".into(), plate: "Crank".into(), pins: "Pin".into() };
+    let counts = [(4, 1), (6, 1), (5, 1), (8, 1), (6, 2), (12, 1), (3, 1)];
+    let (mut named, mut jams, mut missed) = (0, 0, Vec::new());
+    for k in 0..100_usize {
+        let (stations, pins) = counts[k % counts.len()];
+        let play = 0.15 + 0.3 * random.next_unit();
+        let sizes = sizes(stations, pins, play);
+        let mut built = AsBuiltWheel::from(&sizes);
+        let number = random.next_u64() as usize % stations as usize;
+        let by = (0.1 + 0.5 * random.next_unit()) * if random.next_unit() < 0.5 { 1.0 } else { -1.0 };
+        let wrong = match k % 9 {
+            0 => {
+                built.centre_distance += by;
+                MeasuredSize::CentreDistance
+            }
+            1 => {
+                built.slots_mut()[number].width += by;
+                MeasuredSize::SlotWidth(Some(number))
+            }
+            2 => {
+                built.slots_mut()[number].end += by;
+                MeasuredSize::SlotEnd(Some(number))
+            }
+            3 => {
+                built.slots_mut()[number].direction_error += by / sizes.wheel_radius;
+                MeasuredSize::SlotDirection(number)
+            }
+            4 => {
+                built.arcs_mut()[number].radius += by;
+                MeasuredSize::ArcRadius(Some(number))
+            }
+            5 => {
+                built.pins_mut().iter_mut().for_each(|pin| pin.diameter += play + by.abs());
+                MeasuredSize::PinDiameter
+            }
+            6 => {
+                built.disc_radius = built.disc_radius.map(|disc| disc + play + by.abs());
+                MeasuredSize::DiscRadius
+            }
+            7 => {
+                built.slots_mut().iter_mut().for_each(|slot| slot.tip_radius += by);
+                MeasuredSize::TipRadius
+            }
+            _ => {
+                built.pins_mut().iter_mut().for_each(|pin| pin.crank_radius += by);
+                MeasuredSize::CrankRadius
+            }
+        };
+        let text = polylines(&built, &layers, 6.0 * random.next_unit(), k % 3 == 0);
+        let measured = Drawing::read(&text).unwrap().measure(&layers, 0.01).unwrap();
+        let nearest = measured.nearest().unwrap();
+        let (told, drawn) = (measured.as_built(&nearest).turn().unwrap(), built.turn().unwrap());
+        // Slots have other numbers in a drawing that is turned; a jam has none of its own.
+        assert_eq!(
+            told.jam.is_some(),
+            drawn.jam.is_some(),
+            "{k}: {wrong:?} {by} {:?} {:?}",
+            told.tightest,
+            drawn.tightest
+        );
+        jams += usize::from(told.jam.is_some());
+        match nearest.culprit {
+            Some(culprit) if culprit.size.name() == wrong.name() && culprit.rest_agrees => named += 1,
+            other => missed.push((k, stations, wrong, by, other, nearest.suspects)),
+        }
+    }
+    assert!(named >= 95, "{named} named; {missed:#?}");
+    assert!((30..=90).contains(&jams), "{jams} jam");
+}
+
+#[test]
+fn what_is_no_drawing_of_a_wheel_is_refused_in_words() {
+    assert!(matches!(Drawing::read("AutoCAD Binary DXF\nxyz\n"), Err(DrawingError::NotACode { line: 1, .. })));
+    let broken = "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nWHEEL\n10\nabc\n20\n0\n40\n1\n0\nENDSEC\n";
+    assert!(matches!(Drawing::read(broken), Err(DrawingError::NotANumber { line: 10, .. })));
+    let empty = Drawing::read("0\nSECTION\n2\nENTITIES\n0\nTEXT\n8\nWHEEL\n0\nENDSEC\n0\nEOF\n").unwrap();
+    assert_eq!(empty.passed_over, 1);
+    let error = empty.measure(&LayerNames::default(), 0.01).unwrap_err();
+    assert_eq!(error.to_string(), "layer WHEEL: there is no arc; draw it there, or say which layer has it");
+}
+
+#[test]
+fn a_polyline_of_release_12_is_read_with_its_bulges() {
+    // A half disc: a line, and a half circle whose bulge is 1.
+    let text = "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nA\n66\n1\n70\n1\n0\nVERTEX\n8\nA\n10\n-2.0\n20\n0.0\n\
+                0\nVERTEX\n8\nA\n10\n2.0\n20\n0.0\n42\n1.0\n0\nSEQEND\n0\nENDSEC\n0\nEOF\n";
+    let drawing = Drawing::read(text).unwrap();
+    let [line, arc] = &drawing.edges[..] else { panic!("{drawing:?}") };
+    assert!(matches!(line.edge, Edge::Line { from, to } if from.x == -2.0 && to.x == 2.0));
+    let Edge::Arc { centre, radius, sweep, .. } = arc.edge else { panic!("{arc:?}") };
+    assert!(centre.norm() < 1e-12 && (radius - 2.0).abs() < 1e-12 && (sweep - PI).abs() < 1e-12);
+    assert!((arc.edge.end_point() - Vector2::new(-2.0, 0.0)).norm() < 1e-12);
+}
+
+#[test]
+fn mouths_and_square_ends_are_read_too() {
+    use geneva_kinematics::wheel::Mouth;
+    let mouths = [
+        Mouth::Chamfer { width: 1.0, angle: PI / 4.0 },
+        Mouth::Round { radius: 0.8 },
+        Mouth::LeadIn { length: 6.0, flare: 0.4 },
+    ];
+    for mouth in mouths {
+        let choices = Choices { mouth, play: Some(Play::from_slot(0.2)), ..Choices::default() };
+        let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap();
+        let measured =
+            Drawing::read(&dxf(&sizes, PartLayout::Assembled)).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+        let nearest = measured.nearest().unwrap();
+        assert!(nearest.culprit.is_none() && measured.wheel().stations() == 6, "{mouth:?} {nearest:?}");
+        assert_eq!(measured.sizes().len(), 5 * 6 + 7, "{mouth:?}");
+    }
+    // Square ends: each round end of our own drawing becomes three lines.
+    let sizes = sizes(5, 1, 0.2);
+    let mut built = sizes.outline();
+    let round = built.wheel.outer.edges.clone();
+    let square = |edge: &Edge| match *edge {
+        Edge::Arc { radius, sweep, .. } if (sweep.abs() - PI).abs() < 1e-9 => {
+            let (from, to) = (edge.start_point(), edge.end_point());
+            let chord = to - from;
+            let inwards = Vector2::new(chord.y, -chord.x) / chord.norm() * radius;
+            let towards = if (from + inwards).norm() < from.norm() { inwards } else { -inwards };
+            vec![
+                Edge::Line { from, to: from + towards },
+                Edge::Line { from: from + towards, to: to + towards },
+                Edge::Line { from: to + towards, to },
+            ]
+        }
+        _ => vec![*edge],
+    };
+    built.wheel.outer.edges = round.iter().flat_map(square).collect();
+    let mut text = "0\nSECTION\n2\nENTITIES\n".to_owned();
+    for edge in &built.wheel.outer.edges {
+        match *edge {
+            Edge::Line { from, to } => {
+                write!(text, "0\nLINE\n8\nWHEEL\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", from.x, from.y, to.x, to.y)
+                    .unwrap();
+            }
+            Edge::Arc { centre, radius, start, sweep } => {
+                let (first, last) = if sweep < 0.0 { (start + sweep, start) } else { (start, start + sweep) };
+                let [first, last] = [first, last].map(f64::to_degrees);
+                let (x, y) = (centre.x, centre.y);
+                write!(text, "0\nARC\n8\nWHEEL\n10\n{x}\n20\n{y}\n40\n{radius}\n50\n{first}\n51\n{last}\n").unwrap();
+            }
+        }
+    }
+    text += "0\nENDSEC\n0\nEOF\n";
+    let measured = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+    let nearest = measured.nearest().unwrap();
+    assert_eq!(measured.wheel().stations(), 5);
+    assert!((nearest.slot_width - sizes.slot_width).abs() < 1e-6 && (nearest.slot_end - sizes.slot_end).abs() < 1e-6);
+    assert!(nearest.culprit.is_none(), "{nearest:?}");
+}
