@@ -7,14 +7,13 @@ use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use crate::wheel_check::CheckArguments;
-use anstream::adapter::strip_str;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use geneva_ask::MechanismReport;
 use geneva_ask::wheel::{
-    ActsOn, Argument, ArgumentSlot, GROUPS, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion, arguments,
-    proposals, proposals_for_angle, speeds,
+    ActsOn, Argument, ArgumentSlot, GROUPS, NamedChoice, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion,
+    arguments, proposals, proposals_for_angle, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_host::files::{NewFile, OutputOption};
@@ -99,6 +98,13 @@ impl FromArgMatches for WheelOptions {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Count(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                    let named: Option<String> = typed(matches, name);
+                    if let Some(number) = named.and_then(|named| names.iter().position(|name| **name == named)) {
+                        set(question, number);
+                    }
+                }
                 ArgumentSlot::Process(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Length(at)
@@ -130,6 +136,8 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(1..=12)),
+        ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
         ArgumentSlot::Process(_) => {
             option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
         }
@@ -174,7 +182,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Stl => design.stl()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
-        CommandFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Fields => design.answer()?.table(),
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -203,8 +211,8 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
     let mut files = vec![
-        ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
-        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("sheet.txt", answer.plain_sheet().into_bytes()),
+        ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
     if let Some(figure) = design.sizes_figure() {
@@ -360,6 +368,7 @@ mod tests {
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
         let value = |argument: &Argument| match argument.place {
             ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Choice(NamedChoice { names, .. }) => names[1],
             ArgumentSlot::Process(_) => "fdm",
             ArgumentSlot::Material(_) => "acetal",
             ArgumentSlot::Length(_) => "2in",

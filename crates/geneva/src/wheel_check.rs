@@ -101,7 +101,7 @@ pub(crate) fn page(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Resul
     let report = question.answer()?;
     Ok(match wanted.format {
         CommandFormat::Json => fields::json(&report)?,
-        CommandFormat::Fields => fields::table(&report)?,
+        CommandFormat::Fields => report.table(),
         CommandFormat::Csv => fields::csv(report.rows().next(), report.rows().cloned())?,
         _ => fields::sheet(&report, layout),
     })

@@ -1,10 +1,10 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::WheelQuestion;
 use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::{asked_mouth, check_mouth, mouth_argument};
+use super::question::{WheelQuestion, given};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
@@ -359,11 +359,6 @@ fn refuse_contradictions(question: &WheelQuestion) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// A shaft that was given; one of no diameter is none.
-pub(super) fn given(shaft: Option<f64>) -> Option<f64> {
-    shaft.filter(|diameter| *diameter != 0.0)
 }
 
 /// The one length that was given.

@@ -1,6 +1,6 @@
 //! Files from which a wheel is made.
 
-use super::design::{WheelDesign, choices, with_arguments as with_choices};
+use super::design::{WheelDesign, choices, process_numbers, with_arguments as with_choices};
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting::with_arguments;
 use crate::Error;
@@ -156,7 +156,10 @@ impl WheelDesign {
     ///
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
-        let kerf = self.question.mounting.kerf.unwrap_or(0.0);
+        let of_process =
+            self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?.flatten();
+        let of_process = of_process.map_or(0.0, |numbers| numbers.kerf.value);
+        let kerf = self.question.mounting.kerf.unwrap_or(of_process);
         svg_parts(&self.listed("svg-parts")?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
     }
 
@@ -223,7 +226,10 @@ impl WheelDesign {
     }
 
     fn mounting(&self) -> Result<Mounting, Error> {
-        Ok(Mounting { axial_play: self.question.axial_play, ..self.question.mounting.mounting()? })
+        Ok(Mounting {
+            axial_play: self.axial_play().or(self.question.axial_play),
+            ..self.question.mounting.mounting()?
+        })
     }
 
     /// The sizes of an internal wheel with a size.

@@ -1,7 +1,6 @@
 //! What rubs in a wheel and its driver, from what a question says of it.
 
-use super::design::given;
-use super::question::WheelQuestion;
+use super::question::{WheelQuestion, given};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_dynamics::wheel_loads::{DwellContact, Friction};

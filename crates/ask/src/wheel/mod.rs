@@ -22,7 +22,7 @@ mod report;
 mod speeds;
 mod times;
 
-pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, arguments};
+pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, NamedChoice, WRONG_SIZES, arguments};
 pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};

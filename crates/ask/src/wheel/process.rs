@@ -62,7 +62,7 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         None => tight,
     };
     let fields = vec![
-        ReportField::new("process", design.question.process.map(|process| process.name())),
+        ReportField::new("process", design.question.process.map(|process| process.name())).needing(Needs::PROCESS),
         mm("process_error_mm", "error of a size", |numbers| numbers.error),
         mm("process_slot_play_mm", "slot play", |numbers| numbers.slot_play),
         mm("process_locking_play_mm", "locking play", |numbers| numbers.locking_play),

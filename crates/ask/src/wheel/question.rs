@@ -1,6 +1,6 @@
 //! A question about a wheel: what was said of it, however it was said.
 
-use super::arguments::{Argument, ArgumentSlot, arguments};
+use super::arguments::{Argument, ArgumentSlot, NamedChoice, arguments};
 use super::kind::WheelKind;
 use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
@@ -198,6 +198,11 @@ impl WheelQuestion {
                     ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
                     }
+                    ArgumentSlot::Count(at) => *at(self) = Some(number(name, value)?),
+                    ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                        let numbered: Vec<(&str, usize)> = names.iter().copied().zip(0..).collect();
+                        set(self, one_of(name, value, &numbered)?);
+                    }
                     ArgumentSlot::Process(at) => {
                         *at(self) = Some(one_of(name, value, &Process::ALL.map(|process| (process.name(), process)))?);
                     }
@@ -215,17 +220,26 @@ impl WheelQuestion {
     pub fn numbers(&self) -> Vec<(Argument, f64)> {
         let mut copy = self.clone();
         let mut number = |argument: &Argument| match argument.place {
-            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => at(&mut copy).map(f64::from),
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) | ArgumentSlot::Count(at) => {
+                at(&mut copy).map(f64::from)
+            }
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
             | ArgumentSlot::SignedLength(at)
             | ArgumentSlot::AboveZero(at)
             | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
             ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
-            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Material(_) => None,
+            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Choice(_) | ArgumentSlot::Material(_) => {
+                None
+            }
         };
         arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
+}
+
+/// A shaft that was given; one of no diameter is none.
+pub(super) fn given(shaft: Option<f64>) -> Option<f64> {
+    shaft.filter(|diameter| *diameter != 0.0)
 }
 
 /// A length in millimetres: a number, or one in inches, `2.5in`.
@@ -263,7 +277,7 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 
 #[cfg(test)]
 mod tests {
-    use super::{ArgumentSlot, WheelQuestion, arguments};
+    use super::{ArgumentSlot, NamedChoice, WheelQuestion, arguments};
     use crate::{FieldValue, Needs, ReportField, answer, further};
     use std::collections::BTreeMap;
 
@@ -323,6 +337,15 @@ mod tests {
         for argument in arguments() {
             let (value, set) = match argument.place {
                 ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Count(_) => ("7", format!("{}: Some(7)", argument.name)),
+                ArgumentSlot::Choice(NamedChoice { names, .. }) => {
+                    let said = |name: &str| {
+                        let question = WheelQuestion::parse(&format!("--{} {name}", argument.name)).expect("a choice");
+                        format!("{question:?}")
+                    };
+                    assert_ne!(said(names[0]), said(names[1]), "--{}", argument.name);
+                    continue;
+                }
                 ArgumentSlot::Process(_) => ("resin", "process: Some(Resin)".to_owned()),
                 ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
                 ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),

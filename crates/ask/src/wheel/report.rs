@@ -61,6 +61,17 @@ impl WheelDesign {
         fields.extend(drive::fields(self, wheel)?);
         Ok(fields)
     }
+
+    /// The fields of how far sizes may be wrong: each alone, and all at once.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn tolerance_fields(&self) -> Result<Vec<ReportField>, Error> {
+        let mut fields = parts::tolerances(self)?;
+        fields.extend(parts::together(self)?);
+        Ok(fields)
+    }
 }
 
 fn given(design: &WheelDesign) -> Vec<ReportField> {

@@ -1,4 +1,4 @@
-//! How the parts fit: pin, slot, plays, horn and the place of the axes.
+//! How the parts fit: pin, slot, plays and horn.
 
 use super::ActsOn::Parts;
 use super::{Argument, ArgumentSlot, Knob};
@@ -172,13 +172,4 @@ pub(super) const ROWS: &[Argument] = &[
          wheel [default: as --driver-shaft]",
     )
     .with_knob(Knob::at("diameter of the driver's shaft in the plate", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
-    Argument::new(
-        "centre-error",
-        "MM",
-        ArgumentSlot::SignedLength(|question| &mut question.centre_error),
-        &[Parts],
-        "By how much the axes stand too far apart, in millimetres, or below zero too near: clearance and knock are those of \
-         the parts so placed [default: 0]",
-    )
-    .with_knob(Knob::at("axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0])),
 ];
