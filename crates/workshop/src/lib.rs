@@ -33,7 +33,7 @@ pub use parts::{
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts,
 };
 pub use scad::scad;
-pub use sheets::{PrintedDimension, DrawingScale, Measured, Paper, Sheet, SheetText, sheets, sheets_html, sheets_svg};
+pub use sheets::{DrawingScale, Measured, Paper, PrintedDimension, Sheet, SheetText, sheets, sheets_html, sheets_svg};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;

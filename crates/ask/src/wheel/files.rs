@@ -43,13 +43,13 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
     },
     ShapeFile {
         name: "drawings.html",
-        label: "A drawing of each part with limits, to print or save as PDF (HTML)",
+        label: "Drawings for the workshop, to print (HTML)",
         needs_parts: true,
         make: |design| design.drawings_html().map(String::into_bytes),
     },
     ShapeFile {
         name: "drawings.svg",
-        label: "A drawing of each part with limits (SVG)",
+        label: "Drawings for the workshop (SVG)",
         needs_parts: true,
         make: |design| design.drawings_svg().map(String::into_bytes),
     },

@@ -15,7 +15,7 @@ mod text;
 mod title;
 mod view;
 
-pub use dimension::{PrintedDimension, Measured};
+pub use dimension::{Measured, PrintedDimension};
 pub use page::{sheets_html, sheets_svg};
 pub use paper::{DrawingScale, Paper};
 pub use sheet::{Sheet, sheets};

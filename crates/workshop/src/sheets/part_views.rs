@@ -1,7 +1,7 @@
 //! The views of all parts with their sizes.
 
 use super::callout::{Row, Side};
-use super::dimension::{PrintedDimension, Measured};
+use super::dimension::{Measured, PrintedDimension};
 use super::length::{deviation, mm};
 use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
 use super::view::{Making, Target, View, on_circle, pocket_rows, thickness, zone};
@@ -62,8 +62,9 @@ impl Making<'_> {
             vec![Row::Size(end), Row::Size(PrintedDimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
         );
         let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
-        let radius = PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
-            .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
+        let radius =
+            PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
+                .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
         let centres =
             PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
         view.add(
@@ -99,13 +100,16 @@ impl Making<'_> {
     /// The mouths of the slots where they are not sharp: on the left of the upper slot.
     fn add_mouth(&self, view: &mut View) {
         let Some(face) = self.sizes.mouth_face() else { return };
-        let length = PrintedDimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
+        let length =
+            PrintedDimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
         let shape = match face {
             Edge::Line { from, to } => {
                 let angle = libm::atan2(to.y - from.y, to.x - from.x).to_degrees();
                 Row::Words(format!("chamfer {}° to the wall", mm(angle)))
             }
-            Edge::Arc { radius, .. } => Row::Size(PrintedDimension::new(Measured::MouthRadius, "from the wall R", radius, "")),
+            Edge::Arc { radius, .. } => {
+                Row::Size(PrintedDimension::new(Measured::MouthRadius, "from the wall R", radius, ""))
+            }
         };
         let middle = point_along(&face, 0.5);
         view.add(Target::Edge(Point::new(-middle.y, middle.x)), Side::Left, vec![Row::Size(length), shape]);
@@ -299,7 +303,8 @@ impl Making<'_> {
                 let places = || fixing.iter().map(|hole| of(&hole.centre));
                 places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
             };
-            let size = |measured, before: &str, nominal| Row::Size(PrintedDimension::new(measured, before, nominal, ""));
+            let size =
+                |measured, before: &str, nominal| Row::Size(PrintedDimension::new(measured, before, nominal, ""));
             let rows = vec![
                 size(Measured::FixingHole, &format!("{}× Ø", fixing.len()), diameter),
                 size(Measured::FixingLength, "apart ", reach(|p| p.x)),

@@ -1,7 +1,7 @@
 //! What is dimensioned on a part.
 
 use super::callout::{Row, Side};
-use super::dimension::{PrintedDimension, Measured};
+use super::dimension::{Measured, PrintedDimension};
 use super::length::mm;
 use super::limits::{BORE, Chain, KEYWAY, Limits, general_tolerance};
 use crate::geometry::{Point, direction, into_arc, point_along};
@@ -228,7 +228,9 @@ pub(super) fn pocket_rows(hole: &Hole) -> Vec<Row> {
     let side = if wide.is_from_below { " deep from the back" } else { " deep from the front" };
     let depth = Row::Size(PrintedDimension::new(Measured::PocketDepth, "", wide.depth, side));
     match wide.outline.edges.as_slice() {
-        [Edge::Arc { radius, .. }] => vec![Row::Size(PrintedDimension::new(Measured::Shoulder, "Ø", 2.0 * radius, "")), depth],
+        [Edge::Arc { radius, .. }] => {
+            vec![Row::Size(PrintedDimension::new(Measured::Shoulder, "Ø", 2.0 * radius, "")), depth]
+        }
         edges => {
             let first = edges.iter().find_map(straight);
             let width = first.map(|[from, to]| 2.0 * (from - hole.centre).perp(&(to - from).normalize()).abs());
