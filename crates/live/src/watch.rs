@@ -294,15 +294,16 @@ impl<'a> WatchedWheel<'a> {
         if self.errors.are_none() {
             return Ok(None);
         }
-        let turn = self.built.turn().map_err(|error| error.to_string())?;
-        Ok(Some(match turn.jam {
+        // All slots, arcs and pins are alike.
+        let (tightest, can_miss) = self.built.tightest_place(0).map_err(|error| error.to_string())?;
+        Ok(Some(match Some(tightest).filter(|place| place.free.width() < 0.0) {
             Some(jam) => format!(
                 "With these errors the wheel jams, worst at a crank angle of {}: forwards {}, backwards {}.",
                 LiveNumber::new("", jam.crank_angle.to_degrees(), 1, "°").text,
                 named(jam.free.forward.contact),
                 named(jam.free.backward.contact)
             ),
-            None if turn.can_miss() => {
+            None if can_miss => {
                 "With these errors the wheel turns, but within its play a pin can meet its rim instead of a slot."
                     .to_owned()
             }

@@ -156,8 +156,8 @@ fn the_command_of_a_setting_leaves_out_what_follows_and_what_is_right() {
 }
 
 #[test]
-fn a_shaft_that_there_is_not_has_an_empty_box() {
-    let told = |settings: &str| answer(settings).to_json();
-    assert!(told("stations=24").contains("{\"name\":\"driver-shaft\",\"value\":null}"), "{}", told("stations=24"));
-    assert!(told("stations=6&driver-shaft=8").contains("{\"name\":\"driver-shaft\",\"value\":8}"));
+fn what_there_is_not_has_an_empty_box() {
+    let told = answer("").to_json();
+    assert!(told.contains("{\"name\":\"wheel-flat\",\"value\":null}"), "{told}");
+    assert!(told.contains("{\"name\":\"pin-diameter\",\"value\":7.5}"), "{told}");
 }

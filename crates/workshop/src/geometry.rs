@@ -94,8 +94,7 @@ mod tests {
     use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
 
     /// By the polygon of many corners: crossings of a ray, and the least distance from a corner.
-    fn by_corners(of: &Loop, p: Point) -> (bool, f64) {
-        let corners = of.corners(1e-6).unwrap();
+    fn by_corners(corners: &[Point], p: Point) -> (bool, f64) {
         let next = corners.iter().cycle().skip(1);
         let crosses =
             |a: &Point, b: &Point| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
@@ -112,15 +111,16 @@ mod tests {
         let mut inside = 0;
         for of in [&outline.wheel.outer, &outline.disc.unwrap().outer, &Loop::circle(Point::new(3.0, 5.0), 20.0, true)]
         {
-            for k in 0..600 {
-                let p = direction(0.37 * f64::from(k)) * (0.12 * f64::from(k) + 0.01);
-                let (is_inside, far) = by_corners(of, p);
+            let corners = of.corners(1e-5).unwrap();
+            for k in 0..300 {
+                let p = direction(0.37 * f64::from(k)) * (0.24 * f64::from(k) + 0.01);
+                let (is_inside, far) = by_corners(&corners, p);
                 let ours = of.edges.iter().map(|edge| distance(edge, p)).fold(f64::INFINITY, f64::min);
-                assert!((ours - far).abs() < 2e-6, "{p:?}: {ours} {far}");
-                assert!(far < 1e-5 || encloses(of, p) == is_inside, "{p:?}");
+                assert!((ours - far).abs() < 2e-5, "{p:?}: {ours} {far}");
+                assert!(far < 1e-4 || encloses(of, p) == is_inside, "{p:?}");
                 inside += usize::from(is_inside);
             }
         }
-        assert!((300..1500).contains(&inside), "{inside}");
+        assert!((150..750).contains(&inside), "{inside}");
     }
 }

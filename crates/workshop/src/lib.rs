@@ -17,6 +17,7 @@ mod mesh;
 mod offset;
 mod parts;
 mod scad;
+mod sheets;
 mod step;
 mod stl;
 mod svg;
@@ -32,6 +33,7 @@ pub use parts::{
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts,
 };
 pub use scad::scad;
+pub use sheets::{DrawingScale, Measured, Paper, PrintedDimension, Sheet, SheetText, sheets, sheets_html, sheets_svg};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;

@@ -95,8 +95,13 @@ fn number(x: f64) -> String {
 }
 
 fn write(text: &mut String, of: &Loop, at: Point, colour: &str) {
+    let _ = writeln!(text, "<path d=\"{}\" stroke=\"{colour}\"/>", path_data(of, at));
+}
+
+/// The data of a path along a line that is moved, in millimetres; SVG's second axis points down.
+pub(crate) fn path_data(of: &Loop, at: Point) -> String {
     let point = |p: Point| format!("{} {}", number(p.x + at.x), number(-(p.y + at.y)));
-    let Some(first) = of.edges.first() else { return };
+    let Some(first) = of.edges.first() else { return String::new() };
     let mut path = format!("M{}", point(first.start_point()));
     for edge in &of.edges {
         match *edge {
@@ -120,7 +125,7 @@ fn write(text: &mut String, of: &Loop, at: Point, colour: &str) {
     if is_closed {
         path.push('Z');
     }
-    let _ = writeln!(text, "<path d=\"{path}\" stroke=\"{colour}\"/>");
+    path
 }
 
 #[cfg(test)]

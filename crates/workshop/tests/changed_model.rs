@@ -20,6 +20,7 @@ enum Said {
 fn has_openscad() -> bool {
     let is_there = Command::new("openscad").arg("--version").output().is_ok_and(|output| output.status.success());
     if !is_there {
+        assert!(std::env::var_os("OPENSCAD_REQUIRED").is_none(), "OpenSCAD is required, and not on the path");
         println!("skipped: there is no openscad on the path");
     }
     is_there

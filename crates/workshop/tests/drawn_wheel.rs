@@ -1,5 +1,7 @@
 //! Wheels read back from drawings: are the sizes those that were drawn, and is the one wrong size of an outline named?
 
+#![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
+
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
@@ -190,8 +192,9 @@ fn mouths_and_square_ends_are_read_too() {
     for mouth in mouths {
         let choices = Choices { mouth, play: Some(Play::from_slot(0.2)), ..Choices::default() };
         let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap();
-        let measured =
-            Drawing::read(&dxf(&sizes, PartLayout::Assembled)).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+        let list = parts(&sizes, 5.0, &Mounting::default()).unwrap();
+        let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
+        let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
         let nearest = measured.nearest().unwrap();
         assert!(nearest.culprit.is_none() && measured.wheel().stations() == 6, "{mouth:?} {nearest:?}");
         assert_eq!(measured.sizes().len(), 5 * 6 + 7, "{mouth:?}");

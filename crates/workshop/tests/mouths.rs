@@ -2,7 +2,7 @@
 //! OpenSCAD, if it is there, makes a solid of its own.
 
 use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
-use geneva_workshop::{PartLayout, Solid, dxf, scad, wheel_mesh};
+use geneva_workshop::{Mounting, Part, PartLayout, dxf, meshes, parts, scad};
 use std::collections::BTreeMap;
 use std::process::Command;
 
@@ -13,7 +13,12 @@ const MOUTHS: [Mouth; 4] = [
     Mouth::LeadIn { length: 5.0, flare: 0.6 },
 ];
 
-const SOLID: Solid = Solid { thickness: 6.0, tolerance: 0.005 };
+const THICKNESS: f64 = 6.0;
+const TOLERANCE: f64 = 0.005;
+
+fn list(sizes: &Sizes) -> Vec<Part> {
+    parts(sizes, THICKNESS, &Mounting::default()).expect("bare parts").parts
+}
 
 fn sizes(mouth: Mouth) -> Sizes {
     let choices = Choices { mouth, ..Choices::default() };
@@ -42,7 +47,7 @@ fn entities(file: &str, layer: &str) -> Vec<(String, BTreeMap<u16, f64>)> {
 #[test]
 fn the_edges_of_the_wheel_in_a_drawing_close() {
     for (mouth, lines, arcs) in MOUTHS.iter().zip([(2, 4), (4, 4), (2, 6), (2, 6)]).map(|(of, (l, a))| (*of, l, a)) {
-        let drawn = entities(&dxf(&sizes(mouth), PartLayout::Assembled), "WHEEL");
+        let drawn = entities(&dxf(&list(&sizes(mouth)), PartLayout::Assembled), "WHEEL");
         let count = |name: &str| drawn.iter().filter(|(kind, _)| kind == name).count();
         assert_eq!([count("LINE"), count("ARC")], [6 * lines, 6 * arcs], "{mouth:?}");
         let ends: Vec<[f64; 2]> = drawn
@@ -85,13 +90,14 @@ fn meshes_and_models_have_the_volume_of_the_outline() {
     let mut is_missing = false;
     for mouth in MOUTHS {
         let sizes = sizes(mouth);
-        let right = sizes.outline().wheel.area() * SOLID.thickness;
-        let mesh = wheel_mesh(&sizes, SOLID).expect("a mesh").volume();
+        let right = sizes.outline().wheel.area() * THICKNESS;
+        let mesh = meshes(&list(&sizes), TOLERANCE).expect("meshes")[0].1.volume();
         approx::assert_relative_eq!(mesh, right, max_relative = 2e-4);
         let folder = std::env::temp_dir().join(format!("geneva-mouth-{}-{right:.3}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder");
         let [model, solid] = ["wheel.scad", "wheel.stl"].map(|name| folder.join(name));
-        std::fs::write(&model, scad(&sizes, SOLID).expect("a model")).expect("written");
+        std::fs::write(&model, scad(&sizes, THICKNESS, TOLERANCE, &Mounting::default()).expect("a model"))
+            .expect("written");
         let run = Command::new("openscad").arg("-o").arg(&solid).args(["-D", "part=\"wheel\""]).arg(&model).output();
         match run {
             Ok(run) => {

@@ -51,6 +51,7 @@ pub struct WheelDesign {
     /// What takes long to find, once it has been asked for.
     clearance: OnceLock<Option<(ClosestApproach, f64)>>,
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
+    shared_tolerance: OnceLock<Option<Option<SharedTolerance>>>,
 }
 
 impl WheelDesign {
@@ -112,6 +113,7 @@ impl WheelDesign {
             contact: contact.transpose()?,
             clearance: OnceLock::new(),
             centre_tolerance: OnceLock::new(),
+            shared_tolerance: OnceLock::new(),
         })
     }
 
@@ -249,7 +251,7 @@ impl WheelDesign {
     /// A distance of the axes at which the parts can't work together.
     pub fn shared_tolerance(&self) -> Result<Option<Option<SharedTolerance>>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
-        in_time(sizes.shared_tolerance_within(self.question.effort.tolerance))
+        once(&self.shared_tolerance, || in_time(sizes.shared_tolerance_within(self.question.effort.tolerance)))
     }
 }
 

@@ -8,7 +8,8 @@ use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
-    Mounting, Part, PartLayout, PartList, dxf, internal_parts, parts, scad, step, stl, svg_parts, three_mf,
+    Mounting, Part, PartLayout, PartList, Sheet, SheetText, dxf, internal_parts, parts, scad, sheets, sheets_html,
+    sheets_svg, step, stl, svg_parts, three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -39,6 +40,18 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
         label: "Drawing with sizes (SVG)",
         needs_parts: false,
         make: |design| Ok(design.drawing().standalone().into_bytes()),
+    },
+    ShapeFile {
+        name: "drawings.html",
+        label: "Drawings for the workshop, to print (HTML)",
+        needs_parts: true,
+        make: |design| design.drawings_html().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "drawings.svg",
+        label: "Drawings for the workshop (SVG)",
+        needs_parts: true,
+        make: |design| design.drawings_svg().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.dxf",
@@ -91,6 +104,50 @@ impl WheelDesign {
     /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
     pub fn dxf(&self) -> Result<String, Error> {
         Ok(dxf(&self.listed("dxf")?.parts, PartLayout::Apart))
+    }
+
+    /// Drawings of all parts for a workshop, a sheet for each, with limits from standards and from the tolerance chains.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
+    pub fn drawings(&self) -> Result<Vec<Sheet>, Error> {
+        let sizes = self.sized("drawings")?;
+        let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
+        let [pin_material, wheel_material] = self.materials.map(|material| material.name.replace('-', " "));
+        let text = SheetText {
+            project: &self.project(),
+            wheel_material: &wheel_material,
+            pin_material: &pin_material,
+            hardness: None,
+        };
+        let shared = self.shared_tolerance()?.flatten();
+        sheets(sizes, thickness, &mounting, shared, &text).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// The [drawings](Self::drawings) one below the other, true to scale.
+    ///
+    /// # Errors
+    ///
+    /// As for [`drawings`](Self::drawings).
+    pub fn drawings_svg(&self) -> Result<String, Error> {
+        Ok(sheets_svg(&self.drawings()?))
+    }
+
+    /// The [drawings](Self::drawings) as a page that prints true to scale, each on paper of its own.
+    ///
+    /// # Errors
+    ///
+    /// As for [`drawings`](Self::drawings).
+    pub fn drawings_html(&self) -> Result<String, Error> {
+        Ok(sheets_html(&self.drawings()?, &self.project()))
+    }
+
+    /// What is made, in a few words.
+    fn project(&self) -> String {
+        let stations = self.wheel.indexing().stations();
+        let crank = self.crank_radius.map(|radius| format!(", crank radius {} mm", as_typed(rounded(radius))));
+        format!("Geneva wheel, {stations} stations{}", crank.unwrap_or_default())
     }
 
     /// The parts to be cut from sheets as SVG, true to scale, with a colour for each operation.
@@ -242,6 +299,11 @@ impl WheelDesign {
     }
 }
 
+/// A length in millimetres with three decimals.
+fn rounded(length: f64) -> f64 {
+    libm::round(length * 1000.0) / 1000.0
+}
+
 /// How many corners the outlines of all parts have as polygons: counted before any is made.
 fn corners(parts: &[Part], tolerance: f64) -> f64 {
     let of = |edge: &Edge| match edge {
@@ -303,5 +365,17 @@ mod tests {
         let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
         let said = spherical.step().expect_err("no parts").to_string();
         assert!(said.contains("spherical wheels"), "{said}");
+    }
+
+    #[test]
+    fn drawings_say_what_is_made_of_what_and_how_large() {
+        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
+        let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        let page = design.drawings_html().expect("a page");
+        for words in ["Geneva wheel, 6 stations, crank radius 40 mm", ">cast iron<", ">steel<", "1 of 4", "@page"] {
+            assert!(page.contains(words), "{words}");
+        }
+        assert_eq!(page.matches("<svg ").count(), design.drawings().expect("sheets").len());
+        assert!(design.drawings_svg().expect("a drawing").contains("viewBox=\"0 0 "));
     }
 }

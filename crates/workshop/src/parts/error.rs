@@ -35,7 +35,7 @@ pub enum MountingError {
         asked: f64,
     },
     /// A keyway or a flat without a shaft.
-    #[error("{part}: a keyway or a flat needs a shaft; give the shaft's diameter")]
+    #[error("{part}: a keyway or a flat needs a shaft, and its diameter is missing; give it in millimetres")]
     NoShaft {
         /// Which part.
         part: &'static str,

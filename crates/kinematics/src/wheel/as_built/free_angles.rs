@@ -62,10 +62,13 @@ impl FreeAngles {
     }
 
     /// How far the wheel is free, in millimetres where the nearer of the two contacts is. Below zero it is by how much the parts
-    /// overlap: along the radius where no wheel angle helps, otherwise around it.
+    /// overlap: along the radius where both contacts do, because no wheel angle helps there; otherwise around the wheel's axis.
     pub fn room(&self) -> f64 {
-        let (width, overlap) = (self.width(), self.forward.overlap.max(self.backward.overlap));
-        if width < 0.0 && overlap > 0.0 { -overlap } else { width * self.forward.radius.min(self.backward.radius) }
+        let (width, overlaps) = (self.width(), [self.forward.overlap, self.backward.overlap]);
+        if width < 0.0 && overlaps.iter().all(|overlap| *overlap > 0.0) {
+            return -overlaps[0].max(overlaps[1]);
+        }
+        width * self.forward.radius.min(self.backward.radius)
     }
 
     pub(super) fn stop_forward(&mut self, limit: AngleLimit) {

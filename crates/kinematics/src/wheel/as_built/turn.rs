@@ -150,6 +150,31 @@ impl AsBuiltWheel {
         Ok(BuiltTurn { jam, tightest, stations })
     }
 
+    /// The tightest place of one event, and whether the wheel can miss its pin: all that there is to know of whether a wheel turns
+    /// whose slots, arcs and pins are alike.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?; // mm
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// built.centre_distance -= 0.01; // mm
+    /// let (tightest, can_miss) = built.tightest_place(0)?;
+    /// assert_eq!(tightest.free.width(), built.turn()?.tightest.free.width());
+    /// assert!(!can_miss);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`check`](Self::check).
+    pub fn tightest_place(&self, event: i64) -> Result<(Jam, bool), BuiltError> {
+        self.check()?;
+        let assembled = Assembled::new(self);
+        Ok((assembled.tightest(event, f64::INFINITY), assembled.can_miss(event)))
+    }
+
     /// Whether the wheel turns through every combination of a pin and a slot: as [`turn`](Self::turn) finds, and sooner.
     ///
     /// # Errors
