@@ -1,7 +1,7 @@
 //! Does the program do what the chapter *Make a wheel* says of it? Its commands are run as they are typed there, and what its
 //! sentences say of the answers is looked up in them.
 
-use crate::{object, stdout};
+use crate::{object, refused, stdout};
 use geneva_chapters::questions;
 use std::fs;
 
@@ -32,10 +32,16 @@ fn the_commands_of_the_chapter_are_answered_and_write_the_files_that_it_names() 
         let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
         assert!(stdout(&arguments, 0).lines().count() > 5, "{arguments:?}");
     }
-    for file in ["sheet.txt", "sizes.svg"] {
-        let text = fs::read_to_string(folder.path().join("my-wheel").join(file)).expect(file);
-        assert!(text.len() > 1000, "{file}: {text}");
-    }
+    // The files of the folder are those of the table, and the curve over the sizes.
+    let chapter = fs::read_to_string(crate::path("book/src/making.md")).expect("the chapter");
+    let table = chapter.split("| File | For |").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a table");
+    let mut named: Vec<&str> = table.split('`').skip(1).step_by(2).chain(["sizes.csv", "sizes.svg"]).collect();
+    named.sort_unstable();
+    let written = fs::read_dir(folder.path().join("my-wheel")).expect("a folder");
+    let mut written: Vec<String> =
+        written.map(|file| file.expect("a file").file_name().to_string_lossy().into_owned()).collect();
+    written.sort_unstable();
+    assert_eq!(written, named);
     // The sizes of the curve go from half to twice that of the wheel.
     let radii: Vec<f64> = csv::Reader::from_path(folder.path().join("my-wheel/sizes.csv"))
         .expect("a table")
@@ -70,4 +76,29 @@ fn the_check_of_the_chapter_blames_the_centre_distance() {
     assert_eq!(found["culprit"], "centre distance");
     let first = found["change_first"].as_str().expect("words");
     assert!(first.contains("make centre distance 50"), "{first}");
+}
+
+#[test]
+fn one_of_three_holes_of_the_printed_hub_would_be_in_a_slot() {
+    let question = questions::question("printed").expect("a question").replace("--hub-holes 4 ", "");
+    let words: Vec<&str> = question.split(" --out").next().expect("a question").split(' ').collect();
+    let said = refused(&[&words[..], &["--format", "dxf"]].concat());
+    assert!(said.contains("a hole of the hub runs into a slot"), "{said}");
+}
+
+#[test]
+fn what_the_table_of_mountings_adds_is_in_the_parts() {
+    let chapter = fs::read_to_string(crate::path("book/src/making.md")).expect("the chapter");
+    let table = chapter.split("| To get | Add, for example |").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let options = table.expect("a table").split('`').skip(1).step_by(2);
+    let mut tried = 0;
+    let bare = "wheel --stations 6 --crank-radius 50 --wheel-shaft 12 --driver-shaft 10 --format dxf";
+    let without = stdout(&bare.split(' ').collect::<Vec<_>>(), 0);
+    for option in options {
+        let screws = if option.starts_with("--driver-hub") { " --hub-screw M4" } else { "" };
+        let asked = format!("{bare} {option}{screws}");
+        assert_ne!(stdout(&asked.split(' ').collect::<Vec<_>>(), 0), without, "{option}");
+        tried += 1;
+    }
+    assert_eq!(tried, 8);
 }

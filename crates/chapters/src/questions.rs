@@ -44,7 +44,11 @@ const QUESTIONS: &[(&str, &str)] = &[
         "table",
         "wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --process mill --out my-wheel",
     ),
-    ("printed", "wheel --stations 4 --crank-radius 25 --pin-diameter 6 --process fdm --out printed"),
+    (
+        "printed",
+        "wheel --stations 4 --crank-radius 25 --pin-diameter 6 --process fdm --pin-screw M3 --wheel-hub-circle 20 \
+         --hub-holes 4 --hub-screw M3 --out printed",
+    ),
     ("checked", "wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1"),
     (
         "replaced",
