@@ -86,6 +86,12 @@ impl PlacedPair<'_> {
         let significant = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
         // Whole numbers are as they are.
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        // In a sum, the digits of the terms decide.
+        let is_product = |kind: &TokenKind| match kind {
+            TokenKind::Operator(c) => "·×/(".contains(*c),
+            TokenKind::Fraction(..) | TokenKind::Power(_) | TokenKind::Root(..) | TokenKind::Function(_) => true,
+            _ => false,
+        };
         let is_long =
             |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !digits.contains('.') && digits.len() > 2);
         let strict =
