@@ -40,6 +40,8 @@
         const isBeside = input => !follows(input) && box(input) && Number(box(input).value) !== Number(input.value);
         const exact = new Map(inputs.filter(isBeside).map(input => [input, shown(input)]));
         let heard = [], jammed = false, busy = false, again = false, playing = false, seen = true, last = 0;
+        // What the drawing was made for, and the controls that move only its parts.
+        let drawnFor, movedBy = [], halfFree = 0, described = '';
 
         const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;
         const settings = () => new URLSearchParams(inputs.map(input => [input.name, value(input)]));
@@ -50,7 +52,12 @@
             message.classList.toggle('wrong', Boolean(wrong));
         };
 
+        // Where there is nothing that a control would stand for, its box is empty.
         const write = (input, value) => {
+            if (value === null) {
+                box(input).value = '';
+                return;
+            }
             if (input.type !== 'number' || input !== document.activeElement) {
                 input.value = value;
             }
@@ -60,8 +67,23 @@
             }
         };
 
+        // Where the drawing is so small that nobody could read its dimensions, it shows the parts alone.
+        const picture = figure.querySelector('.drawing');
+        const crop = () => {
+            if (!figure.classList.contains('cropped')) {
+                return;
+            }
+            const svg = picture.querySelector('svg');
+            const boxes = [...svg.querySelectorAll('.wheel, .plate')].map(part => part.getBBox());
+            const [left, top] = ['x', 'y'].map(side => Math.min(...boxes.map(box => box[side])) - 6);
+            const right = Math.max(...boxes.map(({ x, width }) => x + width)), bottom = Math.max(...boxes.map(({ y, height }) => y + height));
+            svg.dataset.whole ??= svg.getAttribute('viewBox');
+            svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
+        };
+
         const refuse = why => {
             stop();
+            drawnFor = undefined;
             figure.classList.add('refused');
             stale.hidden = false;
             files.forEach(button => button.disabled = true);
@@ -100,7 +122,44 @@
             return item;
         }));
         worked?.addEventListener('toggle', solve);
-        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams }) => {
+        // Wheel and driver turn in the drawing, which stays. Play and errors come as large as they are to be seen.
+        const words = figure.querySelector('.turned');
+        const turn = parts => {
+            const svg = figure.querySelector('.drawing svg'), line = svg.querySelector('.line-of-centres');
+            const [x, y, far] = ['x1', 'y1', 'x2'].map(name => Number(line.getAttribute(name)));
+            const scale = (far - x) / parts.centre_distance, apart = parts.apart * scale;
+            const set = (element, ...steps) => {
+                const transform = parts.words && steps.filter(step => !/^(rotate\(0 .*|translate\(0 0\)|scale\(1\))$/.test(step)).join(' ');
+                transform ? element.setAttribute('transform', transform) : element.removeAttribute('transform');
+            };
+            const driver = [`translate(${apart} 0)`, `rotate(${parts.driver} ${far} ${y})`];
+            const larger = (by, atX, atY) => by === 1 ? [] : [`translate(${atX} ${atY})`, `scale(${by})`, `translate(${-atX} ${-atY})`];
+            svg.querySelectorAll('.wheel').forEach(wheel => set(wheel, `rotate(${-parts.wheel} ${x} ${y})`));
+            svg.querySelectorAll('.plate').forEach(plate => set(plate, ...driver));
+            svg.querySelectorAll('.locking-disc').forEach(disc => set(disc, ...driver, ...larger(parts.disc_scale, far, y)));
+            svg.querySelectorAll('.pin').forEach(pin => {
+                if (!parts.words) {
+                    return pin.removeAttribute('transform');
+                }
+                const box = pin.getBBox(), [atX, atY] = [box.x + box.width / 2, box.y + box.height / 2];
+                const out = parts.pins_out * scale / Math.hypot(atX - far, atY - y);
+                set(pin, ...driver, `translate(${(atX - far) * out} ${(atY - y) * out})`, ...larger(parts.pin_scale, atX, atY));
+            });
+            svg.querySelectorAll('.contact').forEach(contact => contact.remove());
+            for (const [along, left] of parts.contacts) {
+                const contact = svg.appendChild(document.createElementNS(svgSpace, 'circle'));
+                const places = { class: 'contact', cx: x + along * scale, cy: y - left * scale, r: 10 };
+                Object.entries(places).forEach(([name, value]) => contact.setAttribute(name, value));
+            }
+            words.textContent = parts.words;
+            svg.querySelector('desc').textContent = `${described} ${parts.words}`.trim();
+            figure.classList.toggle('jams', parts.jams);
+            [halfFree, movedBy, jammed] = [parts.half_free, parts.moved_by, parts.jams];
+            if (jammed) {
+                stop();
+            }
+        };
+        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams, turned, command }) => {
             if (error !== undefined) {
                 return refuse(error);
             }
@@ -113,7 +172,8 @@
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
-            figure.querySelector('.drawing').replaceChildren(drawing);
+            picture.replaceChildren(drawing);
+            crop();
             // The same words written again would be laid out again.
             const says = figure.querySelector('.says');
             if (says.textContent !== caption) {
@@ -128,6 +188,13 @@
             if (jammed) {
                 stop();
             }
+            if (turned) {
+                described = figure.querySelector('.drawing desc').textContent;
+                turn(turned);
+            }
+            if (command) {
+                form.querySelector('.command').textContent = command;
+            }
             // What runs goes on instead of waiting for the rest.
             again ||= Boolean(progress) && !playing;
         };
@@ -140,8 +207,16 @@
             }
             while (again) {
                 again = false;
+                const asked = Object.fromEntries(settings());
+                const turns = drawnFor && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
                 try {
-                    show(JSON.parse(await ask(question())));
+                    const answer = JSON.parse(await ask(question(turns ? '.turned' : '')));
+                    if (turns && answer.error === undefined) {
+                        turn(answer);
+                    } else {
+                        show(answer);
+                        drawnFor = answer.error === undefined ? asked : undefined;
+                    }
                 } catch (error) {
                     refuse(`The figure has no answer for this setting: ${error.message}.`);
                 }
@@ -158,15 +233,47 @@
                 // Nothing is read out before the last answer is there.
                 figure.setAttribute('aria-busy', 'true');
                 await answered();
+                await tolerate();
                 busy = false;
                 figure.removeAttribute('aria-busy');
+                if (again) {
+                    draw();
+                }
             }
         };
 
-        const save = async ending => {
+        // The table of tolerances, where it is seen and once a setting stays: it takes longer than a drawing.
+        const table = figure.querySelector('.tolerances');
+        let toleratedFor;
+        const tolerate = async () => {
+            const asked = JSON.stringify(drawnFor);
+            if (!table?.closest('details').open || !drawnFor || playing || asked === toleratedFor) {
+                return;
+            }
+            try {
+                const rows = JSON.parse(await ask(question('.tolerances')));
+                if (rows.error !== undefined) {
+                    return;
+                }
+                toleratedFor = asked;
+                const list = table.tBodies[0].rows;
+                rows.forEach(({ name, set, alone, together, state, words }, at) => {
+                    const [head, ...cells] = list[at].cells;
+                    list[at].className = state;
+                    head.firstChild.data = name;
+                    head.querySelector('.state').textContent = words;
+                    [set, alone, together].forEach((text, cell) => { cells[cell].textContent = text; });
+                });
+            } catch {
+                // The next setting asks again.
+            }
+        };
+        table?.closest('details').addEventListener('toggle', ({ target }) => target.open && drawnFor && draw());
+
+        const save = async file => {
             let answer;
             try {
-                answer = JSON.parse(await ask(question(`.${ending}`)));
+                answer = JSON.parse(await ask(question(`.${file}`)));
             } catch (error) {
                 answer = { error: `The file cannot be made: ${error.message}.` };
             }
@@ -174,8 +281,9 @@
                 return say(answer.error, true);
             }
             const link = document.createElement('a');
-            link.href = URL.createObjectURL(new Blob([answer.file]));
-            link.download = `${figure.dataset.live}.${ending}`;
+            const bytes = answer.file ?? Uint8Array.from(atob(answer.base64), sign => sign.charCodeAt(0));
+            link.href = URL.createObjectURL(new Blob([bytes]));
+            link.download = file;
             link.click();
             URL.revokeObjectURL(link.href);
         };
@@ -277,7 +385,7 @@
             last = 0;
             form.querySelector('[data-do=play]').textContent = on ? 'Pause' : 'Play';
             // What runs is not read out.
-            announced.setAttribute('aria-live', on ? 'off' : 'polite');
+            [announced, words].forEach(element => element?.setAttribute('aria-live', on ? 'off' : 'polite'));
             if (on) {
                 requestAnimationFrame(frame);
             }
@@ -309,7 +417,19 @@
             source.connect(audio.destination);
             source.start();
         };
+        const copy = async button => {
+            const command = form.querySelector('.command');
+            try {
+                await navigator.clipboard.writeText(command.textContent);
+                button.textContent = 'Copied';
+                setTimeout(() => { button.textContent = 'Copy'; }, 2000);
+            } catch {
+                // Where a page may not copy, the reader can.
+                getSelection().selectAllChildren(command);
+            }
+        };
         const actions = {
+            copy,
             hear,
             play: () => playing || jammed ? stop() : play(true),
             back: () => advance(-player.dataset.play / 10),
@@ -336,7 +456,7 @@
             const { do: what, set: values, whole, file } = event.target.dataset;
             ignored.textContent = '';
             if (what && what !== 'link') {
-                if (what !== 'play') {
+                if (what !== 'play' && what !== 'copy') {
                     stop();
                 }
                 actions[what](event.target);
@@ -351,10 +471,53 @@
         });
         form.addEventListener('submit', event => event.preventDefault());
 
+        // One fold at a time: the others would take its room. What was pressed stays under the pointer.
+        form.addEventListener('click', ({ target }) => {
+            const own = target.closest('summary')?.parentElement;
+            if (own && !own.open) {
+                const top = own.getBoundingClientRect().top;
+                form.querySelectorAll('.moved details').forEach(fold => { fold.open &&= fold === own; });
+                // Beside the drawing the folds are in sight as they are.
+                if (getComputedStyle(form).display !== 'contents') {
+                    scrollBy({ top: own.getBoundingClientRect().top - top, behavior: 'instant' });
+                }
+            }
+        });
+
+        // The pointer on the wheel turns it within its play.
+        if (figure.dataset.hand) {
+            const drawing = picture;
+            const input = inputs.find(input => input.name === figure.dataset.hand);
+            let from;
+            const angle = event => {
+                const svg = drawing.querySelector('svg'), line = svg.querySelector('.line-of-centres');
+                const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+                return Math.atan2(line.getAttribute('y1') - at.y, at.x - line.getAttribute('x1')) * 180 / Math.PI;
+            };
+            drawing.addEventListener('pointerdown', event => {
+                if (event.button === 0 && event.target.matches('.wheel')) {
+                    event.preventDefault();
+                    stop();
+                    drawing.setPointerCapture(event.pointerId);
+                    from = { angle: angle(event), value: Number(value(input)) };
+                    // Before the first answer it is not known how far it is free.
+                    moved();
+                }
+            });
+            drawing.addEventListener('pointermove', event => {
+                if (drawing.hasPointerCapture(event.pointerId) && halfFree > 0) {
+                    const by = (angle(event) - from.angle + 540) % 360 - 180;
+                    const turned = from.value + 100 * by / halfFree;
+                    put(input, round(Math.min(Math.max(turned, input.min), input.max), input.step));
+                    moved();
+                }
+            });
+        }
+
         // The pointer on the drawing turns what turns there.
         if (figure.dataset.drag) {
             const [name, right, sense] = figure.dataset.drag.split(' ');
-            const drawing = figure.querySelector('.drawing');
+            const drawing = picture;
             const input = inputs.find(input => input.name === name);
             const follow = event => {
                 const svg = drawing.querySelector('svg'), circle = svg.querySelector('.pin-circle');
@@ -381,7 +544,7 @@
 
         // The drawing stays in sight if there is room below it for a control, or for nothing where the controls are beside it.
         // In a lower window it shrinks while the page goes by, and stays as soon as there is room.
-        const shows = figure.querySelector('.shown'), picture = figure.querySelector('.drawing'), least = 160;
+        const shows = figure.querySelector('.shown'), least = 160;
         let whole = 0, spare = 0, above = 0;
         const shrink = () => {
             const top = Number.parseFloat(getComputedStyle(shows).top) || 0;
@@ -392,6 +555,13 @@
         };
         const fit = () => {
             figure.classList.remove('stays', 'shrinks', 'smaller');
+            const svg = picture.querySelector('svg');
+            if (svg.dataset.whole) {
+                svg.setAttribute('viewBox', svg.dataset.whole);
+                delete svg.dataset.whole;
+            }
+            figure.classList.toggle('cropped', getComputedStyle(picture).getPropertyValue('--cropped').trim() === '1');
+            crop();
             const isBeside = getComputedStyle(form).display === 'contents';
             const { clientHeight } = document.documentElement;
             above = shows.getBoundingClientRect().top - figure.getBoundingClientRect().top;
@@ -409,7 +579,6 @@
         addEventListener('scroll', () => spare > 0 && requestAnimationFrame(shrink), { passive: true });
         new IntersectionObserver(([entry]) => seen = entry.isIntersecting).observe(figure);
         form.hidden = false;
-        figure.querySelectorAll('.take').forEach(files => { files.hidden = false; });
         addEventListener('resize', fit);
         document.fonts.ready.then(fit);
         const linked = () => {

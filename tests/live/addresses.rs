@@ -160,7 +160,7 @@ fn own_links_open_again() {
     for (name, page, control, typed) in [
         ("escapement", "escapement", "torque", "3e+2"),
         ("wheel", "jazar", "error", "1e-1"),
-        ("design", "making", "pin", ""),
+        ("design", "making", "pin-diameter", ""),
     ] {
         open(&mut browser, page, "");
         of(&mut browser, name, &super::typed(control, typed));

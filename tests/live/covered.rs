@@ -28,8 +28,9 @@ fn a_drawing_that_stays_leaves_its_caption_in_sight() {
 const REACH: u32 = 88;
 
 /// The fields, buttons and links of a figure whose middle is hit over less scrolling than that, with the pixels over which it is.
-const OUT_OF_REACH: &str = "(async () => { const found = []; g.querySelectorAll('details').forEach(fold => fold.open = true); for (const of of g.querySelectorAll('input, select, button, a')) { \
-     const { top, height } = of.getBoundingClientRect(), middle = top + scrollY + height / 2; let reach = 0; \
+const OUT_OF_REACH: &str = "(async () => { const found = []; for (const of of g.querySelectorAll('input, select, button, a')) { \
+     const inside = of.closest('details'); inside && g.querySelectorAll('details').forEach(fold => fold.open = fold === inside); \
+     of.scrollIntoView({ block: 'nearest', behavior: 'instant' }); const { top, height } = of.getBoundingClientRect(), middle = top + scrollY + height / 2; let reach = 0; \
      for (let at = Math.max(0, middle - innerHeight); at < middle; at += 8) { scrollTo({ top: at, behavior: 'instant' }); \
      const { left, right, top, bottom } = of.getBoundingClientRect(); const hit = document.elementFromPoint((left + right) / 2, \
      (top + bottom) / 2); if (hit && of.contains(hit)) { reach += 8 } } \

@@ -74,8 +74,8 @@ fn presets_set_the_numbers_and_ratios_that_they_say() {
         ("eight slots, two pins", "stations=8&pins=1"),
         ("double", "torque=*2"),
     ] {
-        let preset = Preset { name, arguments };
-        let right = Preset { name: "right: 2", arguments: "factor=2" };
+        let preset = Preset::new(name, arguments);
+        let right = Preset::new("right: 2", "factor=2");
         assert!(wrong(&[right], &preset).is_some(), "{name}");
     }
 }

@@ -6,14 +6,20 @@ use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 #[test]
 fn the_parts_are_those_of_the_library() {
     let wheel = Wheel::with_pins(7, 2).expect("possible");
-    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.04)), ..Choices::default() };
+    let choices = Choices {
+        pin_diameter: Some(6.0),
+        play: Some(Play::from_slot(0.04)),
+        wheel_shaft: Some(9.0),
+        driver_shaft: Some(1.5),
+        ..Choices::default()
+    };
     for (option, scale) in [
         ("--crank-radius", Scale::CrankRadius(45.0)),
         ("--centre-distance", Scale::CentreDistance(45.0)),
         ("--wheel-radius", Scale::WheelRadius(45.0)),
     ] {
-        let found =
-            object(&["wheel", "--stations", "7", "--pins", "2", option, "45", "--pin-diameter", "6", "--play", "0.04"]);
+        let words = ["wheel", "--stations", "7", "--pins", "2", option, "45", "--pin-diameter", "6", "--play", "0.04"];
+        let found = object(&[&words[..], &["--wheel-shaft", "9", "--driver-shaft", "1.5"]].concat());
         let sizes = Sizes::new(wheel, scale, &choices).expect("it fits");
         let least = sizes.clearance().closest_approach();
         let disc = sizes.locking_disc.expect("a dwell");
@@ -47,6 +53,10 @@ fn the_parts_are_those_of_the_library() {
             ("driver_bore_mm", sizes.driver_shaft + 0.01),
             ("disc_web_mm", disc.crescent.centre - disc.crescent.radius - (sizes.driver_shaft + 0.01) / 2.0),
             ("crescent_web_mm", 2.0 * (disc.crescent.centre - disc.crescent.radius)),
+            ("plate_shaft_mm", 1.5),
+            ("plate_shaft_limit_mm", sizes.plate_shaft_limit),
+            ("plate_bore_mm", 1.5 + 0.01),
+            ("plate_web_mm", sizes.crank_radius - 3.0 - 1.51 / 2.0),
             ("plate_rim_mm", sizes.plate_radius - sizes.crank_radius - 3.0),
             ("centres_nearer_mm", tolerance.nearer),
             ("centres_farther_mm", tolerance.farther),

@@ -3,7 +3,7 @@
 use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
+use geneva_workshop::{Mounting, Part, PartLayout, dxf, parts, scad, stl};
 
 const WHEEL: [&str; 9] =
     ["wheel", "--stations", "5", "--centre-distance", "80", "--pin-diameter", "6", "--play", "0.1"];
@@ -19,6 +19,7 @@ fn chosen() -> Sizes {
         mouth: Mouth::Sharp,
         wheel_shaft: Some(12.0),
         driver_shaft: Some(5.0),
+        plate_shaft: None,
     };
     Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
 }
@@ -28,16 +29,21 @@ fn sizes() -> Sizes {
     Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
 }
 
+fn bare(sizes: &Sizes) -> Vec<Part> {
+    parts(sizes, 4.0, &Mounting::default()).expect("bare parts").parts
+}
+
 #[test]
 fn the_files_are_those_of_the_workshop() {
     let file = |options: &[&str]| stdout(&[&WHEEL[..], options].concat(), 0);
-    assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), PartLayout::Apart));
+    assert_eq!(file(&["--format", "dxf"]), dxf(&bare(&sizes()), PartLayout::Apart));
     let own = ["--horn", "7.5", "--wheel-shaft", "12", "--driver-shaft", "5", "--bottom-clearance", "0.2"];
-    assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&chosen(), PartLayout::Apart));
+    assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&bare(&chosen()), PartLayout::Apart));
     // A tenth of the play is what a chord may leave its arc by.
-    let solid = Solid { thickness: 4.0, tolerance: 0.1 * 0.1 };
-    assert_eq!(file(&["--format", "scad", "--thickness", "4"]), scad(&sizes(), solid).expect("solid"));
-    assert_eq!(file(&["--format", "stl", "--thickness", "4"]), stl(&sizes(), solid).expect("solid"));
+    let tolerance = 0.1 * 0.1;
+    let model = scad(&sizes(), 4.0, tolerance, &Mounting::default()).expect("a model");
+    assert_eq!(file(&["--format", "scad", "--thickness", "4"]), model);
+    assert_eq!(file(&["--format", "stl", "--thickness", "4"]), stl(&bare(&sizes()), tolerance).expect("solids"));
     let tight = [&WHEEL[..7], &["--play", "0", "--format", "stl", "--thickness", "4"]].concat();
     assert!(stdout(&tight, 0).len() > 1000);
 }
@@ -56,7 +62,7 @@ fn a_file_goes_where_it_is_asked_for() {
     let path = folder.path().join("wheel.dxf");
     let asked = path.to_str().expect("UTF-8");
     assert_eq!(stdout(&[&WHEEL[..], &["--format", "dxf", "--output", asked]].concat(), 0), "");
-    assert_eq!(std::fs::read_to_string(path).expect("written"), dxf(&sizes(), PartLayout::Apart));
+    assert_eq!(std::fs::read_to_string(path).expect("written"), dxf(&bare(&sizes()), PartLayout::Apart));
 }
 
 #[test]

@@ -49,6 +49,10 @@ impl Needs {
     pub const PIN_FRICTION: Self = Self(1 << 6);
     /// A crank angle before a pin enters.
     pub const BEFORE_ENTRY: Self = Self(1 << 7);
+    /// The diameter of the wheel's shaft.
+    pub const WHEEL_SHAFT: Self = Self(1 << 9);
+    /// The diameter of the driver's shaft, in the plane of the wheel and in the plate.
+    pub const DRIVER_SHAFT: Self = Self(1 << 10);
 
     /// The coefficient of friction of the locking disc.
     pub const DISC_FRICTION: Self = Self(1 << 16);
@@ -66,6 +70,9 @@ impl Needs {
     pub const DRIVE_TORQUE: Self = Self(1 << 22);
     /// The ratio of the gear between motor and driver.
     pub const GEAR_RATIO: Self = Self(1 << 23);
+
+    /// The process by which the parts are made.
+    pub const PROCESS: Self = Self(1 << 24);
 
     /// All of both.
     pub const fn union(self, other: Self) -> Self {
@@ -253,6 +260,41 @@ pub struct Item {
     pub row: DataRow,
 }
 
+/// A value as it stands in a cell of a table: a number as in JSON.
+fn cell(value: &FieldValue) -> String {
+    match value {
+        FieldValue::Missing | FieldValue::Object(_) => String::new(),
+        FieldValue::Flag(flag) => flag.to_string(),
+        FieldValue::Count(count) => count.to_string(),
+        // Rust and JSON begin exponents at other small numbers.
+        FieldValue::Number(number) if (1e-5..1e-4).contains(&number.abs()) => number.to_string(),
+        FieldValue::Number(number) => format!("{number:?}"),
+        FieldValue::Text(text) | FieldValue::Worded(_, text) => text.clone(),
+        FieldValue::List(values) => values.iter().map(cell).collect::<Vec<_>>().join("; "),
+    }
+}
+
+/// A cell between quotes if it needs them (RFC 4180).
+fn quoted_cell(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+impl ReportField {
+    /// The numbers of the field with their keys and units: one, or those of a vector.
+    fn parts(&self) -> Vec<(String, &FieldValue, &'static str)> {
+        match &self.value {
+            FieldValue::Object(DataRow(parts)) => parts
+                .iter()
+                .map(|(part, value)| {
+                    let unit = if part.ends_with("_deg") { "°" } else { self.unit };
+                    (format!("{}_{part}", self.key), value, unit)
+                })
+                .collect(),
+            value => vec![(self.key.to_owned(), value, self.unit)],
+        }
+    }
+}
+
 impl MechanismReport {
     /// All fields of the sections.
     pub fn fields(&self) -> impl Iterator<Item = &ReportField> {
@@ -268,6 +310,29 @@ impl MechanismReport {
     pub fn field(&self, key: &str) -> Option<&ReportField> {
         let first = self.list.iter().filter_map(|(_, items)| items.first()).flat_map(|item| &item.fields);
         self.fields().chain(first).find(|field| field.key == key)
+    }
+
+    /// All fields as CSV, a row for each number: `key`, `name`, `value`, `unit` and `meaning`.
+    ///
+    /// The keys are those of the JSON, also of values that are missing. A vector has a row for each of its parts. Where a sheet
+    /// leaves out the name because the line above has it, the row has it too.
+    pub fn table(&self) -> String {
+        let (mut above, mut table) = (("", ""), "key,name,value,unit,meaning\n".to_owned());
+        for field in self.fields() {
+            let (name, meaning) = field.line.as_ref().map_or(("", ""), |line| {
+                above = match (line.name, &*line.meaning) {
+                    ("", "") => above,
+                    ("", meaning) => (above.0, meaning),
+                    own => own,
+                };
+                above
+            });
+            for (key, value, unit) in field.parts() {
+                let cells = [&key, name, &cell(value), unit, meaning].map(quoted_cell);
+                table += &(cells.join(",") + "\n");
+            }
+        }
+        table
     }
 
     /// Whether every number is finite.

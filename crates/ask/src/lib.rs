@@ -25,6 +25,7 @@ mod field;
 pub mod number_format;
 pub mod pin;
 pub mod quick_return;
+mod sheet;
 mod timekeepers;
 pub mod wheel;
 pub mod worked;

@@ -11,7 +11,8 @@ use geneva_documents::quick_return::LeverProblem;
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_live::{
-    Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveQuantity, LiveReply, round_for_box,
+    Control, ControlKind, ControlSide, LIVE, Live, LiveArguments, LiveFile, LiveQuantity, LiveReply, ToleranceRow,
+    round_for_box,
 };
 use geneva_press::Book;
 use geneva_press::book::{InteractiveFigure, PageFigure};
@@ -95,19 +96,23 @@ pub fn interactive(book: &Book, name: &str) -> anyhow::Result<InteractiveFigure>
 
 fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> {
     let given = given(live.name)?;
+    let plays = live.controls.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
+    let is_folded = live.controls.iter().any(|control| control.fold.is_some());
+    let play = if plays { PLAY } else { "" };
     let rows = live.controls.chunk_by(|one, next| one.fold == next.fold).enumerate().map(|(number, together)| {
         let rows: String = together.iter().map(|control| row(live, control, &given, answer)).collect();
         let rows = format!("<div class=\"rows\">{rows}</div>");
-        match together.first().and_then(|control| control.fold) {
-            // The first is open.
-            Some(title) => {
-                let open = if number == 0 { " open" } else { "" };
-                format!("<details{open}><summary>{}</summary>{rows}</details>", escape(title))
-            }
-            None => rows,
-        }
+        let Some(title) = together.first().and_then(|control| control.fold) else { return Ok(rows) };
+        let is_here = together.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
+        let play = if is_here { format!("<p class=\"buttons\">{PLAY}</p>") } else { String::new() };
+        let table = match &live.tolerances {
+            Some(table) if table.fold == title => tolerances(live, &given)?,
+            _ => String::new(),
+        };
+        // The first is open.
+        Ok(fold(title, "", number == 0, &format!("{play}{table}{rows}")))
     });
-    let rows: Vec<String> = rows.collect();
+    let rows: Vec<String> = rows.collect::<anyhow::Result<_>>()?;
     let presets = live.presets.iter().map(|preset| {
         let whole = if preset.is_whole { " data-whole" } else { "" };
         format!(
@@ -116,43 +121,80 @@ fn html(book: &Book, live: &Live, answer: &LiveReply) -> anyhow::Result<String> 
             escape(preset.name)
         )
     });
-    let files: Vec<String> = live
-        .files
-        .iter()
-        .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)))
-        .collect();
-    // What a reader moves the figure for is at hand beside it; the other files are below the controls.
-    let (first_file, files) = files.split_at(files.len().min(1));
-    let first_file: String =
-        first_file.iter().map(|file| format!("<p class=\"take\" hidden>{}</p>\n", file.trim_start())).collect();
     let others = numbers(book, live, live.others.iter().chain(&answer.further), answer)?;
     let others = if others.is_empty() { String::new() } else { format!("\n<dl class=\"others\">{others}</dl>") };
     let steps = if answer.steps.is_empty() { String::new() } else { format!("\n{}", steps(&answer.steps)) };
     let no_file = if live.files.is_empty() { "" } else { " and no files" };
-    let plays = live.controls.iter().any(|control| matches!(control.kind, ControlKind::Player(_)));
-    let play = if plays {
-        "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
-         back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>"
-    } else {
-        ""
-    };
     let hear = live.beat.map_or_else(String::new, |number| {
         format!("<button type=\"button\" data-do=\"hear\" data-beat=\"{number}\">Hear its beat</button>")
     });
+    let play = if is_folded { "" } else { play };
+    let folded = if is_folded { " folded" } else { "" };
+    let turned = if live.turned.is_some() { "\n<p class=\"turned\" aria-live=\"polite\"></p>" } else { "" };
     Ok(format!(
-        "<div class=\"moving\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\">\
-         {}</dl>\n{first_file}<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
+        "<div class=\"moving{folded}\">\n<div class=\"place\"><div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>{turned}\n<dl \
+         class=\"results\">{}</dl>\n<div role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" \
          hidden>There are no numbers{no_file} for this setting. The drawing still shows the last setting that was \
          possible.</p></div>\n</div></div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
-         class=\"moved\">{}</div>\n<p class=\"buttons\">{play}{hear}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
-         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a>{}</p>\n</form>{others}{steps}\n</div>",
+         class=\"moved\">{}{}</div>\n<p class=\"buttons\">{play}{hear}<button type=\"button\" data-do=\"reset\">Reset</button>{} <a \
+         data-do=\"link\" href=\"#fig-{}\">Link to this setting</a></p>\n</form>{others}{steps}\n</div>",
         answer.figure.svg.trim_end(),
         numbers(book, live, live.quantities.iter(), answer)?,
         escape(live.hint),
         rows.concat(),
+        files(live, answer),
         presets.collect::<String>(),
         live.figure,
-        files.concat(),
+    ))
+}
+
+/// What plays, and goes step by step.
+const PLAY: &str = "<button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One \
+                    step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button>";
+
+/// A fold of the controls.
+fn fold(title: &str, class: &str, is_open: bool, inside: &str) -> String {
+    let open = if is_open { " open" } else { "" };
+    format!("<details{class}{open}><summary>{}</summary><div class=\"inside\">{inside}</div></details>", escape(title))
+}
+
+/// The files of a setting and the command that asks the same, in a fold; nothing if there are none.
+fn files(live: &Live, answer: &LiveReply) -> String {
+    if live.files.is_empty() {
+        return String::new();
+    }
+    let button = |file: &LiveFile| {
+        format!("<button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label))
+    };
+    let files: String = live.files.iter().map(button).collect();
+    let command = answer.command.as_deref().map_or_else(String::new, |command| {
+        format!(
+            "<p>The same at the command line:</p><p><code class=\"command\">{}</code> <button type=\"button\" \
+             data-do=\"copy\">Copy</button></p>",
+            escape(command)
+        )
+    });
+    fold("Files", " class=\"files\"", false, &format!("<p class=\"buttons\">{files}</p>{command}"))
+}
+
+/// How wrong sizes may be, as a table whose rows light up.
+fn tolerances(live: &Live, given: &LiveArguments) -> anyhow::Result<String> {
+    let rows = live.tolerance_rows(given).map_err(|message| anyhow!("{}: {message}", live.name))?;
+    let row = |row: &ToleranceRow| {
+        format!(
+            "<tr class=\"{}\"><th scope=\"row\">{}<span class=\"state\">{}</span></th><td>{}</td><td>{}</td><td>{}</td></tr>",
+            row.state.name(),
+            escape(row.name),
+            escape(row.state.words()),
+            escape(&row.set),
+            escape(&row.alone),
+            escape(&row.together)
+        )
+    };
+    let rows: String = rows.iter().map(row).collect();
+    Ok(format!(
+        "<table class=\"tolerances\"><thead><tr><th scope=\"col\">wrong by</th><th scope=\"col\">set</th><th scope=\"col\">limit \
+         alone</th><th scope=\"col\">if all are wrong</th></tr></thead><tbody>{rows}</tbody></table>"
     ))
 }
 
@@ -220,7 +262,8 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
         .map_or_else(String::new, |drag| format!(" data-drag=\"{} {} {}\"", drag.control, drag.at_right, drag.sense));
     let given = given(live.name)?;
     let fixed = given.only(|name| live.given.contains(&name)).to_query();
-    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}", live.name, escape(&fixed)))
+    let hand = if live.turned.is_some() { " data-hand=\"turned\"" } else { "" };
+    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}{hand}", live.name, escape(&fixed)))
 }
 
 /// One control with its label, its number and its unit.
@@ -228,8 +271,11 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
     let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| round_for_box(*value));
-    let at_first = follower.unwrap_or(control.preset).to_string();
+    // What there is not has an empty box, and its slider stands anywhere.
+    let at_first = follower.unwrap_or(control.preset);
+    let at_first = if at_first.is_finite() { at_first.to_string() } else { String::new() };
     let value = given.text(name).map_or(at_first, str::to_owned);
+    let slid = if value.is_empty() { least.to_string() } else { value.clone() };
     let side = control
         .side
         .map_or_else(String::new, |ControlSide { group, number }| format!(" data-side=\"{group} {number}\""));
@@ -255,7 +301,7 @@ fn row(live: &Live, control: &Control, given: &LiveArguments, answer: &LiveReply
                 ControlKind::Follower => " data-follows".to_owned(),
                 _ => String::new(),
             };
-            let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
+            let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{slid}\"");
             format!(
                 "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" aria-label=\"{spoken}\" {range}{play}{side}><span><input \
                  type=\"number\" data-box=\"{name}\" aria-label=\"{spoken}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",

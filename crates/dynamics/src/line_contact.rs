@@ -36,18 +36,22 @@ pub struct Material {
 /// | material | strength |
 /// |---|---|
 /// | steel | yield of AISI 1020, hot rolled (Shigley, table A-20) |
-/// | stainless steel | least yield of type 304 (ASTM A240) |
+/// | stainless steel | least yield of type 304 (ASTM A269) |
 /// | cast iron | tensile strength of class 30 (Shigley, table A-24); it doesn't yield, and bears more than three times as much pressure |
 /// | phosphor bronze | yield of C51000, annealed (Copper Development Association, alloys.copper.org: 19 ksi) |
 /// | hardened steel | a third of the hardness of 513 HV: 50 HRC, the least of a hardened dowel pin (ASME B18.8.2); the third by D. Tabor, *The Hardness of Metals* |
 /// | aluminium | least proof stress of EN AW-6061-T6 (EN 755-2) |
+///
+/// From memory, as we haven't had the tables before us: the two strengths from Shigley's book, strength and modulus of aluminium, and
+/// that 50 HRC are 513 HV.
 ///
 /// Plastics creep, and with time and heat they get softer. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5,
 /// tensile modulus of the homopolymer at room temperature; its strength is 60 MPa, our choice below what data sheets give. Nylon and
 /// acrylic: The Mechanical Engineering Handbook (themechanicalengineeringhandbook.com), *Mechanical Properties of Non-Metals*, with the
 /// yield strength. PLA: data of a printed bar in its weaker direction (pro3dcomposites.com: 2,539 MPa, 26 MPa at yield, 1.264 g/cm³).
 /// PETG: the low ends for a printed bar (additive.tools: 2 GPa, 44 MPa). Across the layers printed parts bear a third less. MDF: what
-/// EN 622-5 asks of a board over 6 to 9 mm in bending; its density is our choice. Poisson's ratios of acetal, PLA, PETG and MDF are
+/// is asked of a general-purpose board over 6 to 9 mm in bending (risunboard.com, *MDF Classification*, table 4, whose row of bending
+/// strength has a wrong heading); its density is our choice. Poisson's ratios of acetal, PLA, PETG and MDF are
 /// assumed: from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side.
 pub const MATERIALS: [Material; 12] = [
     material("steel", 207e9, 0.292, 7800.0, 210e6),
@@ -61,7 +65,7 @@ pub const MATERIALS: [Material; 12] = [
     material("acrylic", 3.0e9, 0.35, 1200.0, 45e6),
     material("pla", 2.54e9, 0.35, 1264.0, 26e6),
     material("petg", 2.0e9, 0.35, 1270.0, 44e6),
-    material("mdf", 2.7e9, 0.3, 750.0, 23e6),
+    material("mdf", 2.5e9, 0.3, 750.0, 25e6),
 ];
 
 const fn material(name: &'static str, modulus: f64, poisson: f64, density: f64, strength: f64) -> Material {

@@ -37,7 +37,7 @@ pub struct Cantilever {
 /// Length of a pin in its slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PinLength {
-    /// So many metres, whatever the diameter.
+    /// So long, in metres, whatever the diameter.
     Given(f64),
     /// As long as the pin is thick.
     Diameter,

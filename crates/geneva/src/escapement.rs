@@ -118,7 +118,7 @@ pub(crate) fn page(wanted: &EscapementArguments, layout: TextLayout) -> anyhow::
             Ok(design.drawing(drawing)?.standalone())
         }
         CommandFormat::Json => fields::json(&design.answer()?),
-        CommandFormat::Fields => fields::table(&design.answer()?),
+        CommandFormat::Fields => Ok(design.answer()?.table()),
         _ => Ok(fields::sheet(&design.answer()?, layout)),
     }
 }

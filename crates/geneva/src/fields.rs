@@ -1,115 +1,32 @@
-//! An answer as a sheet for reading, or as a table with a row for each number. In JSON its fields are an object; what has many
-//! rows of its own, such as a cycle or a run, is a series.
+//! An answer as a sheet for reading. In JSON its fields are an object; what has many rows of its own, such as a cycle or a run, is
+//! a series.
 
 use crate::output::{TextLayout, heading};
-use geneva_ask::{FieldValue, MechanismReport, ReportField, SheetNumber};
+use geneva_ask::MechanismReport;
 
 pub(crate) use geneva_press::fields::{DataRow, csv, json};
 
-/// A line as it is written.
-struct Written<'a> {
-    name: &'static str,
-    number: String,
-    unit: &'static str,
-    direction: &'a str,
-    meaning: &'a str,
-}
-
-impl<'a> Written<'a> {
-    fn of(field: &'a ReportField) -> Option<Self> {
-        let line = field.line.as_ref()?;
-        let (unit, direction) = match &line.shows {
-            SheetNumber::Value => (field.unit, ""),
-            SheetNumber::Size(_, direction) => (field.unit, direction.as_str()),
-            SheetNumber::Words => ("", ""),
-        };
-        Some(Self { name: line.name, number: field.on_a_sheet(), unit, direction, meaning: &line.meaning })
-    }
-}
-
 /// An answer as a sheet for reading, with the numbers under one another.
 pub(crate) fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
-    let items = answer.list.iter().flat_map(|(_, items)| items).map(|item| (item.heading, &item.fields));
-    let sections = answer.sections.iter().map(|(title, fields)| (*title, fields)).chain(items);
-    let sections: Vec<(_, Vec<_>)> =
-        sections.map(|(title, fields)| (title, fields.iter().filter_map(Written::of).collect())).collect();
-    let widest =
-        |part: fn(&Written) -> usize| sections.iter().flat_map(|(_, lines)| lines).map(part).max().unwrap_or(0);
-    let (name, unit) = (widest(|line| length(line.name)), widest(|line| length(line.unit)));
-    let whole = widest(|line| length(split(&line.number).0));
-    let decimals = widest(|line| length(split(&line.number).1));
-
     let bold = heading();
-    let mut page = format!("{bold}{}{bold:#}\n", layout.wrapped("", &answer.title).trim_end());
-    page += &layout.wrapped("", answer.introduction);
-    for (title, lines) in &sections {
-        let direction = lines.iter().map(|line| length(line.direction)).max().unwrap_or(0);
-        if !lines.is_empty() {
-            page += &format!("\n{bold}{title}{bold:#}\n");
-        }
-        for line in lines {
-            let mut lead = format!("  {:<name$}  ", line.name);
-            if !line.number.is_empty() {
-                let (before, after) = split(&line.number);
-                lead += &format!("{before:>whole$}{after:<decimals$} {:<unit$}  ", line.unit);
-            }
-            if direction > 0 {
-                lead += &format!("{:>direction$}  ", line.direction);
-            }
-            page += &layout.wrapped(&lead, line.meaning);
+    answer.sheet(|lead, text| layout.wrapped(lead, text), [&format!("{bold}"), &format!("{bold:#}")])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anstream::adapter::strip_str;
+
+    #[test]
+    fn a_sheet_for_a_file_is_that_of_a_pipe() {
+        for question in [
+            "wheel --stations 6",
+            "wheel --stations 4 --crank-radius 40 --rpm 60 --inertia 0.002 --play 0 --at -20 --at 30",
+            "wheel --stations 400 --crank-radius 5",
+            "wheel --stations 5 --type spherical --rpm 60",
+        ] {
+            let answer = geneva_ask::answer(question).expect(question);
+            assert_eq!(answer.plain_sheet(), strip_str(&sheet(&answer, TextLayout::default())).to_string());
         }
     }
-    if answer.note.is_empty() { page } else { page + "\n" + &layout.wrapped("", &answer.note) }
-}
-
-/// An answer as CSV, a row for each number: `key`, `name`, `value`, `unit` and `meaning`.
-///
-/// The keys are those of the JSON, also of values that are missing. A vector has a row for each of its parts. Where a sheet leaves out
-/// the name because the line above has it, the row has it too.
-pub(crate) fn table(answer: &MechanismReport) -> anyhow::Result<String> {
-    let mut above = ("", "");
-    let rows = answer.fields().flat_map(|field| {
-        let (name, meaning) = field.line.as_ref().map_or(("", ""), |line| {
-            above = match (line.name, &*line.meaning) {
-                ("", "") => above,
-                ("", meaning) => (above.0, meaning),
-                own => own,
-            };
-            above
-        });
-        parts(field).into_iter().map(move |(key, value, unit)| {
-            DataRow(vec![
-                ("key", key.into()),
-                ("name", name.into()),
-                ("value", value),
-                ("unit", unit.into()),
-                ("meaning", meaning.into()),
-            ])
-        })
-    });
-    let rows: Vec<_> = rows.collect();
-    csv(rows.first(), rows.iter().cloned())
-}
-
-/// The numbers of a field with their keys and units: one, or those of a vector.
-fn parts(field: &ReportField) -> Vec<(String, FieldValue, &'static str)> {
-    match &field.value {
-        FieldValue::Object(DataRow(parts)) => parts
-            .iter()
-            .map(|(part, value)| {
-                let unit = if part.ends_with("_deg") { "°" } else { field.unit };
-                (format!("{}_{part}", field.key), value.clone(), unit)
-            })
-            .collect(),
-        value => vec![(field.key.to_owned(), value.clone(), field.unit)],
-    }
-}
-
-/// What stands before the point, and the rest with it.
-fn split(number: &str) -> (&str, &str) {
-    number.split_at(number.find('.').unwrap_or(number.len()))
-}
-
-fn length(text: &str) -> usize {
-    text.chars().count()
 }

@@ -41,6 +41,7 @@ mod threads;
 mod typed;
 mod version;
 mod wheel;
+mod wheel_check;
 mod workspace;
 
 use clap::error::{ContextKind, ContextValue};
@@ -169,6 +170,8 @@ Examples:
   geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
   geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
   geneva wheel --index-time 0.4 --dwell-time 1
+  geneva wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --out wheel
+  geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
 
 An option that would have no effect is refused, and the message says what to add.")]
     Wheel(Box<wheel::WheelArguments>),
@@ -363,7 +366,12 @@ fn run(arguments: Arguments, streams: &mut dyn OutputStreams) -> anyhow::Result<
             streams.print(&page)?;
             Ok(outcome)
         }
-        Some(Command::Wheel(wanted)) => say(|layout| wheel::page(&wanted, layout), &wanted.to, streams),
+        Some(Command::Wheel(wanted)) => match &wanted.action {
+            Some(wheel::WheelAction::Check(check)) => {
+                say(|layout| wheel_check::page(check, layout), &check.to, streams)
+            }
+            None => say(|layout| wheel::page(&wanted, layout), &wanted.to, streams),
+        },
         Some(Command::Pin(wanted)) => say(|layout| pin::page(&wanted, layout), &wanted.to, streams),
         Some(Command::QuickReturn(wanted)) => say(|layout| quick_return::page(&wanted, layout), &wanted.to, streams),
         Some(Command::Escapement(wanted)) => say(|layout| escapement::page(&wanted, layout), &wanted.to, streams),

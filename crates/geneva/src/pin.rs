@@ -87,7 +87,7 @@ pub(crate) fn page(wanted: &PinArguments, layout: TextLayout) -> anyhow::Result<
     let answer = design.answer();
     match wanted.format {
         CommandFormat::Json => fields::json(&answer),
-        CommandFormat::Fields => fields::table(&answer),
+        CommandFormat::Fields => Ok(answer.table()),
         _ if wanted.steps => Ok(fields::sheet(&answer, layout) + &steps(&design.steps(), layout)),
         _ => Ok(fields::sheet(&answer, layout)),
     }

@@ -111,7 +111,7 @@ pub(crate) fn page(wanted: &QuickReturnArguments, layout: TextLayout) -> anyhow:
     let answer = design.answer()?;
     match wanted.format {
         CommandFormat::Json => fields::json(&answer),
-        CommandFormat::Fields => fields::table(&answer),
+        CommandFormat::Fields => Ok(answer.table()),
         CommandFormat::Svg => {
             let drawing = match wanted.figure.unwrap_or_default() {
                 QuickReturnFigureName::Mechanism => QuickReturnDrawing::Mechanism,

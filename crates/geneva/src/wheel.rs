@@ -6,23 +6,28 @@
 use crate::fields;
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
-use anstream::adapter::strip_str;
+use crate::wheel_check::CheckArguments;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use geneva_ask::MechanismReport;
 use geneva_ask::wheel::{
-    ActsOn, Argument, ArgumentSlot, GROUPS, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion, arguments,
-    proposals, proposals_for_angle, speeds,
+    ActsOn, Argument, ArgumentSlot, GROUPS, NamedChoice, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion,
+    arguments, proposals, proposals_for_angle, speeds,
 };
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_host::files::{NewFile, OutputOption};
+use geneva_kinematics::wheel::as_built::Process;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub(crate) struct WheelArguments {
+    /// What is done instead with a wheel that exists.
+    #[command(subcommand)]
+    pub action: Option<WheelAction>,
     /// What is asked of the wheel.
     #[command(flatten)]
     pub asked: WheelOptions,
@@ -45,6 +50,20 @@ pub(crate) struct WheelArguments {
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
+}
+
+/// What else is done with wheels.
+#[derive(Debug, Subcommand)]
+pub(crate) enum WheelAction {
+    /// Check a wheel that exists by its measured sizes: does it turn, and which size is wrong?
+    #[command(after_help = "\
+Examples:
+  geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
+  geneva wheel check --stations 4 --crank-radius 25+-0.02 --centre-distance 35.4 --slot-width 1:6.1,2:6.0 --pin-diameter 6
+  geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
+
+Give what you have measured. What is missing is taken from the nearest right wheel.")]
+    Check(Box<CheckArguments>),
 }
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
@@ -79,6 +98,14 @@ impl FromArgMatches for WheelOptions {
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Count(at) => *at(question) = typed(matches, name),
+                ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                    let named: Option<String> = typed(matches, name);
+                    if let Some(number) = named.and_then(|named| names.iter().position(|name| **name == named)) {
+                        set(question, number);
+                    }
+                }
+                ArgumentSlot::Process(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Material(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Length(at)
                 | ArgumentSlot::LengthOrZero(at)
@@ -109,6 +136,11 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
+        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(1..=12)),
+        ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
+        ArgumentSlot::Process(_) => {
+            option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
+        }
         ArgumentSlot::Material(_) => option.value_parser(materials()),
         ArgumentSlot::Degrees(_) => {
             option.value_parser(typed::finite_degrees).allow_hyphen_values(true).action(ArgAction::Append)
@@ -137,7 +169,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
         return write_all(&design, folder, layout);
     }
-    let design = WheelDesign::new(question)?;
+    let recommends_size = question.process.is_some();
+    let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
     if is_shape(format) && format != CommandFormat::Svg {
         design.require_external(format.name())?;
     }
@@ -149,7 +182,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Stl => design.stl()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
-        CommandFormat::Fields => fields::table(&design.answer()?)?,
+        CommandFormat::Fields => design.answer()?.table(),
         _ => fields::sheet(&design.answer()?, layout),
     })
 }
@@ -178,8 +211,8 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
     let mut files = vec![
-        ("sheet.txt", strip_str(&fields::sheet(&answer, TextLayout::default())).to_string().into_bytes()),
-        ("numbers.csv", fields::table(&answer)?.into_bytes()),
+        ("sheet.txt", answer.plain_sheet().into_bytes()),
+        ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
     if let Some(figure) = design.sizes_figure() {
@@ -280,24 +313,34 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
         reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
     }
-    let is_sized = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_given = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
+    let is_sized = is_given || (wanted.recommends_size && is_external);
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
+        reject_any(wanted, is_named(&["bearing-friction"]), why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
         reject_any(
             wanted,
-            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.name == "friction-torque",
+            |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.acts_on.contains(&ActsOn::Load),
             why,
         )?;
     }
     let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
     if !has_inertia && !(is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        reject_any(wanted, is_named(&["friction-torque"]), why)?;
+        reject_any(wanted, acts_on(ActsOn::Load), why)?;
+    }
+    for (names, needed, given) in [
+        (&["wheel-bearing", "driver-bearing"][..], "--bearing-friction MU", wanted.bearing_friction),
+        (&["drive-torque"], "--driver-inertia KGM2", wanted.driver_inertia),
+    ] {
+        if given.is_none() {
+            reject_any(wanted, is_named(names), &format!("without {needed}; add that"))?;
+        }
     }
     Ok(())
 }
@@ -325,6 +368,8 @@ mod tests {
     fn a_line_of_the_program_asks_what_the_same_words_ask() {
         let value = |argument: &Argument| match argument.place {
             ArgumentSlot::Kind(_) => "internal",
+            ArgumentSlot::Choice(NamedChoice { names, .. }) => names[1],
+            ArgumentSlot::Process(_) => "fdm",
             ArgumentSlot::Material(_) => "acetal",
             ArgumentSlot::Length(_) => "2in",
             ArgumentSlot::SignedLength(_) | ArgumentSlot::Degrees(_) => "-3",

@@ -1,5 +1,6 @@
 //! What a figure answers.
 
+use crate::turned::TurnedParts;
 use geneva_ask::number_format::no_greater;
 use geneva_ask::worked::WorkedStep;
 use geneva_ask::{ReportField, Rounding};
@@ -14,7 +15,7 @@ pub struct LiveReply {
     pub numbers: Vec<LiveNumber>,
     /// What is told, too, that isn't one of the figure's own quantities.
     pub further: Vec<LiveQuantity>,
-    /// Where controls stand that follow the others.
+    /// Where controls stand that follow the others; no number where there is nothing that they would stand for.
     pub followers: Vec<(&'static str, f64)>,
     /// What is to be said of the setting, if anything.
     pub message: Option<String>,
@@ -24,6 +25,10 @@ pub struct LiveReply {
     pub steps: Vec<WorkedStep>,
     /// Whether the mechanism may jam at this setting: then nothing turns, and what plays stops.
     pub jams: bool,
+    /// How its parts stand, if they turn without a new drawing.
+    pub turned: Option<TurnedParts>,
+    /// The command that answers the same question, if there is one.
+    pub command: Option<String>,
 }
 
 /// A number that a live figure shows, with its text.
@@ -73,35 +78,49 @@ impl LiveReply {
     /// A drawing and its numbers.
     pub fn new(figure: Figure, numbers: impl IntoIterator<Item = LiveNumber>) -> Self {
         let (numbers, further, followers) = (numbers.into_iter().collect(), Vec::new(), Vec::new());
-        Self { figure, numbers, further, followers, message: None, progress: None, steps: Vec::new(), jams: false }
+        Self {
+            figure,
+            numbers,
+            further,
+            followers,
+            message: None,
+            progress: None,
+            steps: Vec::new(),
+            jams: false,
+            turned: None,
+            command: None,
+        }
     }
 
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
-    /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`; `steps`, a
-    /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`]; `jams`, true or false.
+    /// list of `name` and `value` (null where there is none); `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`; `steps`, a
+    /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`]; `jams`, true or false; `turned`, as of
+    /// [`TurnedParts::to_json`], or null; `command`, or null.
     pub fn to_json(&self) -> String {
         let number = |LiveNumber { name, value, text }: &LiveNumber| {
             let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
             format!("{{\"name\":{},\"value\":{value},\"text\":{}}}", string(name), string(text))
         };
-        let follower =
-            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), round_for_box(*value));
-        let step = |WorkedStep { heading, lines }: &WorkedStep| {
-            let lines = lines.iter().map(|line| string(line)).collect::<Vec<_>>().join(",");
-            format!("{{\"heading\":{},\"lines\":[{lines}]}}", string(heading))
+        let follower = |(name, value): &(&str, f64)| {
+            let value = or_null(value.is_finite().then(|| round_for_box(*value).to_string()));
+            format!("{{\"name\":{},\"value\":{value}}}", string(name))
         };
-        let progress = self
-            .progress
-            .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
+        let step = |WorkedStep { heading, lines }: &WorkedStep| {
+            format!("{{\"heading\":{},\"lines\":{}}}", string(heading), array(lines.iter().map(|line| string(line))))
+        };
+        let progress =
+            or_null(self.progress.map(|Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}")));
         format!(
-            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":[{}],\"jams\":{}}}",
-            self.numbers.iter().map(number).collect::<Vec<_>>().join(","),
-            self.followers.iter().map(follower).collect::<Vec<_>>().join(","),
-            self.message.as_deref().map_or("null".to_owned(), string),
+            "{{\"numbers\":{},\"followers\":{},\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":{},\"jams\":{},\"turned\":{},\"command\":{}}}",
+            array(self.numbers.iter().map(number)),
+            array(self.followers.iter().map(follower)),
+            or_null(self.message.as_deref().map(string)),
             string(&self.figure.caption),
             string(self.figure.svg.trim_end()),
-            self.steps.iter().map(step).collect::<Vec<_>>().join(","),
+            array(self.steps.iter().map(step)),
             self.jams,
+            or_null(self.turned.as_ref().map(TurnedParts::to_json)),
+            or_null(self.command.as_deref().map(string)),
         )
     }
 }
@@ -111,8 +130,40 @@ pub(crate) fn object(name: &str, text: &str) -> String {
     format!("{{{}:{}}}", string(name), string(text))
 }
 
+/// A file as a JSON object: its text, or bytes that are no text in base64.
+pub(crate) fn file_object(file: Vec<u8>) -> String {
+    match String::from_utf8(file) {
+        Ok(text) => object("file", &text),
+        Err(bytes) => object("base64", &base64(bytes.as_bytes())),
+    }
+}
+
+/// Bytes as RFC 4648, section 4, has them.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits = three.iter().fold(0_u32, |bits, byte| bits << 8 | u32::from(*byte)) << (8 * (3 - three.len()));
+        for digit in 0..4 {
+            let at = (bits >> (18 - 6 * digit) & 63) as usize;
+            text.push(if digit <= three.len() { char::from(DIGITS[at]) } else { '=' });
+        }
+    }
+    text
+}
+
+/// A JSON array of values that are JSON.
+pub(crate) fn array(values: impl Iterator<Item = String>) -> String {
+    format!("[{}]", values.collect::<Vec<_>>().join(","))
+}
+
+/// A value that is JSON, or null.
+fn or_null(value: Option<String>) -> String {
+    value.unwrap_or_else(|| "null".to_owned())
+}
+
 /// A string of JSON (RFC 8259, section 7).
-fn string(text: &str) -> String {
+pub(crate) fn string(text: &str) -> String {
     let mut json = String::with_capacity(text.len() + 2);
     json.push('"');
     for c in text.chars() {
@@ -174,6 +225,18 @@ impl LiveNumber {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bytes_that_are_no_text_are_in_base64() {
+        // The examples of RFC 4648, section 10.
+        let examples =
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
+        for (bytes, text) in examples {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+        assert_eq!(file_object(vec![0xff, 0xfe, 0xfd]), "{\"base64\":\"//79\"}");
+        assert_eq!(file_object(b"0".to_vec()), "{\"file\":\"0\"}");
+    }
 
     #[test]
     fn numbers_are_read_with_a_true_minus_and_no_negative_zero() {

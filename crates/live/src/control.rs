@@ -2,6 +2,7 @@
 
 use crate::answer::{LiveQuantity, LiveReply};
 use crate::arguments::{LiveArguments, computable, quoted};
+use crate::turned::{ToleranceRow, TurnedParts};
 
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
 pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
@@ -27,8 +28,12 @@ pub struct Live {
     pub others: &'static [LiveQuantity],
     /// What the pointer moves in the drawing.
     pub drag: Option<PointerDrag>,
-    /// What can be taken away: the first beside the drawing, the others below the controls.
+    /// Files that can be taken away.
     pub files: &'static [LiveFile],
+    /// How its parts stand, if they turn without a new drawing.
+    pub turned: Option<fn(&Settings) -> Result<TurnedParts, String>>,
+    /// By how much sizes may be wrong, if it tells.
+    pub tolerances: Option<ToleranceTable>,
     /// The number that is the time from beat to beat in milliseconds, if the figure can be heard.
     pub beat: Option<&'static str>,
     /// Draws it.
@@ -242,14 +247,23 @@ pub struct PointerDrag {
 }
 
 /// A file that is made of a setting.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct LiveFile {
-    /// Its ending.
+    /// Its name with its ending.
     pub name: &'static str,
     /// What it is.
     pub label: &'static str,
-    /// Makes it.
-    pub make: fn(&Settings) -> Result<String, String>,
+    /// Makes it; it gets the name, too.
+    pub make: fn(&Settings, &str) -> Result<Vec<u8>, String>,
+}
+
+/// A table of how wrong sizes may be, among the controls by which a reader makes them wrong.
+#[derive(Debug)]
+pub struct ToleranceTable {
+    /// The fold in which it is, by its title.
+    pub fold: &'static str,
+    /// Its rows.
+    pub rows: fn(&Settings) -> Result<Vec<ToleranceRow>, String>,
 }
 
 /// The arguments of a figure, each known to it.
@@ -275,23 +289,38 @@ impl Live {
         }
     }
 
-    /// The file with this ending, made with these arguments.
+    /// The file with this name, made with these arguments.
     ///
     /// # Errors
     ///
-    /// As for [`answer`](Self::answer), and for an ending of none of its files.
-    pub fn file(&self, ending: &str, arguments: &LiveArguments) -> Result<String, String> {
-        let file = self.files.iter().find(|file| file.name == ending);
+    /// As for [`answer`](Self::answer), and for a name of none of its files.
+    pub fn file(&self, name: &str, arguments: &LiveArguments) -> Result<Vec<u8>, String> {
+        let file = self.files.iter().find(|file| file.name == name);
         let file = file.ok_or_else(|| {
-            let endings: Vec<_> = self.files.iter().map(|file| file.name).collect();
-            let known = if endings.is_empty() {
-                "there is none".to_owned()
-            } else {
-                format!("there are {}", endings.join(", "))
-            };
-            format!("no file `{}` of `{}`: {known}", quoted(ending), self.name)
+            let names: Vec<_> = self.files.iter().map(|file| file.name).collect();
+            let known =
+                if names.is_empty() { "there is none".to_owned() } else { format!("there are {}", names.join(", ")) };
+            format!("no file `{}` of `{}`: {known}", quoted(name), self.name)
         })?;
-        (file.make)(&self.settings(arguments)?)
+        (file.make)(&self.settings(arguments)?, file.name)
+    }
+
+    /// How the parts of the figure stand with these arguments; none if none of them turns without a new drawing.
+    ///
+    /// # Errors
+    ///
+    /// As for [`answer`](Self::answer).
+    pub fn turned_parts(&self, arguments: &LiveArguments) -> Result<Option<TurnedParts>, String> {
+        self.turned.map(|turned| turned(&self.settings(arguments)?)).transpose()
+    }
+
+    /// By how much sizes may be wrong with these arguments; nothing if the figure doesn't tell.
+    ///
+    /// # Errors
+    ///
+    /// As for [`answer`](Self::answer).
+    pub fn tolerance_rows(&self, arguments: &LiveArguments) -> Result<Vec<ToleranceRow>, String> {
+        self.tolerances.as_ref().map_or(Ok(Vec::new()), |table| (table.rows)(&self.settings(arguments)?))
     }
 
     fn settings<'a>(&'a self, arguments: &'a LiveArguments) -> Result<Settings<'a>, String> {

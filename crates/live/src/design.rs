@@ -1,11 +1,17 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{self, LiveNumber, LiveQuantity, LiveReply};
-use crate::control::{Control, ControlKind, Live, LiveFile, Preset, Settings};
-use geneva_ask::wheel::{Argument, ArgumentSlot, GROUPS, Knob, SearchEffort, WheelDesign, WheelQuestion, arguments};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply};
+use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
+use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
+use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
+use geneva_ask::wheel::{
+    Argument, ArgumentSlot, GROUPS, Knob, NamedChoice, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign,
+    WheelQuestion, arguments,
+};
 use geneva_ask::{Error, ReportField, Rounding};
-use geneva_dynamics::line_contact::MATERIALS;
+use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_figures::stations;
+use geneva_kinematics::wheel::as_built::Process;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
 pub const LIVE: Live = Live {
@@ -20,6 +26,10 @@ pub const LIVE: Live = Live {
         Preset::whole("six stations", "stations=6&crank-radius=25"),
         Preset::whole("eight stations, two pins", "stations=8&pins=2&crank-radius=20"),
         Preset::whole("a pin too thick", "stations=6&crank-radius=25&pin-diameter=20"),
+        Preset::whole(
+            "slots out of place, 20 times as large",
+            "stations=6&crank-radius=25&slot-direction-error=0.05&larger=20&crank=-50",
+        ),
     ],
     given: &[],
     // The three for which most readers move something; they stay in sight.
@@ -73,25 +83,16 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("driver-bore-diameter", "diameter of the driver's bore", "driver_bore_mm"),
     ],
     drag: None,
-    files: &[
-        LiveFile {
-            name: "dxf",
-            label: "Drawing for the machine (DXF)",
-            make: |settings| design(settings)?.dxf().map_err(words),
-        },
-        LiveFile {
-            name: "svg",
-            label: "Drawing with sizes (SVG)",
-            make: |settings| {
-                let design = design(settings)?;
-                Ok(stations::dimensions(design.sizes.as_ref().ok_or(NO_SIZES)?).standalone())
-            },
-        },
-        LiveFile { name: "csv", label: "These numbers (CSV)", make: numbers_file },
-    ],
+    files: &FILES,
+    turned: Some(turned),
+    tolerances: Some(ToleranceTable { fold: WRONG_SIZES, rows: tolerances }),
     beat: None,
     draw,
 };
+
+/// Ways to make the parts as they are called, in the order of [`Process::ALL`] behind none of them.
+const PROCESSES: [&str; 7] =
+    ["any process", "grinding", "milling", "a router", "a laser", "printing in resin", "printing with filament"];
 
 /// Materials as they are called, in the order of [`MATERIALS`].
 const NAMES: [&str; MATERIALS.len()] = {
@@ -104,7 +105,7 @@ const NAMES: [&str; MATERIALS.len()] = {
     names
 };
 
-/// How many arguments have a control.
+/// How many arguments have a control, and how many controls there are.
 const MOVED: usize = {
     let (mut moved, mut group) = (0, 0);
     while group < GROUPS.len() {
@@ -117,10 +118,12 @@ const MOVED: usize = {
     }
     moved
 };
+const ALL: usize = MOVED + ERRORS.len() + TURNING.len();
 
-/// A control for each argument that has one, in the fold of its group.
-const CONTROLS: [Control; MOVED] = {
-    let mut controls = [Control::number("", "", "", [0.0, 0.0], 0.0); MOVED];
+/// A control for each argument that has one, in the fold of its group; those for sizes that are wrong come last, with the errors
+/// that the command doesn't have.
+const CONTROLS: [Control; ALL] = {
+    let mut controls = [Control::number("", "", "", [0.0, 0.0], 0.0); ALL];
     let (mut at, mut group) = (0, 0);
     while group < GROUPS.len() {
         let mut row = 0;
@@ -134,12 +137,42 @@ const CONTROLS: [Control; MOVED] = {
         }
         group += 1;
     }
+    let mut error = 0;
+    while error < ERRORS.len() {
+        controls[at] = ERRORS[error].in_fold(WRONG_SIZES);
+        (at, error) = (at + 1, error + 1);
+    }
+    let mut turning = 0;
+    while turning < TURNING.len() {
+        controls[at] = TURNING[turning];
+        (at, turning) = (at + 1, turning + 1);
+    }
     controls
 };
+
+/// The files from which a wheel is made, its sheet and its numbers.
+const FILES: [LiveFile; SHAPE_FILES.len() + 2] = {
+    let numbers = LiveFile { name: "numbers.csv", label: "All numbers (CSV)", make: numbers_file };
+    let mut files = [numbers; SHAPE_FILES.len() + 2];
+    files[SHAPE_FILES.len()] = LiveFile { name: "sheet.txt", label: "Sheet with all numbers (text)", make: sheet_file };
+    let mut at = 0;
+    while at < SHAPE_FILES.len() {
+        files[at] = LiveFile { name: SHAPE_FILES[at].name, label: SHAPE_FILES[at].label, make: shape_file };
+        at += 1;
+    }
+    files
+};
+
+fn shape_file(settings: &Settings, name: &str) -> Result<Vec<u8>, String> {
+    let file = SHAPE_FILES.iter().find(|file| file.name == name).ok_or("no such file")?;
+    (file.make)(&design_for_a_file(settings)?).map_err(words)
+}
 
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
+        (ArgumentSlot::Choice(NamedChoice { names, .. }), _) => Control::choice(argument.name, label, names, 0),
+        (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
         (_, None) => Control::following(argument.name, label, unit, slider, step).with_typed_range(typed),
@@ -164,10 +197,9 @@ fn given_side(settings: &Settings, group: &str) -> Result<usize, String> {
     Ok(0)
 }
 
-/// The question of these settings; clearances are looked for no longer than a tenth of a second.
-fn question(settings: &Settings) -> Result<WheelQuestion, String> {
-    let effort = SearchEffort { clearance: 40_000, tolerance: 12_000 };
-    let mut question = WheelQuestion { effort, ..WheelQuestion::default() };
+/// The arguments that these settings give, each with its value: of a choice its number.
+fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
+    let mut given = Vec::new();
     for argument in arguments() {
         let Some(knob) = argument.knob else { continue };
         let is_given = match knob.side {
@@ -177,31 +209,87 @@ fn question(settings: &Settings) -> Result<WheelQuestion, String> {
         if !is_given {
             continue;
         }
-        let name = argument.name;
+        let value = match (argument.place, knob.first) {
+            (
+                ArgumentSlot::Stations(_)
+                | ArgumentSlot::Pins(_)
+                | ArgumentSlot::Material(_)
+                | ArgumentSlot::Count(_)
+                | ArgumentSlot::Choice(_)
+                | ArgumentSlot::Process(_),
+                _,
+            ) => Some(f64::from(settings.count(argument.name)?)),
+            (_, Some(_)) => Some(settings.value(argument.name)?),
+            (_, None) => settings.value_if_moved(argument.name)?,
+        };
+        given.extend(value.map(|value| (argument, value)));
+    }
+    Ok(given)
+}
+
+fn material(number: f64) -> Result<Material, String> {
+    MATERIALS.get(number as usize).copied().ok_or_else(|| "no such material".to_owned())
+}
+
+/// A process by its number; the first is none.
+fn process(number: f64) -> Option<Process> {
+    (number as usize).checked_sub(1).and_then(|at| Process::ALL.get(at)).copied()
+}
+
+/// The question of these settings.
+fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, String> {
+    let mut question = WheelQuestion { effort, ..WheelQuestion::default() };
+    for (argument, value) in given(settings)? {
         match argument.place {
-            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(settings.count(name)?),
-            ArgumentSlot::Material(at) => {
-                *at(&mut question) = Some(*MATERIALS.get(settings.choice(name)?).ok_or("no such material")?);
-            }
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(value as u32),
+            ArgumentSlot::Count(at) => *at(&mut question) = Some(value as u32),
+            ArgumentSlot::Choice(NamedChoice { set, .. }) => set(&mut question, value as usize),
+            ArgumentSlot::Material(at) => *at(&mut question) = Some(material(value)?),
+            ArgumentSlot::Process(at) => *at(&mut question) = process(value),
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
             | ArgumentSlot::SignedLength(at)
             | ArgumentSlot::AboveZero(at)
-            | ArgumentSlot::ZeroOrMore(at) => {
-                *at(&mut question) = match knob.first {
-                    Some(_) => Some(settings.value(name)?),
-                    None => settings.value_if_moved(name)?,
-                };
-            }
+            | ArgumentSlot::ZeroOrMore(at) => *at(&mut question) = Some(value),
             ArgumentSlot::Kind(_) | ArgumentSlot::Degrees(_) => {}
         }
     }
     Ok(question)
 }
 
+/// The command that asks the same. Axes in their place need no word.
+fn command(settings: &Settings) -> Result<String, String> {
+    let mut command = "geneva wheel".to_owned();
+    for (argument, value) in given(settings)? {
+        let text = match argument.place {
+            ArgumentSlot::SignedLength(_) if value == 0.0 => continue,
+            ArgumentSlot::Material(_) => material(value)?.name.to_owned(),
+            ArgumentSlot::Choice(_) if value == 0.0 => continue,
+            ArgumentSlot::Choice(NamedChoice { names, .. }) => {
+                names.get(value as usize).copied().unwrap_or_default().to_owned()
+            }
+            ArgumentSlot::Process(_) => match process(value) {
+                Some(process) => process.name().to_owned(),
+                None => continue,
+            },
+            _ => value.to_string(),
+        };
+        command += &format!(" --{} {text}", argument.name);
+    }
+    Ok(command)
+}
+
+/// How long clearances are looked for while a reader waits for each picture: no longer than a tenth of a second.
+const SOON: SearchEffort = SearchEffort { clearance: 40_000, tolerance: 12_000 };
+
 /// The wheel of these settings.
 fn design(settings: &Settings) -> Result<WheelDesign, String> {
-    WheelDesign::new(question(settings)?).map_err(words)
+    WheelDesign::new(question(settings, SOON)?).map_err(words)
+}
+
+/// The wheel of these settings for a file, which may take as long as the command's.
+fn design_for_a_file(settings: &Settings) -> Result<WheelDesign, String> {
+    WheelDesign::new(question(settings, SearchEffort::default())?).map_err(words)
 }
 
 /// A wheel without a size, which the controls always give.
@@ -223,27 +311,20 @@ fn decimals(tolerance: f64) -> usize {
     [0.000_05, 0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 4 - wider)
 }
 
-/// Names, values and texts of all numbers, a line for each.
-fn numbers_file(settings: &Settings) -> Result<String, String> {
-    let LiveReply { numbers, followers, further, .. } = draw(settings)?;
-    let label = |name: &str| {
-        let all = LIVE.quantities.iter().chain(LIVE.others).chain(&further);
-        all.into_iter().find(|of| of.name == name).map_or("", |of| of.label)
-    };
-    let mut lines = vec!["quantity,value,text".to_owned()];
-    for control in LIVE.controls {
-        let value = match followers.iter().find(|(name, _)| *name == control.name) {
-            Some((_, value)) => answer::round_for_box(*value),
-            None => settings.value(control.name)?,
-        };
-        let text = match control.kind {
-            ControlKind::Choice(choices) => choices.get(value as usize).copied().unwrap_or_default().to_owned(),
-            _ => format!("{value} {}", control.unit),
-        };
-        lines.push(format!("\"{}\",{value:?},\"{}\"", control.label, text.trim_end()));
-    }
-    lines.extend(numbers.iter().map(|of| format!("\"{}\",{:?},\"{}\"", label(of.name), of.value, of.text)));
-    Ok(lines.join("\n") + "\n")
+/// All numbers of the answer, a row for each.
+fn numbers_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
+    design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.table().into_bytes())
+}
+
+/// The answer for reading.
+fn sheet_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
+    design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.plain_sheet().into_bytes())
+}
+
+/// How the parts stand at the crank angle.
+fn turned(settings: &Settings) -> Result<TurnedParts, String> {
+    let design = design(settings)?;
+    WatchedWheel::new(settings, design.sizes.as_ref().ok_or(NO_SIZES)?)?.parts()
 }
 
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
@@ -273,9 +354,23 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
         LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
     let warnings = design.warnings().map_err(words)?;
     let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
-    let message = message(&warnings, design.centre_error(), is_late);
+    let watched = WatchedWheel::new(settings, sizes)?;
+    let message = message(&warnings, design.centre_error(), is_late, watched.verdict()?);
     let followers = followers(&design, &fields);
-    Ok(LiveReply { further, followers, message, ..LiveReply::new(stations::dimensions_on_a_page(sizes), numbers) })
+    let (made, slots_turned) = watched.drawn();
+    let figure = if made == *sizes && slots_turned == 0.0 {
+        stations::dimensions_on_a_page(sizes)
+    } else {
+        stations::dimensions_of_a_wrong_wheel(sizes, &made, slots_turned)
+    };
+    Ok(LiveReply {
+        further,
+        followers,
+        message,
+        turned: Some(watched.parts()?),
+        command: Some(command(settings)?),
+        ..LiveReply::new(figure, numbers)
+    })
 }
 
 /// Where the controls stand that follow the others.
@@ -288,7 +383,8 @@ fn followers(design: &WheelDesign, fields: &[ReportField]) -> Vec<(&'static str,
             // A round table of this size would have the same inertia.
             "table_diameter_mm" => TABLE,
             "table_mass_kg" => 2.0 * table / (TABLE / 2000.0 * (TABLE / 2000.0)),
-            _ => 0.0,
+            // A shaft that there is not has no diameter.
+            _ => f64::NAN,
         });
         Some((argument.name, value))
     };
@@ -313,7 +409,10 @@ fn worded(number: LiveNumber, key: &str, sizes: &Sizes) -> LiveNumber {
         "dwell_backlash_deg" => format!("±{}", number.text),
         "dwell_backlash_held_fraction" => format!("{} of the dwell", number.text),
         "greatest_dwell_backlash_until_entry_deg" => format!("{} of the crank", number.text),
-        "slot_width_mm" => format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+        "slot_width_mm" => {
+            let depth = LiveNumber::significant("", sizes.slot_depth, 3, "mm").text;
+            format!("{} × {depth}", number.text.trim_end_matches(" mm"))
+        }
         _ => return number,
     };
     LiveNumber { text, ..number }
@@ -327,8 +426,8 @@ fn place(nearest: &ClosestApproach) -> LiveNumber {
     LiveNumber { text, ..at }
 }
 
-/// What is to be said of the setting: the warnings of the command, and which numbers are for other axes or are missing.
-fn message(warnings: &[String], error: f64, is_late: bool) -> Option<String> {
+/// What is to be said of the setting: what errors do, the warnings of the command, and which numbers are for other axes or are missing.
+fn message(warnings: &[String], error: f64, is_late: bool, verdict: Option<String>) -> Option<String> {
     let warnings = warnings.iter().map(|warning| {
         let mut letters = warning.chars();
         let first = letters.next().map(|letter| letter.to_ascii_uppercase());
@@ -342,6 +441,72 @@ fn message(warnings: &[String], error: f64, is_late: bool) -> Option<String> {
         "With so little play, some of the clearances take too long to compute in a page. The command geneva wheel \
          computes them.",
     );
-    let all: Vec<String> = warnings.chain([moved, late].into_iter().flatten().map(str::to_owned)).collect();
+    let own = [moved, late].into_iter().flatten().map(str::to_owned);
+    let all: Vec<String> = verdict.into_iter().chain(warnings).chain(own).collect();
     Some(all.join(" ")).filter(|text| !text.is_empty())
+}
+
+/// By how much each size may be wrong, alone and with all others, and by how much it is.
+fn tolerances(settings: &Settings) -> Result<Vec<ToleranceRow>, String> {
+    let design = design(settings)?;
+    let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
+    let errors = WrongSizes::read(settings)?;
+    let fields = design.tolerance_fields().map_err(words)?;
+    let play = ReportField::in_unit("play_mm", sizes.play.slot, "mm").rounded(Rounding::Limit(3));
+    let limit = |key: &str| -> Option<(f64, String)> {
+        let field = fields.iter().chain([&play]).find(|field| field.key == key)?;
+        let number = LiveNumber::from_field("", &field.clone().rounded(at_most_three(field.rounding)))?;
+        Some((number.value, number.text))
+    };
+    let (out, degrees) = (errors.slot_direction.abs(), errors.slot_direction.to_degrees().abs());
+    // What is set, as it counts for its limit alone and for that of all together.
+    let rows = [
+        ("axes nearer", "centres_nearer_mm", -errors.centre_distance, "all_nearer_mm", -errors.centre_distance),
+        ("axes farther", "centres_farther_mm", errors.centre_distance, "all_farther_mm", errors.centre_distance),
+        (
+            "longer crank",
+            "crank_radius_tolerance_mm",
+            errors.crank_radius,
+            "all_crank_radius_mm",
+            errors.crank_radius.abs(),
+        ),
+        (
+            "thicker pin, narrower slot",
+            "play_mm",
+            errors.pin_diameter - errors.slot_width,
+            "all_width_mm",
+            errors.pin_diameter.max(-errors.slot_width),
+        ),
+        (
+            "slot out of direction",
+            "slot_direction_tolerance_deg",
+            degrees,
+            "all_slot_direction_at_rim_mm",
+            out * sizes.wheel_radius,
+        ),
+        ("slot end farther out", "bottom_gap_mm", errors.slot_end, "all_slot_end_mm", errors.slot_end),
+        (
+            "larger disc, smaller arc",
+            "locking_gap_mm",
+            errors.locking_disc - errors.locking_arc - errors.centre_distance,
+            "all_locking_mm",
+            errors.locking_disc.max(-errors.locking_arc),
+        ),
+    ];
+    let row = |(name, alone, set, together, set_together): (&'static str, &str, f64, &str, f64)| {
+        let (alone, together) = (limit(alone), limit(together));
+        let is_passed = |limit: &Option<(f64, String)>, set: f64| limit.as_ref().is_some_and(|(most, _)| set > *most);
+        let state = if is_passed(&alone, set) {
+            ToleranceState::Beyond
+        } else if is_passed(&together, set_together) {
+            ToleranceState::BeyondTogether
+        } else {
+            ToleranceState::Within
+        };
+        let unit = if name == "slot out of direction" { "°" } else { "mm" };
+        let set = if set > 0.0 { LiveNumber::significant("", set, 3, unit).text } else { "–".to_owned() };
+        let text = |limit: Option<(f64, String)>| limit.map_or_else(|| "–".to_owned(), |(_, text)| text);
+        ToleranceRow { name, set, alone: text(alone), together: text(together), state }
+    };
+    Ok(rows.into_iter().map(row).collect())
 }

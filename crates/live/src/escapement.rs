@@ -47,6 +47,8 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: None,
     files: &[],
+    turned: None,
+    tolerances: None,
     beat: Some("period"),
     draw,
 };

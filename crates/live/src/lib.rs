@@ -18,11 +18,14 @@ mod exports;
 mod mistake;
 mod pin;
 mod polygon;
+mod turned;
+mod watch;
 mod wheel;
 
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
-pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset};
+pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
+pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 
 /// All figures that a reader moves, in the order of the book.
 pub const LIVE: [&Live; 6] =
@@ -33,8 +36,9 @@ pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.dxf?arguments`
-/// asks for the file with that ending, and the answer holds it as `file`. A question that cannot be answered gets `error`:
+/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question
+/// `name.wheel.dxf?arguments` asks for the file with that name, and the answer holds it as `file` or, if it is no text, as `base64`;
+/// `name.turned` asks for `turned` alone, and `name.tolerances` for the rows of tolerances. A question that cannot be answered gets `error`:
 /// what is wrong, and what to give.
 pub fn answer(question: &str) -> String {
     match asked(question) {
@@ -52,13 +56,20 @@ fn asked(question: &str) -> Result<String, String> {
     }
     let (name, arguments) = question.split_once('?').unwrap_or((question, ""));
     let arguments = LiveArguments::parse(arguments)?;
-    let (name, ending) = name.split_once('.').map_or((name, None), |(name, ending)| (name, Some(ending)));
+    let (name, part) = name.split_once('.').map_or((name, None), |(name, part)| (name, Some(part)));
     let live = by_name(name).ok_or_else(|| {
         let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();
         format!("no figure `{}`: there are {}", arguments::quoted(name), names.join(", "))
     })?;
-    match ending {
-        Some(ending) => live.file(ending, &arguments).map(|file| answer::object("file", &file)),
+    match part {
+        Some("turned") => {
+            live.turned_parts(&arguments).map(|parts| parts.map_or("null".to_owned(), |parts| parts.to_json()))
+        }
+        Some("tolerances") => {
+            let rows = live.tolerance_rows(&arguments)?;
+            Ok(answer::array(rows.iter().map(ToleranceRow::to_json)))
+        }
+        Some(file) => live.file(file, &arguments).map(answer::file_object),
         None => live.answer(&arguments).map(|answer| answer.to_json()),
     }
 }

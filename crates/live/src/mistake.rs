@@ -46,6 +46,8 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: None,
     files: &[],
+    turned: None,
+    tolerances: None,
     beat: None,
     draw,
 };

@@ -53,6 +53,8 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: Some(PointerDrag { control: "theta", at_right: 180.0, sense: 1.0 }),
     files: &[],
+    turned: None,
+    tolerances: None,
     beat: None,
     draw,
 };

@@ -58,6 +58,8 @@ pub const LIVE: Live = Live {
     others: &[],
     drag: Some(PointerDrag { control: "crank", at_right: -180.0, sense: 1.0 }),
     files: &[],
+    turned: None,
+    tolerances: None,
     beat: None,
     draw,
 };

@@ -1,73 +1,101 @@
 //! What lies on which layer of a drawing, and where.
 
-use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Loop, Sizes};
-use nalgebra::Vector2;
-use std::f64::consts::PI;
+use crate::geometry::Point;
+use crate::parts::{Hole, HolePurpose, Layer, Part};
+use geneva_kinematics::wheel::{Edge, Loop};
 
 /// Arrangement of the parts on the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PartLayout {
     /// In place, as they run: the wheel's axis at the origin, the driver's at (c, 0), in the middle of a dwell.
     Assembled,
-    /// Side by side, to be cut out: wheel, locking disc, plate with the holes of its pins.
+    /// Side by side, to be cut out, each once: wheel, locking disc, plate with the holes of its pins, base plate.
     Apart,
 }
 
-/// A layer of the drawing; the pieces of one layer are cut from one sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
-    /// The wheel.
-    Wheel,
-    /// The driver's locking disc, as thick as the wheel and in its plane.
-    LockingDisc,
-    /// The driver's plate, behind the wheel.
-    Plate,
-    /// The pins, or the holes for them in the plate.
-    Pins,
-}
+/// Space between parts that lie side by side, over the width of the first.
+const SPACE: f64 = 0.05;
+/// Half the length of a mark's arms over the part's greatest radius, in millimetres at least and at most: our choice.
+const OF_MARK: f64 = 0.04;
+const MARK: [f64; 2] = [0.5, 3.0];
 
-impl Layer {
-    /// All layers.
-    pub const ALL: [Self; 4] = [Self::Wheel, Self::LockingDisc, Self::Plate, Self::Pins];
-
-    /// The layer's name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Wheel => "WHEEL",
-            Self::LockingDisc => "LOCKING_DISC",
-            Self::Plate => "DRIVER_PLATE",
-            Self::Pins => "PINS",
+/// Where parts that lie side by side have their axes, along the first axis: the first at the origin. Those in which nothing
+/// is cut have none.
+pub(crate) fn side_by_side(parts: &[Part]) -> Vec<(&Part, Point)> {
+    let mut right: Option<f64> = None;
+    let mut space = 0.0;
+    let mut places = Vec::new();
+    for part in parts.iter().filter(|part| part.is_cut()) {
+        let [from, to] = extent(part);
+        if right.is_none() {
+            space = SPACE * (to - from);
         }
+        let at = right.map_or(0.0, |right| right + space - from);
+        right = Some(at + to);
+        places.push((part, Point::new(at, 0.0)));
     }
+    places
 }
 
-/// Space between parts that lie side by side, over the pin's diameter.
-const SPACE: f64 = 1.0;
+/// How far a part reaches along the first axis, in millimetres.
+pub(crate) fn extent(part: &Part) -> [f64; 2] {
+    let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+    for edge in &part.outer.edges {
+        let (from, to) = match *edge {
+            Edge::Line { from, to } => (from.x.min(to.x), from.x.max(to.x)),
+            // No less than the arc reaches.
+            Edge::Arc { centre, radius, .. } if centre.norm() <= radius => (centre.x - radius, centre.x + radius),
+            Edge::Arc { .. } => {
+                let (a, b) = (edge.start_point().x, edge.end_point().x);
+                (a.min(b), a.max(b))
+            }
+        };
+        reach = [reach[0].min(from), reach[1].max(to)];
+    }
+    reach
+}
 
-/// All loops of the drawing in place, each with its layer.
-pub(crate) fn loops(sizes: &Sizes, layout: PartLayout) -> Vec<(Layer, Loop)> {
-    let outline = sizes.outline();
-    let (wheel_turn, driver_turn) = match layout {
-        PartLayout::Assembled => (sizes.wheel.half_pitch_angle(), PI - PI / f64::from(sizes.wheel.pins())),
-        PartLayout::Apart => (0.0, 0.0),
+/// The two lines of each mark of a part.
+pub(crate) fn marks(part: &Part) -> Vec<Edge> {
+    let [from, to] = extent(part);
+    let arm = (OF_MARK * (to - from) / 2.0).clamp(MARK[0], MARK[1]);
+    let line = |at: Point, by: Point| Edge::Line { from: at - by, to: at + by };
+    let both = |at: &Point| [line(*at, Point::new(arm, 0.0)), line(*at, Point::new(0.0, arm))];
+    part.marks.iter().flat_map(both).collect()
+}
+
+/// All pieces of the drawing in place, each with its layer.
+pub(crate) fn edges(parts: &[Part], layout: PartLayout) -> Vec<(Layer, Edge)> {
+    let mut all = Vec::new();
+    let mut add = |layer, edges: &[Edge], turn, by| {
+        all.extend(edges.iter().map(|edge| (layer, edge.transform(turn, by))));
     };
-    let space = SPACE * sizes.pin_diameter;
-    let disc_radius = sizes.locking_disc.map_or(0.0, |disc| disc.radius);
-    let (disc_at, plate_at) = match layout {
-        PartLayout::Assembled => (sizes.centre_distance, sizes.centre_distance),
+    match layout {
         PartLayout::Apart => {
-            let disc = sizes.tip_radius + space + disc_radius;
-            (disc, disc + disc_radius + space + sizes.plate_radius)
+            for (part, at) in side_by_side(parts) {
+                lines(part, true).iter().for_each(|(layer, edges)| add(*layer, edges, 0.0, at));
+            }
         }
-    };
-    let mut loops = Vec::new();
-    let mut add = |layer, of: &Loop, turn, x| loops.push((layer, of.transform(turn, Vector2::new(x, 0.0))));
-    outline.wheel.loops().for_each(|of| add(Layer::Wheel, of, wheel_turn, 0.0));
-    if let Some(disc) = &outline.disc {
-        disc.loops().for_each(|of| add(Layer::LockingDisc, of, driver_turn, disc_at));
+        PartLayout::Assembled => {
+            let has_pins = parts.iter().any(|part| part.layer == Layer::Pins);
+            for part in parts {
+                let lines = lines(part, !has_pins);
+                for place in &part.places {
+                    lines.iter().for_each(|(layer, edges)| add(*layer, edges, place.turn, place.at));
+                }
+            }
+        }
     }
-    outline.plate.loops().for_each(|of| add(Layer::Plate, of, driver_turn, plate_at));
-    outline.pins.iter().for_each(|of| add(Layer::Pins, of, driver_turn, plate_at));
-    loops
+    all
+}
+
+/// The lines of a part about its own axis, with or without the holes of pins.
+fn lines(part: &Part, with_pins: bool) -> Vec<(Layer, Vec<Edge>)> {
+    let of = |layer, of: &Loop| (layer, of.edges.clone());
+    let layer = |hole: &Hole| if hole.purpose == HolePurpose::Pin { Layer::Pins } else { part.layer };
+    let holes = || part.holes.iter().filter(move |hole| with_pins || hole.purpose != HolePurpose::Pin);
+    let outer = std::iter::once(of(part.layer, &part.outer));
+    let through = holes().map(|hole| of(layer(hole), &hole.outline));
+    let pockets = holes().filter_map(|hole| Some(of(Layer::Pockets, &hole.widening.as_ref()?.outline)));
+    outer.chain(through).chain(pockets).chain([(Layer::Centres, marks(part))]).collect()
 }

@@ -1,11 +1,12 @@
 //! The sizes of a wheel and its driver from the lines and arcs of a drawing.
 //!
-//! The wheel's axis is the centre that most of its arcs share: its rim is there. Arcs with their centres farther out than the rim are locking
-//! arcs; the others are ends of slots, whose walls are the lines beside them. The disc is about the centre of the arc that goes
+//! The wheel's axis is the centre that most of its arcs share: its rim is there. Hollow arcs with their centres farther out than the rim are
+//! locking arcs; of the others those that go half round are ends of slots, whose walls are the lines beside them. Without any, slots are
+//! pairs of lines. Rounded or chamfered mouths are passed over. The disc is about the centre of the arc that goes
 //! farthest round, and its other arcs are crescents. Pins are circles, about the middle of the plate's largest circle.
 
-use crate::drawing::Layer;
 use crate::dxf_reader::{Drawing, DrawingError};
+use crate::parts::Layer;
 use geneva_kinematics::wheel::as_built::{MeasuredSize, MeasuredWheel};
 use geneva_kinematics::wheel::{Edge, Wheel};
 use nalgebra::Vector2;
@@ -47,7 +48,28 @@ struct DrawnArc {
     centre: Point,
     radius: f64,
     sweep: f64,
+    /// Where it begins, where its middle is, and where it ends.
+    points: [Point; 3],
 }
+
+impl DrawnArc {
+    /// Whether its middle is nearer to a point than both its ends: it is hollow as seen from there.
+    fn is_hollow_from(&self, axis: Point) -> bool {
+        let [start, middle, end] = self.points.map(|point| (point - axis).norm());
+        middle < start.min(end)
+    }
+}
+
+/// A slot of a drawing, its directions in radians.
+#[derive(Clone, Copy, Debug)]
+struct DrawnSlot {
+    direction: f64,
+    end: f64,
+    width: f64,
+}
+
+/// The end of a slot goes round by at least so much, in radians; a rounded corner by less.
+const LEAST_END: f64 = 0.75 * PI;
 
 impl Drawing {
     fn on<'a>(&'a self, layer: &'a str) -> impl Iterator<Item = &'a Edge> {
@@ -56,7 +78,13 @@ impl Drawing {
 
     fn arcs(&self, layer: &str) -> Vec<DrawnArc> {
         let arc = |edge: &Edge| match *edge {
-            Edge::Arc { centre, radius, sweep, .. } => Some(DrawnArc { centre, radius, sweep: sweep.abs() }),
+            Edge::Arc { centre, radius, start, sweep } => {
+                let at = |share: f64| {
+                    let (sin, cos) = libm::sincos(start + share * sweep);
+                    centre + Point::new(cos, sin) * radius
+                };
+                Some(DrawnArc { centre, radius, sweep: sweep.abs(), points: [0.0, 0.5, 1.0].map(at) })
+            }
             Edge::Line { .. } => None,
         };
         self.on(layer).filter_map(arc).collect()
@@ -68,10 +96,11 @@ impl Drawing {
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-    /// use geneva_workshop::{Drawing, LayerNames, PartLayout, dxf};
+    /// use geneva_workshop::{Drawing, LayerNames, Mounting, PartLayout, dxf, parts};
     ///
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-    /// let drawing = Drawing::read(&dxf(&sizes, PartLayout::Assembled))?;
+    /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+    /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled))?;
     /// let nearest = drawing.measure(&LayerNames::default(), 0.01)?.nearest()?;
     /// assert!(nearest.culprit.is_none() && (nearest.crank_radius - 50.0).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -87,33 +116,43 @@ impl Drawing {
         let axis = shared_centre(&arcs, size, |_| 1.0).ok_or_else(|| missing(&layers.wheel, "there is no arc"))?;
         let about_axis = |arc: &&DrawnArc| (arc.centre - axis).norm() < SAME * size;
         let rim = arcs.iter().filter(about_axis).map(|arc| arc.radius).fold(0.0, f64::max);
-        let others: Vec<&DrawnArc> = arcs.iter().filter(|arc| !about_axis(arc)).collect();
-        let (mut slots, locking): (Vec<&DrawnArc>, Vec<&DrawnArc>) =
-            others.into_iter().partition(|arc| (arc.centre - axis).norm() < rim);
         let direction = |arc: &DrawnArc| {
             let from = arc.centre - axis;
             libm::atan2(from.y, from.x)
         };
-        slots.sort_by(|one, other| direction(one).total_cmp(&direction(other)));
+        let others = arcs.iter().filter(|arc| !about_axis(arc));
+        let is_locking = |arc: &DrawnArc| (arc.centre - axis).norm() >= rim && arc.is_hollow_from(axis);
+        let locking: Vec<&DrawnArc> = others.clone().filter(|arc| is_locking(arc)).collect();
+        let ends = others.filter(|arc| (arc.centre - axis).norm() < rim && arc.sweep > LEAST_END && !is_circle(arc));
+        let mut slots: Vec<DrawnSlot> = ends
+            .map(|arc| DrawnSlot {
+                direction: direction(arc),
+                end: (arc.centre - axis).norm(),
+                width: self.width(&layers.wheel, axis, arc),
+            })
+            .collect();
+        if slots.is_empty() {
+            slots = self.square_slots(&layers.wheel, axis, rim);
+        }
+        slots.sort_by(|one, other| one.direction.total_cmp(&other.direction));
         let pins: Vec<DrawnArc> = self.arcs(&layers.pins).into_iter().filter(is_circle).collect();
-        let wheel = Wheel::with_pins(slots.len() as u32, pins.len().max(1) as u32).map_err(|error| {
-            DrawingError::Sizes(format!("slots with round ends on layer {}: {error}", layers.wheel))
-        })?;
+        let wheel = Wheel::with_pins(slots.len() as u32, pins.len().max(1) as u32)
+            .map_err(|error| DrawingError::Sizes(format!("slots on layer {}: {error}", layers.wheel)))?;
         let mut measured = MeasuredWheel::new(wheel);
         let mut add = |size, value, uncertainty| {
             measured.add(size, value, uncertainty).map_err(|error| DrawingError::Sizes(error.to_string()))
         };
         let pitch = 2.0 * PI / slots.len() as f64;
         // Where slot 0 would be if all slots and arcs were right.
-        let offs: Vec<f64> = slots.iter().enumerate().map(|(k, arc)| direction(arc) - pitch * k as f64).collect();
+        let offs: Vec<f64> = slots.iter().enumerate().map(|(k, slot)| slot.direction - pitch * k as f64).collect();
         let near = median(&offs);
         let place = |arc: &DrawnArc| libm::round((direction(arc) - near) / pitch - 0.5);
         let of_arcs = locking.iter().map(|arc| direction(arc) - pitch * (place(arc) + 0.5));
         let base = median(&offs.iter().copied().chain(of_arcs).collect::<Vec<_>>());
         add(MeasuredSize::TipRadius, rim, uncertainty)?;
         for (k, (slot, off)) in slots.iter().zip(&offs).enumerate() {
-            add(MeasuredSize::SlotWidth(Some(k)), self.width(&layers.wheel, axis, slot), uncertainty)?;
-            add(MeasuredSize::SlotEnd(Some(k)), (slot.centre - axis).norm(), uncertainty)?;
+            add(MeasuredSize::SlotWidth(Some(k)), slot.width, uncertainty)?;
+            add(MeasuredSize::SlotEnd(Some(k)), slot.end, uncertainty)?;
             add(MeasuredSize::SlotDirection(k), off - base, uncertainty / rim)?;
         }
         for arc in &locking {
@@ -144,6 +183,42 @@ impl Drawing {
             }
         }
         Ok(measured)
+    }
+
+    /// Slots between two lines that point away from the axis, with square ends. The end told is that of a round one that stops the
+    /// pin at the same depth.
+    fn square_slots(&self, layer: &str, axis: Point, rim: f64) -> Vec<DrawnSlot> {
+        let walls: Vec<(Point, f64, f64)> = self
+            .on(layer)
+            .filter_map(|edge| {
+                let Edge::Line { from, to } = *edge else { return None };
+                let (from, to) = (from - axis, to - axis);
+                let (inner, outer) = if from.norm() < to.norm() { (from, to) } else { (to, from) };
+                let along = (outer - inner).normalize();
+                let is_wall = (outer - inner).norm() > 0.1 * rim && along.perp(&inner).abs() < 0.5 * inner.dot(&along);
+                is_wall.then(|| (along, along.perp(&inner), inner.dot(&along)))
+            })
+            .collect();
+        // A wall may be drawn in pieces.
+        let mut whole: Vec<(Point, f64, f64)> = Vec::new();
+        for (along, across, foot) in walls {
+            let is_piece =
+                |of: &&mut (Point, f64, f64)| of.0.dot(&along) > 1.0 - 1e-6 && (of.1 - across).abs() < 1e-3 * rim;
+            match whole.iter_mut().find(is_piece) {
+                Some(other) => other.2 = other.2.min(foot),
+                None => whole.push((along, across, foot)),
+            }
+        }
+        let walls = whole;
+        let opposite = |(along, across, foot): &(Point, f64, f64)| {
+            let beside = walls.iter().filter(|(of, other, _)| of.dot(along) > 0.999 && *other > *across);
+            let nearest = beside.min_by(|one, other| one.1.total_cmp(&other.1))?;
+            let middle = (along + nearest.0).normalize();
+            let (width, centre) = (nearest.1 - across, f64::midpoint(nearest.1, *across));
+            let direction = libm::atan2(middle.y, middle.x) + libm::asin((centre / rim).clamp(-1.0, 1.0));
+            Some(DrawnSlot { direction, end: f64::midpoint(*foot, nearest.2) + width / 2.0, width })
+        };
+        walls.iter().filter_map(opposite).collect()
     }
 
     /// Width of a slot between the lines beside its end; twice the end's radius where there are none.

@@ -4,13 +4,14 @@
 //! whose centres, radii and angles stand in the file as they are, not as the bulge of a polyline. Numbers are written
 //! with as many digits as give the same number back. The header says that lengths are millimetres.
 
-use crate::drawing::{Layer, PartLayout, loops};
-use geneva_kinematics::wheel::{Edge, Sizes};
+use crate::drawing::{PartLayout, edges};
+use crate::parts::{Layer, Part};
+use geneva_kinematics::wheel::Edge;
 use std::f64::consts::PI;
 use std::fmt::{Display, Write};
 
-/// The drawing of both parts.
-pub fn dxf(sizes: &Sizes, layout: PartLayout) -> String {
+/// The drawing of all parts, with a cross at each axis and pin.
+pub fn dxf(parts: &[Part], layout: PartLayout) -> String {
     let mut file = File(String::new());
     file.group(0, "SECTION").group(2, "HEADER");
     file.group(9, "$ACADVER").group(1, "AC1009");
@@ -29,9 +30,7 @@ pub fn dxf(sizes: &Sizes, layout: PartLayout) -> String {
     file.group(0, "ENDTAB").group(0, "ENDSEC");
 
     file.group(0, "SECTION").group(2, "ENTITIES");
-    for (layer, of) in loops(sizes, layout) {
-        of.edges.iter().for_each(|edge| file.entity(layer, edge));
-    }
+    edges(parts, layout).iter().for_each(|(layer, edge)| file.entity(*layer, edge));
     file.group(0, "ENDSEC").group(0, "EOF");
     file.0
 }
@@ -81,12 +80,22 @@ fn degrees(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_kinematics::wheel::{Choices, Loop, Scale, Wheel};
+    use crate::parts::{BasePlate, Fastener, Mounting, Pattern, PinMount, ScrewHole, Thread, parts};
+    use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
     use nalgebra::Vector2;
 
-    fn sizes(stations: u32, pins: u32) -> Sizes {
+    /// The parts of a wheel with a crank of 50 mm, bare and with a base plate, a hub and nuts.
+    fn lists(stations: u32, pins: u32) -> [Vec<Part>; 2] {
         let wheel = Wheel::with_pins(stations, pins).unwrap();
-        Sizes::new(wheel, Scale::CrankRadius(50.0), &Choices::default()).unwrap()
+        let sizes = Sizes::new(wheel, Scale::CrankRadius(50.0), &Choices::default()).unwrap();
+        let fastener = Fastener::Screw(Thread::M3, ScrewHole::NutTrap);
+        let mounted = Mounting {
+            wheel_hub: Some(Pattern { count: 3, circle: 0.6 * sizes.wheel_shaft_limit, fastener }),
+            pins: PinMount::Screw(Thread::M3, ScrewHole::Tapped),
+            base: Some(BasePlate { screws: Some(Thread::M5), ..BasePlate::default() }),
+            ..Mounting::default()
+        };
+        [Mounting::default(), mounted].map(|mounting| parts(&sizes, 6.0, &mounting).unwrap().parts)
     }
 
     /// A record of the file: what begins it, and the groups that follow, as the reference of release 12 describes them.
@@ -197,10 +206,12 @@ mod tests {
 
     #[test]
     fn a_reader_of_the_format_finds_the_same_lines_and_arcs() {
-        for (stations, pins) in [(3, 1), (4, 4), (6, 1), (6, 2), (12, 2), (60, 1)] {
-            let sizes = sizes(stations, pins);
-            for layout in [PartLayout::Assembled, PartLayout::Apart] {
-                let sections = sections(&dxf(&sizes, layout));
+        for (stations, pins) in [(4, 4), (6, 1), (6, 2), (12, 2), (60, 1)] {
+            for (parts, layout) in lists(stations, pins)
+                .iter()
+                .flat_map(|parts| [PartLayout::Assembled, PartLayout::Apart].map(|layout| (parts, layout)))
+            {
+                let sections = sections(&dxf(parts, layout));
                 let names: Vec<_> = sections.iter().map(|(name, _)| name.as_str()).collect();
                 assert_eq!(names, ["HEADER", "TABLES", "ENTITIES"]);
                 let header: Vec<_> = sections[0].1[0].groups.iter().map(|(code, of)| (*code, of.as_str())).collect();
@@ -217,30 +228,66 @@ mod tests {
                     assert!(rows.iter().all(|row| row.kind == table) && rows[0].text(2) == name);
                 }
 
-                let written: Vec<(Layer, Edge)> = loops(&sizes, layout)
-                    .into_iter()
-                    .flat_map(|(layer, of): (Layer, Loop)| of.edges.into_iter().map(move |edge| (layer, edge)))
-                    .collect();
+                let written = edges(parts, layout);
                 let found = &sections[2].1[1..];
                 assert_eq!(found.len(), written.len());
                 for (entity, (layer, edge)) in found.iter().zip(&written) {
                     assert_eq!(entity.text(8), layer.name());
-                    same(&entity.edge(), edge, sizes.centre_distance);
+                    same(&entity.edge(), edge, 100.0);
                 }
+            }
+        }
+    }
+
+    /// The entities of a layer.
+    fn on(parts: &[Part], layout: PartLayout, layer: Layer) -> Vec<Edge> {
+        let sections = sections(&dxf(parts, layout));
+        sections[2].1[1..].iter().filter(|of| of.text(8) == layer.name()).map(Record::edge).collect()
+    }
+
+    #[test]
+    fn a_file_of_bare_parts_has_no_bore_and_a_cross_at_each_axis_and_pin() {
+        for (stations, pins) in [(4, 1), (6, 2), (12, 1), (24, 2)] {
+            let [bare, _] = lists(stations, pins);
+            let circles = |layer| {
+                on(&bare, PartLayout::Apart, layer).into_iter().filter_map(|edge| match edge {
+                    Edge::Arc { centre, radius, sweep, .. } if sweep >= 2.0 * PI => Some((centre, radius)),
+                    _ => None,
+                })
+            };
+            assert_eq!([Layer::Wheel, Layer::LockingDisc].map(|layer| circles(layer).count()), [0, 0]);
+            let (plate, _) = circles(Layer::Plate).next().unwrap();
+            let crosses: Vec<Vector2<f64>> = on(&bare, PartLayout::Apart, Layer::Centres)
+                .chunks(2)
+                .map(|pair| {
+                    let middle = |edge: &Edge| (edge.start_point() + edge.end_point()) / 2.0;
+                    assert!((middle(&pair[0]) - middle(&pair[1])).norm() < 1e-12);
+                    middle(&pair[0])
+                })
+                .collect();
+            assert_eq!(crosses.len(), 3 + pins as usize, "wheel, disc, plate and pins");
+            let expected = circles(Layer::Pins).map(|(centre, _)| centre).chain([Vector2::zeros(), plate]);
+            for centre in expected {
+                assert!(crosses.iter().any(|cross| (cross - centre).norm() < 1e-9), "{centre}");
             }
         }
     }
 
     #[test]
     fn parts_to_be_cut_out_lie_apart() {
-        let sizes = sizes(6, 1);
-        let right_of = |layer: Layer| {
-            let all = loops(&sizes, PartLayout::Apart);
-            let points = all.iter().filter(|(of, _)| *of == layer).flat_map(|(_, of)| of.corners(0.01).unwrap());
-            points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.x), b.max(p.x)))
-        };
-        assert!(right_of(Layer::Wheel).1 < right_of(Layer::LockingDisc).0);
-        assert!(right_of(Layer::LockingDisc).1 < right_of(Layer::Plate).0);
-        assert!(right_of(Layer::Plate).0 < right_of(Layer::Pins).0);
+        for parts in lists(6, 1) {
+            let reach = |layer: Layer| {
+                let points = on(&parts, PartLayout::Apart, layer)
+                    .into_iter()
+                    .flat_map(|edge| geneva_kinematics::wheel::Loop { edges: vec![edge] }.corners(0.01).unwrap());
+                points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.x), b.max(p.x)))
+            };
+            let all = [Layer::Wheel, Layer::LockingDisc, Layer::Plate, Layer::BasePlate].map(reach);
+            for pair in all.windows(2).filter(|pair| pair[1].0.is_finite()) {
+                assert!(pair[0].1 < pair[1].0, "{all:?}");
+            }
+            let (pins, plate) = (reach(Layer::Pins), reach(Layer::Plate));
+            assert!(plate.0 < pins.0 && pins.1 < plate.1, "the holes of pins are in the plate");
+        }
     }
 }

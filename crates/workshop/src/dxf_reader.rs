@@ -8,6 +8,8 @@ use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 type Point = Vector2<f64>;
+/// A corner of a polyline, and the bulge of the edge that begins there.
+type Corner = (Point, f64);
 
 /// Why a drawing can't be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -126,7 +128,7 @@ fn bulged(from: Point, to: Point, bulge: f64) -> Edge {
 }
 
 /// The edges through corners with their bulges.
-fn through(corners: &[(Point, f64)], is_closed: bool) -> Vec<Edge> {
+fn through(corners: &[Corner], is_closed: bool) -> Vec<Edge> {
     let next = corners.iter().skip(1).chain(corners.first().filter(|_| is_closed));
     let edges = corners.iter().zip(next).map(|((from, bulge), (to, _))| bulged(*from, *to, *bulge));
     edges.filter(|edge| (edge.end_point() - edge.start_point()).norm() > 0.0).collect()
@@ -148,10 +150,11 @@ impl Drawing {
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-    /// use geneva_workshop::{Drawing, PartLayout, dxf};
+    /// use geneva_workshop::{Drawing, Mounting, PartLayout, dxf, parts};
     ///
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-    /// let drawing = Drawing::read(&dxf(&sizes, PartLayout::Apart))?;
+    /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+    /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Apart))?;
     /// assert!(drawing.edges.iter().any(|edge| edge.layer == "WHEEL"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -172,7 +175,7 @@ impl Drawing {
         });
         let mut drawing = Self::default();
         let mut is_in_entities = false;
-        let mut polyline: Option<(String, bool, Vec<(Point, f64)>)> = None;
+        let mut polyline: Option<(String, bool, Vec<Corner>)> = None;
         for record in records {
             match record.kind {
                 "SECTION" => is_in_entities = record.find(2).is_some_and(|name| name.value == "ENTITIES"),
@@ -223,7 +226,7 @@ fn edges(record: &Record<'_, '_>) -> Result<Option<Vec<Edge>>, DrawingError> {
             }
         }
         "LWPOLYLINE" => {
-            let mut corners: Vec<(Point, f64)> = Vec::new();
+            let mut corners: Vec<Corner> = Vec::new();
             for group in record.groups {
                 match (group.code, corners.last_mut()) {
                     (10, _) => corners.push((Point::new(group.number()?, 0.0), 0.0)),

@@ -3,31 +3,11 @@
 //! Arcs become chords; the corners are on the arcs. So a mesh is inside its part at outer arcs and outside at hollow
 //! ones, by the tolerance at most: keep that well below the play.
 
+use crate::body::{Body, bodies};
+use crate::parts::{MountingError, Part};
 use earcut::Earcut;
 use geneva_kinematics::KinematicsError;
-use geneva_kinematics::wheel::{Face, Loop, Outline, Sizes};
 use nalgebra::{Vector2, Vector3};
-
-/// Thickness and accuracy of a solid made from a part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solid {
-    /// Thickness of the wheel, of the locking disc and of the plate, in millimetres.
-    pub thickness: f64,
-    /// Greatest distance of a chord from its arc, in millimetres.
-    pub tolerance: f64,
-}
-
-impl Solid {
-    /// The solid, if its lengths are positive and finite.
-    pub(crate) fn validate(self) -> Result<Self, KinematicsError> {
-        for (name, asked) in [("thickness", self.thickness), ("chord tolerance", self.tolerance)] {
-            if !(asked > 0.0 && asked.is_finite()) {
-                return Err(KinematicsError::Length { name, asked });
-            }
-        }
-        Ok(self)
-    }
-}
 
 /// A closed surface; lengths in millimetres.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -126,71 +106,68 @@ fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
     }
 }
 
-/// The wheel as a plate on the plane z = 0.
-///
-/// # Errors
-///
-/// [`KinematicsError::Length`] for a thickness or a tolerance that is not positive and finite.
-pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
-    let Solid { thickness, tolerance } = solid.validate()?;
-    let loops = corners(&sizes.outline().wheel, tolerance)?;
-    let mut mesh = Mesh::default();
-    let all: Vec<_> = loops.iter().collect();
-    mesh.face(&all, 0.0, false);
-    mesh.face(&all, thickness, true);
-    loops.iter().for_each(|of| mesh.wall(of, 0.0, thickness));
-    Ok(mesh)
-}
-
-/// The driver in one piece: the plate on the plane z = 0, locking disc and pins on it.
-///
-/// Disc and pins stand above the plate by the wheel's thickness and the play of the slots, so that the wheel runs between
-/// plate and tops.
-///
-/// # Errors
-///
-/// As for [`wheel_mesh`].
-pub fn driver_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
-    let Solid { thickness, tolerance } = solid.validate()?;
-    let Outline { disc, plate, pins, .. } = sizes.outline();
-    let (middle, top) = (thickness, 2.0 * thickness + sizes.play.slot);
-    let plate = corners(&plate, tolerance)?;
-    let disc = disc.map(|disc| corners(&disc, tolerance)).transpose()?;
-    let pins = pins.iter().map(|pin| pin.corners(tolerance)).collect::<Result<Vec<_>, _>>()?;
-
-    let mut mesh = Mesh::default();
-    mesh.face(&plate.iter().collect::<Vec<_>>(), 0.0, false);
-    let Some((rim, bores)) = plate.split_first() else { return Ok(mesh) };
-    mesh.wall(rim, 0.0, middle);
-    // The bore goes through plate and disc.
-    bores.iter().for_each(|bore| mesh.wall(bore, 0.0, if disc.is_some() { top } else { middle }));
-    // What stands on the plate is a hole of its upper face.
-    let stands = disc.iter().flat_map(|disc| disc.first()).chain(&pins);
-    let on_plate = if disc.is_some() { &[] } else { bores };
-    mesh.face(&[rim].into_iter().chain(stands.clone()).chain(on_plate).collect::<Vec<_>>(), middle, true);
-    stands.for_each(|of| mesh.wall(of, middle, top));
-    if let Some(disc) = &disc {
-        mesh.face(&disc.iter().collect::<Vec<_>>(), top, true);
+impl Body {
+    /// Its surface, whose chords leave their arcs by this much at most, in millimetres.
+    pub(crate) fn mesh(&self, tolerance: f64) -> Result<Mesh, KinematicsError> {
+        let lines = self.lines.iter().map(|of| of.corners(tolerance)).collect::<Result<Vec<Polygon>, _>>()?;
+        let mut mesh = Mesh::default();
+        for cap in &self.caps {
+            let loops: Vec<&Polygon> = cap.lines.iter().filter_map(|line| lines.get(*line)).collect();
+            mesh.face(&loops, cap.height, cap.is_up);
+        }
+        for wall in &self.walls {
+            lines.get(wall.line).into_iter().for_each(|of| mesh.wall(of, wall.bottom, wall.top));
+        }
+        Ok(mesh)
     }
-    pins.iter().for_each(|pin| mesh.face(&[pin], top, true));
-    Ok(mesh)
 }
 
-fn corners(face: &Face, tolerance: f64) -> Result<Vec<Polygon>, KinematicsError> {
-    face.loops().map(|of: &Loop| of.corners(tolerance)).collect()
+/// The solids of these parts as they lie side by side on a printer's bed, each with a name: wheel, driver and what else there
+/// is. Chords leave their arcs by the tolerance at most, in millimetres.
+///
+/// Locking disc and pins that are in one piece with the plate stand on it.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+/// use geneva_workshop::{Mounting, meshes, parts};
+///
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
+/// let list = parts(&sizes, 5.0, &Mounting::default()).expect("bare parts");
+/// let meshes = meshes(&list.parts, 0.01).expect("meshes");
+/// assert_eq!(meshes.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["wheel", "driver"]);
+/// let volume = list.parts[0].volume(); // mm³
+/// assert!((meshes[0].1.volume() / volume - 1.0).abs() < 1e-3); // chords are not arcs
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it, and [`MountingError::Kinematics`] for a tolerance that
+/// is not positive and finite.
+pub fn meshes(parts: &[Part], tolerance: f64) -> Result<Vec<(&'static str, Mesh)>, MountingError> {
+    let mut right: Option<f64> = None;
+    let mut all = Vec::new();
+    for body in bodies(parts)? {
+        let [from, to] = body.extent;
+        let mesh = body.mesh(tolerance)?;
+        for _ in &body.places {
+            let at = right.map_or(0.0, |right| right + SPACE - from);
+            right = Some(at + to);
+            all.push((body.name, mesh.clone().translate(at)));
+        }
+    }
+    Ok(all)
 }
+
+/// Space between parts that lie side by side, in millimetres: our choice.
+const SPACE: f64 = 5.0;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_kinematics::wheel::{Choices, Scale, Wheel};
+    use crate::parts::{Mounting, parts};
+    use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
     use std::collections::HashMap;
-    use std::f64::consts::PI;
-
-    fn sizes(stations: u32, pins: u32) -> Sizes {
-        let wheel = Wheel::with_pins(stations, pins).unwrap();
-        Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap()
-    }
 
     /// Each edge is shared by two triangles, which run along it in opposite senses; none is degenerate.
     #[track_caller]
@@ -210,39 +187,25 @@ mod tests {
     }
 
     #[test]
-    fn meshes_are_closed_and_as_large_as_the_outlines() {
+    fn meshes_are_closed_and_as_large_as_the_parts() {
         let counts = (3..=7).flat_map(|stations| (1..=6).map(move |pins| (stations, pins))).chain([(12, 1), (60, 2)]);
         for (stations, pins) in counts {
-            if Wheel::with_pins(stations, pins).is_err() {
-                continue;
+            let Ok(wheel) = Wheel::with_pins(stations, pins) else { continue };
+            let sizes = Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap();
+            for is_stacked in [false, true] {
+                let mounting = Mounting { is_stacked, ..Mounting::default() };
+                let list = parts(&sizes, 5.0, &mounting).unwrap().parts;
+                let all = meshes(&list, 0.002).unwrap();
+                let volume: f64 = all.iter().map(|(_, mesh)| mesh.volume()).sum();
+                let mut drawn: f64 = list.iter().map(|part| part.volume() * part.quantity() as f64).sum();
+                if !is_stacked {
+                    // The pins fill their holes.
+                    drawn += std::f64::consts::PI * sizes.pin_radius().powi(2) * 5.0 * f64::from(pins);
+                }
+                let name = format!("{stations} stations, {pins} pins, {is_stacked}");
+                all.iter().for_each(|(of, mesh)| is_closed(mesh, &format!("{name}: {of}")));
+                approx::assert_relative_eq!(volume, drawn, max_relative = 2e-3);
             }
-            let sizes = sizes(stations, pins);
-            let outline = sizes.outline();
-            let solid = Solid { thickness: 5.0, tolerance: 0.005 };
-            let (wheel, driver) = (wheel_mesh(&sizes, solid).unwrap(), driver_mesh(&sizes, solid).unwrap());
-            let name = format!("{stations} stations, {pins} pins");
-            is_closed(&wheel, &name);
-            is_closed(&driver, &name);
-            // A chord takes from or adds to the area less than its length times the tolerance.
-            let length = |face: &Face| -> f64 {
-                let around = |of: &Loop| {
-                    let corners = of.corners(1e-3).unwrap();
-                    let next = corners.iter().cycle().skip(1);
-                    corners.iter().zip(next).map(|(a, b)| (b - a).norm()).sum::<f64>()
-                };
-                face.loops().map(around).sum()
-            };
-            let room = |face: &Face| length(face) * solid.tolerance * solid.thickness;
-            let volume = outline.wheel.area() * solid.thickness;
-            assert!((wheel.volume() - volume).abs() < room(&outline.wheel), "{name}: {} {volume}", wheel.volume());
-            let pin = PI * sizes.pin_radius() * sizes.pin_radius() * f64::from(pins);
-            let above = outline.disc.as_ref().map_or(0.0, Face::area) + pin;
-            let volume = outline.plate.area() * solid.thickness + above * (solid.thickness + sizes.play.slot);
-            let rooms = 3.0 * room(&outline.plate) + 3.0 * outline.disc.as_ref().map_or(0.0, room);
-            assert!((driver.volume() - volume).abs() < rooms, "{name}: {} {volume}", driver.volume());
-            // With finer chords the volume comes to that of the arcs.
-            let fine = wheel_mesh(&sizes, Solid { tolerance: 1e-4, ..solid }).unwrap().volume();
-            approx::assert_relative_eq!(fine, outline.wheel.area() * solid.thickness, max_relative = 1e-5);
         }
     }
 
@@ -258,11 +221,13 @@ mod tests {
     }
 
     #[test]
-    fn a_mesh_without_thickness_is_refused() {
+    fn a_mesh_without_thickness_or_tolerance_is_refused() {
+        let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CrankRadius(50.0), &Choices::default()).unwrap();
         for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let of = |thickness, tolerance| wheel_mesh(&sizes(6, 1), Solid { thickness, tolerance });
-            assert!(matches!(of(wrong, 0.1), Err(KinematicsError::Length { name: "thickness", .. })));
-            assert!(matches!(of(1.0, wrong), Err(KinematicsError::Length { name: "chord tolerance", .. })));
+            let refused = parts(&sizes, wrong, &Mounting::default());
+            assert!(matches!(refused, Err(MountingError::Thickness { .. })));
+            let list = parts(&sizes, 1.0, &Mounting::default()).unwrap().parts;
+            assert!(matches!(meshes(&list, wrong), Err(MountingError::Kinematics(_))));
         }
     }
 }

@@ -1,255 +1,212 @@
-//! Does a model whose variables are changed either refuse itself or still run? The text is evaluated here, as OpenSCAD would,
-//! and its parts are turned past each other, each as circles and squares.
+//! Does a model whose variables are changed either refuse itself or still run? OpenSCAD itself runs it, and says what wheel and
+//! driver have in common at moments of a turn. Without OpenSCAD on the path these tests say that they are skipped.
 
-use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Solid, scad};
-use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
+use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
+use geneva_workshop::{Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit, Thread, scad};
+use std::path::PathBuf;
+use std::process::Command;
 
-/// Variables with their numbers.
-type Names = BTreeMap<String, f64>;
-
-/// An expression of the file: `+ - * /`, comparisons, `||`, brackets, and `sin` of degrees.
-struct Expression<'a> {
-    words: Vec<&'a str>,
-    at: usize,
-    names: &'a Names,
+/// What OpenSCAD says of a model.
+#[derive(Debug, PartialEq)]
+enum Said {
+    /// An assertion refused it, with these words.
+    Refused(String),
+    /// Wheel and driver have nothing in common at any moment.
+    Runs,
+    /// They have this in common, as a file of the format SVG.
+    Overlaps(String),
 }
 
-fn words(text: &str) -> Vec<&str> {
-    let mut words = Vec::new();
-    let mut rest = text.trim_start();
-    while let Some(first) = rest.chars().next() {
-        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '$');
-        let length = if is_word(first) {
-            rest.find(|c| !is_word(c)).unwrap_or(rest.len())
-        } else if ["==", "<=", ">=", "||"].iter().any(|sign| rest.starts_with(sign)) {
-            2
-        } else {
-            first.len_utf8()
-        };
-        words.push(&rest[..length]);
-        rest = rest[length..].trim_start();
+fn has_openscad() -> bool {
+    let is_there = Command::new("openscad").arg("--version").output().is_ok_and(|output| output.status.success());
+    if !is_there {
+        assert!(std::env::var_os("OPENSCAD_REQUIRED").is_none(), "OpenSCAD is required, and not on the path");
+        println!("skipped: there is no openscad on the path");
     }
-    words
+    is_there
 }
 
-impl Expression<'_> {
-    fn value(text: &str, names: &Names) -> f64 {
-        let mut expression = Expression { words: words(text), at: 0, names };
-        let value = expression.either();
-        assert_eq!(expression.at, expression.words.len(), "not read to its end: {text}");
-        value
-    }
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("writable");
+    folder
+}
 
-    fn take(&mut self, signs: &[&str]) -> Option<String> {
-        let word = self.words.get(self.at).filter(|word| signs.contains(word))?;
-        self.at += 1;
-        Some((*word).to_owned())
+/// Runs a model with some variables changed.
+fn run(name: &str, text: &str, changed: &[(&str, f64)], show: &str, output: &str) -> (bool, String, Option<String>) {
+    let folder = folder(name);
+    let (model, result) = (folder.join("model.scad"), folder.join(output));
+    std::fs::write(&model, text).expect("writable");
+    let _ = std::fs::remove_file(&result);
+    let mut command = Command::new("openscad");
+    command.arg("-o").arg(&result).arg("-D").arg(format!("part=\"{show}\""));
+    for (name, value) in changed {
+        command.arg("-D").arg(format!("{name}={value}"));
     }
+    let run = command.arg(&model).output().expect("it runs");
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    (run.status.success(), said, std::fs::read_to_string(result).ok())
+}
 
-    fn either(&mut self) -> f64 {
-        let mut value = self.compared();
-        while self.take(&["||"]).is_some() {
-            let other = self.compared();
-            value = f64::from(value != 0.0 || other != 0.0);
-        }
-        value
+/// A square beside the parts, so that a result without it is none.
+const BESIDE: &str = "\nif (part == \"overlap\") translate([1e5, 0]) square(1);\n";
+
+fn overlap(name: &str, text: &str, changed: &[(&str, f64)]) -> Said {
+    let (is_done, said, result) = run(name, &format!("{text}{BESIDE}"), changed, "overlap", "overlap.svg");
+    if let Some(at) = said.find("ERROR: Assertion") {
+        return Said::Refused(said[at..].lines().next().unwrap_or_default().to_owned());
     }
+    let result = result.unwrap_or_default();
+    assert!(is_done && result.contains("100001,-1"), "{said}");
+    // Each closed line begins with this letter.
+    if result.matches("M ").count() == 1 { Said::Runs } else { Said::Overlaps(result) }
+}
 
-    fn compared(&mut self) -> f64 {
-        let left = self.sum();
-        let Some(sign) = self.take(&["==", "<=", ">=", "<", ">"]) else { return left };
-        let right = self.sum();
-        f64::from(match &*sign {
-            "==" => left == right,
-            "<=" => left <= right,
-            ">=" => left >= right,
-            "<" => left < right,
-            _ => left > right,
-        })
-    }
+fn sizes(stations: u32, pins: u32, choices: &Choices) -> Sizes {
+    Sizes::new(Wheel::with_pins(stations, pins).expect("possible"), Scale::CrankRadius(60.0), choices)
+        .expect("possible")
+}
 
-    fn sum(&mut self) -> f64 {
-        let mut value = self.product();
-        while let Some(sign) = self.take(&["+", "-"]) {
-            let term = self.product();
-            value += if sign == "+" { term } else { -term };
-        }
-        value
-    }
+/// With shafts for key and flat.
+fn shafts() -> Choices {
+    Choices { wheel_shaft: Some(6.0), plate_shaft: Some(8.0), ..Choices::default() }
+}
 
-    fn product(&mut self) -> f64 {
-        let mut value = self.single();
-        while let Some(sign) = self.take(&["*", "/"]) {
-            let factor = self.single();
-            value = if sign == "*" { value * factor } else { value / factor };
-        }
-        value
-    }
-
-    fn single(&mut self) -> f64 {
-        let word = self.words[self.at];
-        self.at += 1;
-        match word {
-            "(" => {
-                let value = self.either();
-                assert!(self.take(&[")"]).is_some());
-                value
-            }
-            "-" => -self.single(),
-            "sin" => self.single().to_radians().sin(),
-            _ => word.parse().unwrap_or_else(|_| *self.names.get(word).unwrap_or_else(|| panic!("no {word}"))),
-        }
+fn mounting(sizes: &Sizes) -> Mounting {
+    let fastener = Fastener::Screw(Thread::M3, ScrewHole::NutTrap);
+    Mounting {
+        wheel_fit: ShaftFit::Key,
+        driver_fit: ShaftFit::Flat { across: 7.0 },
+        wheel_hub: Some(Pattern { count: 3, circle: 1.3 * (sizes.slot_end - sizes.slot_width / 2.0), fastener }),
+        pins: PinMount::Screw(Thread::M3, ScrewHole::Clearance),
+        ..Mounting::default()
     }
 }
 
-/// The file up to its drawing, with some variables changed: its variables and why it refuses itself, if it does.
-fn read(text: &str, changed: &[(&str, f64)]) -> (Names, Option<String>) {
-    let code: String =
-        text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join(" ");
-    let mut names = Names::new();
-    for statement in code.split(';').map(str::trim).take_while(|statement| !statement.starts_with("part = ")) {
-        if let Some(inside) = statement.strip_prefix("assert(").and_then(|rest| rest.strip_suffix(')')) {
-            let (condition, why) = inside.split_once(", ").expect("a condition and a reason");
-            if Expression::value(condition, &names) == 0.0 {
-                return (names, Some(why.trim().trim_matches('"').to_owned()));
-            }
-        } else {
-            let (name, value) = statement.split_once(" = ").expect("a variable");
-            let given = changed.iter().find(|(of, _)| *of == name).map(|(_, value)| *value);
-            let value = given.unwrap_or_else(|| Expression::value(value, &names));
-            names.insert(name.to_owned(), value);
-        }
-    }
-    (names, None)
+fn variables(text: &str) -> Vec<(String, f64)> {
+    let before = text.split("/* [Hidden] */").next().expect("possible");
+    let lines = before.lines().filter_map(|line| line.split_once(" = "));
+    lines.filter_map(|(name, rest)| Some((name.to_owned(), rest.split(';').next()?.parse().ok()?))).collect()
 }
-
-/// How deep, in millimetres, some point of one part is in the other over the whole turn, by the text's circles and squares.
-fn overlap(names: &Names) -> f64 {
-    let of = |name: &str| names[name];
-    let (half_pitch, pins) = (of("half_pitch").to_radians(), of("pins"));
-    let (centre, crank) = (of("centre_distance"), of("crank_radius"));
-    let (half, pin, disc) = (of("slot_width") / 2.0, of("pin_diameter") / 2.0, of("locking_disc_radius"));
-    // How deep a point is in the wheel, below zero outside.
-    let in_wheel = |[x, y]: [f64; 2]| {
-        let (far, angle) = (x.hypot(y), y.atan2(x));
-        let from_slot = angle - 2.0 * half_pitch * (angle / (2.0 * half_pitch)).round();
-        let [along, across] = [far * from_slot.cos(), (far * from_slot.sin()).abs()];
-        let end = (along - of("slot_end")).hypot(across) - half;
-        let slot = if along > of("slot_end") { end.min(across - half) } else { end };
-        let arc = (far * (half_pitch - from_slot.abs()).cos() - centre)
-            .hypot(far * (half_pitch - from_slot.abs()).sin())
-            - of("locking_arc_radius");
-        (of("tip_radius") - far).min(slot).min(arc)
-    };
-    let around = |radius: f64, step: f64| {
-        let all = (TAU * radius / step).ceil().max(8.0) as usize;
-        (0..all).map(move |k| TAU * k as f64 / all as f64).map(move |at| [radius * at.cos(), radius * at.sin()])
-    };
-    let step = crank / 80.0;
-    // Points on the outlines of pins and disc; the first pin is to the right of the driver's axis.
-    let turns = || (0..pins as u32).map(|k| TAU * f64::from(k) / pins);
-    let turned = |[x, y]: [f64; 2], turn: f64| [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos()];
-    let (at, cut) = (of("crescent_centre"), of("crescent_radius"));
-    let is_of_disc = |[x, y]: &[f64; 2]| {
-        let is_cut = |turn: f64| (x - at * turn.cos()).hypot(y - at * turn.sin()) < cut - 1e-9;
-        x.hypot(*y) <= disc + 1e-9 && !turns().any(is_cut)
-    };
-    let mut driver: Vec<[f64; 2]> = Vec::new();
-    if disc > 0.0 {
-        // The edges of the opening, its wall, and the rim.
-        let along = (disc * disc + at * at - cut * cut) / (2.0 * at);
-        let across = (disc * disc - along * along).max(0.0).sqrt();
-        let edges = [[along, across], [along, -across]];
-        let opening: Vec<_> = around(cut, step).map(|[x, y]| [at + x, y]).chain(edges).collect();
-        driver.extend(turns().flat_map(|turn| opening.iter().map(move |point| turned(*point, turn))));
-        driver.extend(around(disc, step));
-        driver.retain(is_of_disc);
-    }
-    driver.extend(turns().flat_map(|turn| around(pin, step).map(move |[x, y]| turned([crank + x, y], turn))));
-    let engagement = PI / 2.0 - half_pitch;
-    let mut deepest = f64::NEG_INFINITY;
-    for k in -60..=60 {
-        let theta = PI / pins * f64::from(k) / 60.0;
-        let phi = if theta.abs() < engagement {
-            (crank * theta.sin()).atan2(centre - crank * theta.cos())
-        } else {
-            theta.signum() * half_pitch
-        };
-        for [x, y] in &driver {
-            let turn = PI - theta;
-            let [x, y] = [centre + x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos()];
-            let back = [x * phi.cos() + y * phi.sin(), y * phi.cos() - x * phi.sin()];
-            deepest = deepest.max(in_wheel(back));
-        }
-    }
-    deepest
-}
-
-fn model(stations: u32, pins: u32, choices: &Choices) -> String {
-    let wheel = Wheel::with_pins(stations, pins).expect("possible");
-    let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), choices).expect("fits");
-    scad(&sizes, Solid { thickness: 6.0, tolerance: 0.005 }).expect("a model")
-}
-
-const WHEELS: [(u32, u32); 7] = [(3, 1), (4, 1), (4, 4), (5, 2), (6, 1), (8, 2), (12, 1)];
 
 #[test]
-fn a_model_that_is_not_changed_runs_and_refuses_nothing() {
-    let loose = Choices { play: Some(Play::from_slot(0.4)), ..Choices::default() };
-    let tight = Choices { play: Some(Play::from_slot(0.0)), ..Choices::default() };
-    for (stations, pins) in WHEELS {
-        for choices in [&Choices::default(), &loose, &tight] {
-            let (names, refused) = read(&model(stations, pins, choices), &[]);
-            assert_eq!(refused, None, "{stations} stations, {pins} pins");
-            let deepest = overlap(&names);
-            assert!(deepest < 1e-9, "{stations} stations, {pins} pins: {deepest} mm");
+fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
+    if !has_openscad() {
+        return;
+    }
+    for (stations, pins) in [(3, 1), (4, 1), (4, 4), (5, 2), (6, 1), (8, 2), (12, 1), (24, 1), (60, 1)] {
+        let sizes = sizes(stations, pins, &Choices::default());
+        let bare = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        let text =
+            bare.clone() + "\necho(cut = [crescent_centre, crescent_radius, locking_disc_radius, plate_radius]);\n";
+        assert_eq!(overlap("unchanged", &bare, &[]), Said::Runs, "{stations} stations, {pins} pins");
+        let (_, said, _) = run("unchanged", &text, &[], "overlap", "overlap.svg");
+        let cut = said.split("cut = [").nth(1).and_then(|rest| rest.split(']').next()).expect("what it echoes");
+        let cut: Vec<f64> = cut.split(", ").map(|number| number.parse().expect("a number")).collect();
+        let disc =
+            sizes.locking_disc.map_or([0.0; 3], |disc| [disc.crescent.centre, disc.crescent.radius, disc.radius]);
+        for (theirs, ours) in cut.iter().zip(disc.into_iter().chain([sizes.plate_radius])) {
+            // OpenSCAD echoes six digits.
+            assert!((theirs - ours).abs() <= 2e-5 * ours.max(1.0), "{stations} stations: {cut:?} {disc:?}");
         }
     }
-    for (stations, pins) in [(60, 1), (400, 1), (24, 2)] {
-        assert_eq!(read(&model(stations, pins, &Choices::default()), &[]).1, None, "{stations} stations");
+}
+
+#[test]
+fn a_model_with_mouths_runs_too() {
+    if !has_openscad() {
+        return;
+    }
+    for mouth in [Mouth::Chamfer { width: 2.0, angle: 0.4 }, Mouth::Round { radius: 2.0 }] {
+        let sizes = sizes(6, 1, &Choices { mouth, ..Choices::default() });
+        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        assert_eq!(overlap("mouths", &text, &[]), Said::Runs, "{mouth:?}");
+        let (is_done, said, result) = run("mouths", &text, &[], "wheel", "part.stl");
+        assert!(is_done, "{said}");
+        let area = sizes.outline().wheel.area();
+        approx::assert_relative_eq!(volume(&result.unwrap()), 6.0 * area, max_relative = 1e-3);
     }
 }
 
 #[test]
 fn a_model_with_a_changed_variable_refuses_itself_or_runs() {
+    if !has_openscad() {
+        return;
+    }
     let (mut runs, mut refuses) = (0, 0);
-    for (stations, pins) in [(4, 1), (6, 1), (8, 2)] {
-        let text = model(stations, pins, &Choices::default());
-        let (at_first, _) = read(&text, &[]);
-        let variables = text.lines().take_while(|line| !line.is_empty()).filter_map(|line| line.split_once(" = "));
-        for (name, _) in variables {
-            let others: Vec<f64> = match name {
-                "stations" => (3..=24).map(f64::from).filter(|other| *other != f64::from(stations)).collect(),
-                "pins" => (1..=6).map(f64::from).filter(|other| *other != f64::from(pins)).collect(),
-                _ => [0.8, 0.99, 1.01, 1.2].map(|factor| factor * at_first[name]).to_vec(),
+    for (stations, pins) in [(4, 1), (6, 2)] {
+        let sizes = sizes(stations, pins, &shafts());
+        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes)).unwrap();
+        for (name, value) in variables(&text) {
+            let others = match name.as_str() {
+                "stations" => vec![3.0, 5.0, 8.0, 12.0],
+                "pins" => vec![1.0, 2.0, 3.0, 4.0],
+                _ if value == 0.0 => continue,
+                _ => vec![0.8 * value, 1.2 * value],
             };
-            for value in others.into_iter().filter(|value| *value != at_first[name]) {
-                let (names, refused) = read(&text, &[(name, value)]);
-                if let Some(why) = refused {
-                    assert!(why.contains("must be") || why.contains("make "), "{name} = {value}: {why}");
-                    refuses += 1;
-                    continue;
+            for other in others.into_iter().filter(|other| *other != value) {
+                match overlap("changed", &text, &[(&name, other)]) {
+                    Said::Runs => runs += 1,
+                    Said::Refused(why) => {
+                        assert!(why.contains("make ") || why.contains("must be") || why.contains("change "), "{why}");
+                        refuses += 1;
+                    }
+                    Said::Overlaps(what) => panic!("{stations} stations, {pins} pins, {name} = {other}: {what}"),
                 }
-                let deepest = overlap(&names);
-                assert!(deepest < 1e-9, "{stations} stations, {pins} pins, {name} = {value}: {deepest} mm");
-                runs += 1;
             }
         }
     }
-    assert!(runs > 50 && refuses > 50, "{runs} run, {refuses} refuse themselves");
+    println!("{runs} run, {refuses} refuse themselves");
+    assert!(runs > 40 && refuses > 0, "{runs} run, {refuses} refuse themselves");
 }
 
 #[test]
-fn the_overlap_of_a_wheel_with_other_stations_would_be_found() {
-    // The crescent of six stations in a wheel of eight.
-    let (mut names, _) = read(&model(6, 1, &Choices::default()), &[]);
-    let (eight, _) = read(&model(8, 1, &Choices::default()), &[]);
-    for name in ["stations", "half_pitch", "centre_distance", "slot_end", "tip_radius"] {
-        names.insert(name.to_owned(), eight[name]);
+fn an_overlap_would_be_found() {
+    if !has_openscad() {
+        return;
     }
-    assert!(overlap(&names) > 0.1, "{} mm", overlap(&names));
+    let sizes = sizes(8, 1, &Choices::default());
+    let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+    // A crescent a little too shallow.
+    let wrong = text.replace("crescent_centre = has_dwell ? ", "crescent_centre = has_dwell ? 1.2 * ");
+    assert_ne!(wrong, text);
+    let said = overlap("wrong", &wrong, &[]);
+    assert!(matches!(&said, Said::Overlaps(_)), "{said:?}");
+}
+
+/// The volume inside a file of the format STL, as text.
+fn volume(text: &str) -> f64 {
+    let numbers = text.lines().filter_map(|line| line.trim().strip_prefix("vertex "));
+    let corners: Vec<[f64; 3]> = numbers
+        .map(|line| {
+            let of: Vec<f64> = line.split(' ').map(|number| number.parse().expect("a number")).collect();
+            [of[0], of[1], of[2]]
+        })
+        .collect();
+    let six = corners.chunks(3).map(|t| {
+        let [a, b, c] = [t[0], t[1], t[2]];
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    });
+    six.sum::<f64>() / 6.0
+}
+
+#[test]
+fn the_solids_of_openscad_are_as_large_as_the_parts() {
+    if !has_openscad() {
+        return;
+    }
+    for (stations, pins) in [(4, 1), (6, 2)] {
+        let sizes = sizes(stations, pins, &shafts());
+        let mounting = mounting(&sizes);
+        let text = scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
+        let driver: f64 = list[1..].iter().map(|part| part.volume()).sum();
+        for (show, ours) in [("wheel", list[0].volume()), ("driver", driver)] {
+            let (is_done, said, result) = run("solids", &text, &[], show, "part.stl");
+            assert!(is_done, "{said}");
+            approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
+        }
+    }
 }
 
 /// The mouth of the text, point by point, is the face of the outline.
@@ -263,7 +220,7 @@ fn a_model_has_the_mouths_of_the_outline() {
         let wheel = Wheel::new(6).expect("possible");
         let sizes =
             Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() }).expect("fits");
-        let text = scad(&sizes, Solid { thickness: 6.0, tolerance: 0.001 }).expect("a model");
+        let text = scad(&sizes, 6.0, 0.001, &Mounting::default()).expect("a model");
         let list = text.lines().find_map(|line| line.strip_prefix("mouth = [")?.strip_suffix("];")).expect("a mouth");
         let points: Vec<[f64; 2]> = list
             .trim_matches(['[', ']'])
@@ -283,5 +240,6 @@ fn a_model_has_the_mouths_of_the_outline() {
             assert!(nearest < 1e-9, "{mouth:?}: {x} {y} is {nearest} mm from a corner of the outline");
         }
     }
-    assert!(model(6, 1, &Choices::default()).contains("\nmouth = [];\n"));
+    let sharp = sizes(6, 1, &Choices::default());
+    assert!(scad(&sharp, 6.0, 0.01, &Mounting::default()).expect("a model").contains("\nmouth = [];\n"));
 }

@@ -1,9 +1,11 @@
 //! Wheels read back from drawings: are the sizes those that were drawn, and is the one wrong size of an outline named?
 
+#![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
+
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Drawing, DrawingError, LayerNames, PartLayout, dxf};
+use geneva_workshop::{Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, dxf, parts};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -16,9 +18,14 @@ fn sizes(stations: u32, pins: u32, play: f64) -> Sizes {
 #[test]
 fn our_own_drawings_give_back_the_sizes() {
     for (stations, pins) in [(3, 1), (4, 1), (6, 2), (8, 1), (12, 1)] {
-        for layout in [PartLayout::Apart, PartLayout::Assembled] {
+        let dowels = Pattern { count: 4, circle: 0.0, fastener: Fastener::Dowel(1.0) };
+        for (layout, is_mounted) in [PartLayout::Apart, PartLayout::Assembled].into_iter().zip([false, true]) {
             let sizes = sizes(stations, pins, 0.2);
-            let drawing = Drawing::read(&dxf(&sizes, layout)).unwrap();
+            // Holes for mounting are no slots.
+            let hub = Pattern { circle: 0.8 * sizes.wheel_shaft_limit, ..dowels };
+            let mounting = Mounting { wheel_hub: is_mounted.then_some(hub), ..Mounting::default() };
+            let list = parts(&sizes, 5.0, &mounting).unwrap();
+            let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
             let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
             let disc = sizes.locking_disc.unwrap();
             let right = |size| match size {
@@ -172,4 +179,64 @@ fn a_polyline_of_release_12_is_read_with_its_bulges() {
     let Edge::Arc { centre, radius, sweep, .. } = arc.edge else { panic!("{arc:?}") };
     assert!(centre.norm() < 1e-12 && (radius - 2.0).abs() < 1e-12 && (sweep - PI).abs() < 1e-12);
     assert!((arc.edge.end_point() - Vector2::new(-2.0, 0.0)).norm() < 1e-12);
+}
+
+#[test]
+fn mouths_and_square_ends_are_read_too() {
+    use geneva_kinematics::wheel::Mouth;
+    let mouths = [
+        Mouth::Chamfer { width: 1.0, angle: PI / 4.0 },
+        Mouth::Round { radius: 0.8 },
+        Mouth::LeadIn { length: 6.0, flare: 0.4 },
+    ];
+    for mouth in mouths {
+        let choices = Choices { mouth, play: Some(Play::from_slot(0.2)), ..Choices::default() };
+        let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap();
+        let list = parts(&sizes, 5.0, &Mounting::default()).unwrap();
+        let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
+        let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+        let nearest = measured.nearest().unwrap();
+        assert!(nearest.culprit.is_none() && measured.wheel().stations() == 6, "{mouth:?} {nearest:?}");
+        assert_eq!(measured.sizes().len(), 5 * 6 + 7, "{mouth:?}");
+    }
+    // Square ends: each round end of our own drawing becomes three lines.
+    let sizes = sizes(5, 1, 0.2);
+    let mut built = sizes.outline();
+    let round = built.wheel.outer.edges.clone();
+    let square = |edge: &Edge| match *edge {
+        Edge::Arc { radius, sweep, .. } if (sweep.abs() - PI).abs() < 1e-9 => {
+            let (from, to) = (edge.start_point(), edge.end_point());
+            let chord = to - from;
+            let inwards = Vector2::new(chord.y, -chord.x) / chord.norm() * radius;
+            let towards = if (from + inwards).norm() < from.norm() { inwards } else { -inwards };
+            vec![
+                Edge::Line { from, to: from + towards },
+                Edge::Line { from: from + towards, to: to + towards },
+                Edge::Line { from: to + towards, to },
+            ]
+        }
+        _ => vec![*edge],
+    };
+    built.wheel.outer.edges = round.iter().flat_map(square).collect();
+    let mut text = "0\nSECTION\n2\nENTITIES\n".to_owned();
+    for edge in &built.wheel.outer.edges {
+        match *edge {
+            Edge::Line { from, to } => {
+                write!(text, "0\nLINE\n8\nWHEEL\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", from.x, from.y, to.x, to.y)
+                    .unwrap();
+            }
+            Edge::Arc { centre, radius, start, sweep } => {
+                let (first, last) = if sweep < 0.0 { (start + sweep, start) } else { (start, start + sweep) };
+                let [first, last] = [first, last].map(f64::to_degrees);
+                let (x, y) = (centre.x, centre.y);
+                write!(text, "0\nARC\n8\nWHEEL\n10\n{x}\n20\n{y}\n40\n{radius}\n50\n{first}\n51\n{last}\n").unwrap();
+            }
+        }
+    }
+    text += "0\nENDSEC\n0\nEOF\n";
+    let measured = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+    let nearest = measured.nearest().unwrap();
+    assert_eq!(measured.wheel().stations(), 5);
+    assert!((nearest.slot_width - sizes.slot_width).abs() < 1e-6 && (nearest.slot_end - sizes.slot_end).abs() < 1e-6);
+    assert!(nearest.culprit.is_none(), "{nearest:?}");
 }

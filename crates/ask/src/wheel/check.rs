@@ -9,6 +9,7 @@ use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredError, MeasuredSize,
     MeasuredWheel, NearestWheel, SizeChange,
 };
+use geneva_workshop::{Drawing, DrawingError, LayerNames};
 use std::f64::consts::PI;
 
 /// An argument of the question that is a measured size: its name, its unit, what it is, and by what a typed number is multiplied.
@@ -122,24 +123,51 @@ impl CheckQuestion {
         let whole = |name: &str| value(name).map(|text| crate::number::<u32>(name, text)).transpose();
         let stations = whole("stations")?
             .ok_or_else(|| refused!("--stations is missing; count the slots of the wheel and give their number"))?;
-        let wheel = Wheel::with_pins(stations, whole("pins")?.unwrap_or(1))?;
-        let default = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
-        let mut measured = MeasuredWheel::new(wheel);
+        let mut question = Self::new(stations, whole("pins")?.unwrap_or(1))?;
+        let uncertainty = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
         for (name, text) in &given {
-            let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == *name) else {
-                if ["stations", "pins", "uncertainty", "rpm"].contains(name) {
-                    continue;
-                }
-                let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
-                return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
-            };
-            argument.add(&mut measured, text, default.unwrap_or(UNCERTAINTY))?;
+            if !["stations", "pins", "uncertainty", "rpm"].contains(name) {
+                question.add(name, text, uncertainty.unwrap_or(UNCERTAINTY))?;
+            }
         }
         let rpm = value("rpm").map(|text| crate::number::<f64>("rpm", text)).transpose()?;
         if let Some(rpm) = rpm.filter(|rpm| !(*rpm > 0.0 && rpm.is_finite())) {
             return Err(refused!("--rpm {}: the driver must turn; give a speed above zero", as_typed(rpm)));
         }
-        Ok(Self { measured, rpm })
+        Ok(Self { rpm, ..question })
+    }
+
+    /// A wheel of which nothing is measured yet.
+    ///
+    /// # Errors
+    ///
+    /// Numbers of stations and pins that no wheel has.
+    pub fn new(stations: u32, pins: u32) -> Result<Self, Error> {
+        Ok(Self { measured: MeasuredWheel::new(Wheel::with_pins(stations, pins)?), rpm: None })
+    }
+
+    /// A wheel of which a drawing in DXF has the sizes, each with this standard uncertainty in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A text that is no drawing, and one without the layers or the shapes of a wheel.
+    pub fn of_drawing(text: &str, layers: &LayerNames, uncertainty: f64) -> Result<Self, Error> {
+        let in_words = |error: DrawingError| Error::Argument(error.to_string());
+        let drawing = Drawing::read(text).map_err(in_words)?;
+        Ok(Self { measured: drawing.measure(layers, uncertainty).map_err(in_words)?, rpm: None })
+    }
+
+    /// Adds a size as it is typed, `6.1`, `6.1+-0.02` or `1:6.1,2:6.0`; one without an uncertainty has this one, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// A size that is not measured, and a value that it can't have.
+    pub fn add(&mut self, name: &str, text: &str, uncertainty: f64) -> Result<(), Error> {
+        let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == name) else {
+            let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
+            return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
+        };
+        argument.add(&mut self.measured, text, uncertainty)
     }
 
     /// The answer.
@@ -313,16 +341,20 @@ fn verdict(
         }
         None => "yes, every station".to_owned(),
     };
-    let culprit = nearest.culprit.map(|culprit| culprit_words(&culprit, &nearest.suspects));
+    let first = nearest.culprit.iter().map(|culprit| culprit_words(culprit, &nearest.suspects));
+    let further = nearest.further_culprits.iter().map(|culprit| culprit_words(culprit, &[]));
+    let culprits: Vec<String> = first.chain(further).collect();
+    let without = match &nearest.refusal {
+        Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {error}"),
+        None => "none: all measured sizes fit one right wheel".to_owned(),
+    };
     let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
     let first = first_change(nearest, changes);
     vec![
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
-            "contradiction",
-            culprit.unwrap_or_else(|| "none: all measured sizes fit one right wheel".to_owned()),
-        ),
+        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
+            .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
@@ -333,7 +365,7 @@ fn verdict(
 }
 
 fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
-    let rest = if culprit.rest_agrees { "all others agree" } else { "even without it the others do not agree" };
+    let rest = if culprit.rest_agrees { "all others agree" } else { "but these contradict each other, too" };
     let others: Vec<String> = suspects.iter().map(|size| named(*size)).collect();
     let or = if others.is_empty() { String::new() } else { format!("; it could also be {}", others.join(", ")) };
     format!(
@@ -349,7 +381,6 @@ fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
 fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
     let by_culprit = nearest
         .culprit
-        .filter(|culprit| culprit.rest_agrees)
         .map(|culprit| format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)));
     let by_change = changes.first().map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
@@ -449,6 +480,16 @@ mod tests {
         assert_eq!(text(&report, "culprit"), "slot width 2");
         assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
         assert!(text(&report, "change_first").starts_with("make slot width 2 4.2"));
+    }
+
+    #[test]
+    fn two_wrong_sizes_are_both_named() {
+        let report = report(
+            "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
+             --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
+        );
+        let words = &report.sections[0].1[1].line.as_ref().expect("a line").meaning;
+        assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
     }
 
     #[test]

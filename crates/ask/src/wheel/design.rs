@@ -1,10 +1,10 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::WheelQuestion;
 use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::{asked_mouth, check_mouth, mouth_argument};
+use super::question::{WheelQuestion, given};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
 use crate::Error;
@@ -16,8 +16,10 @@ use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::ProcessNumbers;
 use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError, Wheel,
+    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
+    Warning, Wheel,
 };
 use std::sync::OnceLock;
 
@@ -49,6 +51,7 @@ pub struct WheelDesign {
     /// What takes long to find, once it has been asked for.
     clearance: OnceLock<Option<(ClosestApproach, f64)>>,
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
+    shared_tolerance: OnceLock<Option<Option<SharedTolerance>>>,
 }
 
 impl WheelDesign {
@@ -110,6 +113,7 @@ impl WheelDesign {
             contact: contact.transpose()?,
             clearance: OnceLock::new(),
             centre_tolerance: OnceLock::new(),
+            shared_tolerance: OnceLock::new(),
         })
     }
 
@@ -142,7 +146,12 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        Ok(Some(WheelLoads::with_friction(wheel, inertia, friction(self)?, speed)?))
+        Ok(Some(WheelLoads::with_friction(
+            wheel,
+            inertia,
+            friction(&self.question, self.crank_radius, self.sizes.as_ref())?,
+            speed,
+        )?))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -171,7 +180,11 @@ impl WheelDesign {
 
     /// Gap between wheel and plate along the axes in millimetres, if the wheel has a size.
     pub fn axial_play(&self) -> Option<f64> {
-        self.sizes.map(|sizes| self.question.axial_play.unwrap_or(sizes.play.slot))
+        let of_process = |sizes: &Sizes| process_numbers(&self.question, sizes.centre_distance).ok().flatten();
+        self.sizes.as_ref().map(|sizes| {
+            let chosen = of_process(sizes).map_or(sizes.play.slot, |numbers| numbers.axial_play.value);
+            self.question.axial_play.unwrap_or(chosen)
+        })
     }
 
     /// What a maker should know about sizes that do fit: what is wrong with them, with the place of the axes, and with the play
@@ -182,8 +195,13 @@ impl WheelDesign {
     /// A distance of the axes at which the parts can't work together.
     pub fn warnings(&self) -> Result<Vec<String>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(Vec::new()) };
-        let loose = sizes.looser_than_fit().filter(|_| self.question.play.is_none());
-        let of_sizes = sizes.warnings().into_iter().chain(loose).map(|warning| warning.to_string());
+        let chosen = self.question.play.is_none();
+        let loose = sizes.looser_than_fit().filter(|_| chosen && self.question.process.is_none());
+        let is_usual = |warning: &Warning| {
+            chosen && self.question.process.is_some() && matches!(warning, Warning::LargePlay { .. })
+        };
+        let of_sizes = sizes.warnings().into_iter().filter(|warning| !is_usual(warning)).chain(loose);
+        let of_sizes = of_sizes.map(|warning| warning.to_string());
         // Parts without play touch; only what is deeper than the tolerance is an overlap.
         let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
         let error = self.centre_error();
@@ -233,7 +251,7 @@ impl WheelDesign {
     /// A distance of the axes at which the parts can't work together.
     pub fn shared_tolerance(&self) -> Result<Option<Option<SharedTolerance>>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
-        in_time(sizes.shared_tolerance_within(self.question.effort.tolerance))
+        once(&self.shared_tolerance, || in_time(sizes.shared_tolerance_within(self.question.effort.tolerance)))
     }
 }
 
@@ -351,30 +369,48 @@ fn scale(question: &WheelQuestion) -> Option<Scale> {
     crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
 }
 
-pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let choices = Choices {
+/// What was chosen of the parts.
+pub(super) fn choices(question: &WheelQuestion) -> Choices {
+    Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
         bottom_clearance: question.bottom_clearance,
         horn_thickness: question.horn,
         locking_arc_radius: question.locking_arc_radius,
-        wheel_shaft: question.wheel_shaft,
-        driver_shaft: question.driver_shaft,
+        wheel_shaft: given(question.wheel_shaft),
+        driver_shaft: given(question.driver_shaft),
+        plate_shaft: given(question.plate_shaft),
         mouth: asked_mouth(question).unwrap_or_default(),
-    };
+    }
+}
+
+pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let choices = choices(question);
     let (locking, bore) = (question.locking_play, question.bore_play);
-    if locking.or(bore).is_none() {
+    if locking.or(bore).is_none() && (question.process.is_none() || question.play.is_some()) {
         return Sizes::new(wheel, scale, &choices);
     }
-    // The other plays are those that it has without.
-    let Play { slot, locking: as_slot, bore: of_slot } =
-        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, ..choices })?.play;
-    let play = Play { slot, locking: locking.unwrap_or(as_slot), bore: bore.unwrap_or(of_slot) };
+    // The other plays are those that it has without, or those of the process.
+    let others =
+        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?;
+    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
+    let play = of_process.map_or(others.play, |numbers| numbers.play());
+    let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
     Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
 }
 
+/// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.
+pub(super) fn process_numbers(
+    question: &WheelQuestion,
+    centre_distance: f64,
+) -> Result<Option<ProcessNumbers>, KinematicsError> {
+    let Some(process) = question.process else { return Ok(None) };
+    let numbers = ProcessNumbers::new(process, centre_distance)?;
+    question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
+}
+
 /// The error about sizes that don't fit, with the arguments that change them, as they were given.
-fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
+pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
         Remedy::ThinnerHorn => ("horn", question.horn),
@@ -386,6 +422,7 @@ fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
         SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
         SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
         SizesError::Mouth { name, remedies, .. } => {
             std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
         }

@@ -35,7 +35,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     };
     let disc_force = match (&design.sizes, question.disc_friction) {
         (Some(sizes), Some(friction)) => {
-            disc(sizes, friction).map(|disc| disc.force(held_torque(design))).transpose()?
+            disc(sizes, friction).map(|disc| disc.force(held_torque(question))).transpose()?
         }
         _ => None,
     };

@@ -1,11 +1,16 @@
 //! Files from which a wheel is made.
 
-use super::design::WheelDesign;
-use super::kind::WheelKind;
+use super::design::{WheelDesign, choices, process_numbers, with_arguments as with_choices};
+use super::kind::{AnyWheel, WheelKind};
+use super::mounting::with_arguments;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_kinematics::wheel::{Edge, Face, Sizes};
-use geneva_workshop::{PartLayout, Solid, dxf, scad, stl};
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::wheel::{Edge, Sizes};
+use geneva_workshop::{
+    Mounting, Part, PartLayout, PartList, Sheet, SheetText, dxf, internal_parts, parts, scad, sheets, sheets_html,
+    sheets_svg, step, stl, svg_parts, three_mf,
+};
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
 const OF_PLAY: f64 = 0.1;
@@ -37,10 +42,40 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
         make: |design| Ok(design.drawing().standalone().into_bytes()),
     },
     ShapeFile {
+        name: "drawings.html",
+        label: "Drawings for the workshop, to print (HTML)",
+        needs_parts: true,
+        make: |design| design.drawings_html().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "drawings.svg",
+        label: "Drawings for the workshop (SVG)",
+        needs_parts: true,
+        make: |design| design.drawings_svg().map(String::into_bytes),
+    },
+    ShapeFile {
         name: "wheel.dxf",
         label: "Outlines for the machine (DXF)",
         needs_parts: true,
         make: |design| design.dxf().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "parts.svg",
+        label: "Parts to cut (SVG)",
+        needs_parts: true,
+        make: |design| design.svg_parts().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.step",
+        label: "Solids (STEP)",
+        needs_parts: true,
+        make: |design| design.step().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "wheel.3mf",
+        label: "Meshes with names and units (3MF)",
+        needs_parts: true,
+        make: |design| design.three_mf(),
     },
     ShapeFile {
         name: "wheel.stl",
@@ -66,38 +101,171 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, or has no size.
+    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
     pub fn dxf(&self) -> Result<String, Error> {
-        Ok(dxf(self.parts("dxf")?, PartLayout::Apart))
+        Ok(dxf(&self.listed("dxf")?.parts, PartLayout::Apart))
+    }
+
+    /// Drawings of all parts for a workshop, a sheet for each, with limits from standards and from the tolerance chains.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
+    pub fn drawings(&self) -> Result<Vec<Sheet>, Error> {
+        let sizes = self.sized("drawings")?;
+        let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
+        let [pin_material, wheel_material] = self.materials.map(|material| material.name.replace('-', " "));
+        let text = SheetText {
+            project: &self.project(),
+            wheel_material: &wheel_material,
+            pin_material: &pin_material,
+            hardness: None,
+        };
+        let shared = self.shared_tolerance()?.flatten();
+        sheets(sizes, thickness, &mounting, shared, &text).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// The [drawings](Self::drawings) one below the other, true to scale.
+    ///
+    /// # Errors
+    ///
+    /// As for [`drawings`](Self::drawings).
+    pub fn drawings_svg(&self) -> Result<String, Error> {
+        Ok(sheets_svg(&self.drawings()?))
+    }
+
+    /// The [drawings](Self::drawings) as a page that prints true to scale, each on paper of its own.
+    ///
+    /// # Errors
+    ///
+    /// As for [`drawings`](Self::drawings).
+    pub fn drawings_html(&self) -> Result<String, Error> {
+        Ok(sheets_html(&self.drawings()?, &self.project()))
+    }
+
+    /// What is made, in a few words.
+    fn project(&self) -> String {
+        let stations = self.wheel.indexing().stations();
+        let crank = self.crank_radius.map(|radius| format!(", crank radius {} mm", as_typed(rounded(radius))));
+        format!("Geneva wheel, {stations} stations{}", crank.unwrap_or_default())
+    }
+
+    /// The parts to be cut from sheets as SVG, true to scale, with a colour for each operation.
+    ///
+    /// # Errors
+    ///
+    /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
+    pub fn svg_parts(&self) -> Result<String, Error> {
+        let of_process =
+            self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?.flatten();
+        let of_process = of_process.map_or(0.0, |numbers| numbers.kerf.value);
+        let kerf = self.question.mounting.kerf.unwrap_or(of_process);
+        svg_parts(&self.listed("svg-parts")?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, or has no size or no thickness.
+    /// A wheel that isn't external, has no size or no thickness, or can't be mounted as it is asked for.
     pub fn scad(&self) -> Result<String, Error> {
-        let sizes = self.parts("scad")?;
-        Ok(scad(sizes, self.solid("scad", sizes)?)?)
+        let sizes = self.sized("scad")?;
+        let (thickness, mounting) = (self.thickness("scad")?, self.mounting()?);
+        scad(sizes, thickness, tolerance(sizes.play.slot, sizes.centre_distance), &mounting)
+            .map_err(|error| with_arguments(error, &self.question))
     }
 
     /// Meshes of the parts, in millimetres.
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size or no thickness, or takes more corners than a printer has use for.
+    /// A wheel that isn't external, has no size or no thickness, takes more corners than a printer has use for, or can't be
+    /// mounted as it is asked for.
     pub fn stl(&self) -> Result<String, Error> {
-        let sizes = self.parts("stl")?;
-        let solid = self.solid("stl", sizes)?;
-        let corners = corners(sizes, solid.tolerance);
+        let (parts, tolerance) = self.printed("stl")?;
+        stl(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// Meshes of the parts with names and units, as an archive for a printer.
+    ///
+    /// # Errors
+    ///
+    /// As for [`stl`](Self::stl).
+    pub fn three_mf(&self) -> Result<Vec<u8>, Error> {
+        let (parts, tolerance) = self.printed("3mf")?;
+        three_mf(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// Solids of all parts in place, with true planes and cylinders.
+    ///
+    /// # Errors
+    ///
+    /// As for [`scad`](Self::scad).
+    pub fn step(&self) -> Result<String, Error> {
+        let list = self.listed("step")?;
+        self.thickness("step")?;
+        step(&list.parts).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
+    ///
+    /// # Errors
+    ///
+    /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
+    pub fn part_list(&self) -> Result<Option<PartList>, Error> {
+        let question = &self.question;
+        let mounting = self.mounting()?;
+        // Drawings of outlines have nothing of the thickness.
+        let thickness = |pin: f64| self.made_thickness().unwrap_or(pin);
+        let list = match (&self.sizes, self.internal_sizes()?) {
+            (Some(sizes), _) => parts(sizes, thickness(sizes.pin_diameter), &mounting),
+            (None, Some(sizes)) => internal_parts(&sizes, thickness(sizes.pin_diameter), &mounting),
+            (None, None) => return Ok(None),
+        };
+        list.map(Some).map_err(|error| with_arguments(error, question))
+    }
+
+    fn mounting(&self) -> Result<Mounting, Error> {
+        Ok(Mounting {
+            axial_play: self.axial_play().or(self.question.axial_play),
+            ..self.question.mounting.mounting()?
+        })
+    }
+
+    /// The sizes of an internal wheel with a size.
+    fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
+        let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
+        let sizes = InternalSizes::new(*wheel, radius, &choices(&self.question));
+        sizes.map(Some).map_err(|error| with_choices(error, &self.question))
+    }
+
+    /// The parts for a file with this ending.
+    fn listed(&self, ending: &str) -> Result<PartList, Error> {
+        if self.wheel.kind() == WheelKind::Spherical {
+            self.require_external(ending)?;
+        }
+        self.part_list()?.ok_or_else(|| without_size(ending))
+    }
+
+    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
+        let parts = self.listed(ending)?.parts;
+        self.thickness(ending)?;
+        let of = |play: f64, centres: f64| (play, tolerance(play, centres));
+        let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {
+            (Some(sizes), _) => of(sizes.play.slot, sizes.centre_distance),
+            (None, Some(sizes)) => of(sizes.play.slot, sizes.centre_distance),
+            (None, None) => return Err(without_size(ending)),
+        };
+        let corners = corners(&parts, tolerance);
         if corners > MOST_CORNERS {
             return Err(refused!(
-                "--format stl, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, but \
-                 at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
-                as_typed(sizes.play.slot)
+                "--format {ending}, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, \
+                 but at most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
+                as_typed(play)
             ));
         }
-        Ok(stl(sizes, solid)?)
+        Ok((parts, tolerance))
     }
 
     /// Refuses a file with this ending of a wheel that isn't external.
@@ -116,39 +284,45 @@ impl WheelDesign {
         ))
     }
 
-    fn parts(&self, ending: &str) -> Result<&Sizes, Error> {
+    fn sized(&self, ending: &str) -> Result<&Sizes, Error> {
         self.require_external(ending)?;
-        self.sizes.as_ref().ok_or_else(|| {
-            refused!(
-                "--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM"
-            )
-        })
+        self.sizes.as_ref().ok_or_else(|| without_size(ending))
     }
 
-    fn solid(&self, ending: &str, sizes: &Sizes) -> Result<Solid, Error> {
-        let thickness =
-            self.thickness.ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))?;
-        Ok(Solid { thickness, tolerance: tolerance(sizes) })
+    /// The thickness of the parts; the program chooses none for an internal wheel.
+    fn made_thickness(&self) -> Option<f64> {
+        self.thickness.or(self.question.thickness)
+    }
+
+    fn thickness(&self, ending: &str) -> Result<f64, Error> {
+        self.made_thickness().ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))
     }
 }
 
-/// How many corners the outlines of both parts have as polygons: counted before any is made.
-fn corners(sizes: &Sizes, tolerance: f64) -> f64 {
-    let outline = sizes.outline();
-    let faces = [Some(&outline.wheel), Some(&outline.plate), outline.disc.as_ref()];
-    let loops = faces.into_iter().flatten().flat_map(Face::loops).chain(&outline.pins);
+/// A length in millimetres with three decimals.
+fn rounded(length: f64) -> f64 {
+    libm::round(length * 1000.0) / 1000.0
+}
+
+/// How many corners the outlines of all parts have as polygons: counted before any is made.
+fn corners(parts: &[Part], tolerance: f64) -> f64 {
     let of = |edge: &Edge| match edge {
         Edge::Line { .. } => 1.0,
         // A chord of the angle x leaves its arc by r (1 − cos(x/2)).
         Edge::Arc { radius, sweep, .. } => (sweep.abs() / (8.0 * tolerance / radius).sqrt()).max(1.0),
     };
-    loops.flat_map(|of| &of.edges).map(of).sum()
+    let loops = |part: &Part| part.face().loops().flat_map(|line| &line.edges).map(of).sum::<f64>();
+    parts.iter().map(|part| loops(part) * part.quantity() as f64).sum()
+}
+
+/// The error about a file of parts without a size.
+fn without_size(ending: &str) -> Error {
+    refused!("--format {ending} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM")
 }
 
 /// How far a chord may leave its arc, in millimetres.
-fn tolerance(sizes: &Sizes) -> f64 {
-    let play = sizes.play.slot;
-    if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * sizes.centre_distance }
+fn tolerance(play: f64, centre_distance: f64) -> f64 {
+    if play > 0.0 { OF_PLAY * play } else { OF_CENTRE_DISTANCE * centre_distance }
 }
 
 #[cfg(test)]
@@ -166,11 +340,42 @@ mod tests {
                 ..WheelQuestion::default()
             };
             let design = WheelDesign::new(question).expect("a wheel");
-            let sizes = design.sizes.expect("sizes");
+            let (parts, tolerance) = design.printed("stl").expect("parts");
             let triangles = design.stl().expect("meshes").matches("facet normal").count();
-            // Four for each corner of a face: two on its wall, one on either side.
-            let counted = 4.0 * corners(&sizes, tolerance(&sizes));
-            assert!((counted / triangles as f64 - 1.0).abs() < 0.1, "{stations}: {counted} and {triangles}");
+            // Four for each corner of a face: two on its wall, one on either side; the holes of pins are filled.
+            let counted = 4.0 * corners(&parts, tolerance);
+            assert!((counted / triangles as f64 - 1.0).abs() < 0.15, "{stations}: {counted} and {triangles}");
         }
+    }
+
+    #[test]
+    fn an_internal_wheel_has_files_too_and_a_spherical_one_has_none() {
+        let question = |kind| WheelQuestion {
+            stations: Some(6),
+            kind: Some(kind),
+            crank_radius: Some(40.0),
+            thickness: Some(6.0),
+            ..WheelQuestion::default()
+        };
+        let internal = WheelDesign::new(question(WheelKind::Internal)).expect("a wheel");
+        for file in [internal.dxf(), internal.svg_parts(), internal.stl(), internal.step()] {
+            assert!(file.expect("a file").len() > 1000);
+        }
+        assert!(internal.three_mf().is_ok() && internal.scad().is_err());
+        let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
+        let said = spherical.step().expect_err("no parts").to_string();
+        assert!(said.contains("spherical wheels"), "{said}");
+    }
+
+    #[test]
+    fn drawings_say_what_is_made_of_what_and_how_large() {
+        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
+        let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        let page = design.drawings_html().expect("a page");
+        for words in ["Geneva wheel, 6 stations, crank radius 40 mm", ">cast iron<", ">steel<", "1 of 4", "@page"] {
+            assert!(page.contains(words), "{words}");
+        }
+        assert_eq!(page.matches("<svg ").count(), design.drawings().expect("sheets").len());
+        assert!(design.drawings_svg().expect("a drawing").contains("viewBox=\"0 0 "));
     }
 }

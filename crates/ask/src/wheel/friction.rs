@@ -1,6 +1,6 @@
 //! What rubs in a wheel and its driver, from what a question says of it.
 
-use super::design::WheelDesign;
+use super::question::{WheelQuestion, given};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_dynamics::wheel_loads::{DwellContact, Friction};
@@ -14,16 +14,21 @@ const MILLI: f64 = 1000.0;
 /// # Errors
 ///
 /// Friction of bearings without diameters, and of a disc that draws its arc in.
-pub(super) fn friction(design: &WheelDesign) -> Result<Friction, Error> {
-    let question = &design.question;
-    let [wheel_bearing, driver_bearing] = bearings(design)?;
-    let ratio = |arm: f64| design.crank_radius.map_or(0.0, |radius| arm / radius);
-    let disc = design.sizes.as_ref().zip(question.disc_friction).and_then(|(sizes, friction)| disc(sizes, friction));
-    let dwell_torque = disc.map(|disc| disc.driver_torque(held_torque(design), driver_bearing / MILLI)).transpose()?;
+pub(super) fn friction(
+    question: &WheelQuestion,
+    crank_radius: Option<f64>,
+    sizes: Option<&Sizes>,
+) -> Result<Friction, Error> {
+    // Without a size the force on the bearings is unknown.
+    let [wheel_bearing, driver_bearing] = if crank_radius.is_some() { bearings(question)? } else { [0.0; 2] };
+    let ratio = |arm: f64| crank_radius.map_or(0.0, |radius| arm / radius);
+    let disc = sizes.zip(question.disc_friction).and_then(|(sizes, friction)| disc(sizes, friction));
+    let dwell_torque =
+        disc.map(|disc| disc.driver_torque(held_torque(question), driver_bearing / MILLI)).transpose()?;
     Ok(Friction {
         wheel_torque: question.friction_torque.unwrap_or(0.0),
         pin: question.pin_friction.unwrap_or(0.0),
-        pin_radius: design.sizes.map_or(0.0, |sizes| ratio(sizes.pin_radius())),
+        pin_radius: sizes.map_or(0.0, |sizes| ratio(sizes.pin_radius())),
         wheel_bearing: ratio(wheel_bearing),
         driver_bearing: ratio(driver_bearing),
         driver_torque: question.driver_friction.unwrap_or(0.0),
@@ -33,8 +38,8 @@ pub(super) fn friction(design: &WheelDesign) -> Result<Friction, Error> {
 
 /// The torque in N m that presses the locking arc on the disc in the dwell: what is given, or at most what the friction on the wheel
 /// leaves in it.
-pub(super) fn held_torque(design: &WheelDesign) -> f64 {
-    design.question.held_torque.or(design.question.friction_torque).unwrap_or(0.0)
+pub(super) fn held_torque(question: &WheelQuestion) -> f64 {
+    question.held_torque.or(question.friction_torque).unwrap_or(0.0)
 }
 
 /// The locking disc in an arc of the wheel; none without a disc.
@@ -48,12 +53,8 @@ pub(super) fn disc(sizes: &Sizes, friction: f64) -> Option<DwellContact> {
 }
 
 /// Arms of the friction of the bearings of wheel and driver, in millimetres: their coefficient times half the diameter.
-fn bearings(design: &WheelDesign) -> Result<[f64; 2], Error> {
-    let question = &design.question;
-    // Without a size the force on the bearings is unknown.
-    let Some(friction) = question.bearing_friction.filter(|_| design.crank_radius.is_some()) else {
-        return Ok([0.0; 2]);
-    };
+fn bearings(question: &WheelQuestion) -> Result<[f64; 2], Error> {
+    let Some(friction) = question.bearing_friction else { return Ok([0.0; 2]) };
     let refused = |bearing: &str, option: &str| {
         Err(refused!(
             "--bearing-friction {}: the diameter at which the {bearing} bearing rubs is missing; add --{option} MM",
@@ -61,8 +62,8 @@ fn bearings(design: &WheelDesign) -> Result<[f64; 2], Error> {
         ))
     };
     let arm = |diameter: f64| friction * diameter / 2.0;
-    let of_wheel = question.wheel_bearing.or(question.wheel_shaft);
-    let of_driver = question.driver_bearing.or(question.driver_shaft);
+    let of_wheel = question.wheel_bearing.or(given(question.wheel_shaft));
+    let of_driver = question.driver_bearing.or(given(question.plate_shaft)).or(given(question.driver_shaft));
     match (of_wheel, of_driver) {
         (Some(wheel), Some(driver)) => Ok([arm(wheel), arm(driver)]),
         (None, _) => refused("wheel's", "wheel-bearing"),

@@ -65,16 +65,16 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .line("friction torque", friction_torque)
             .needing(Needs::FRICTION_TORQUE),
         ReportField::new("pin_friction", question.pin_friction)
-            .line("friction", "coefficient of the pin in its slot")
+            .line("pin friction", "coefficient in the slot")
             .needing(Needs::PIN_FRICTION),
         ReportField::new("disc_friction", question.disc_friction)
-            .line("", "coefficient of the locking disc in its arc")
+            .line("disc friction", "coefficient of the locking disc in its arc")
             .needing(Needs::DISC_FRICTION),
         ReportField::new("bearing_friction", question.bearing_friction)
-            .line("", "coefficient of the bearings of wheel and driver")
+            .line("bearing friction", "coefficient of the bearings of wheel and driver")
             .needing(Needs::BEARING_FRICTION),
         ReportField::in_unit("driver_friction_nm", question.driver_friction, "N m")
-            .line("", "constant torque on the driver")
+            .line("driver friction", "constant torque on the driver")
             .needing(Needs::DRIVER_FRICTION),
         ReportField::in_unit("entry_wheel_torque_nm", at_entry.map(|load| load.wheel_torque), "N m")
             .line("entry wheel torque", "as a pin enters: it comes all at once")

@@ -11,20 +11,26 @@ mod kind;
 mod loads;
 mod making;
 mod materials;
+mod mounting;
 mod mouth;
 mod parts;
 mod pin_load;
+mod process;
 mod question;
 mod recommended;
 mod report;
 mod speeds;
 mod times;
 
-pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, arguments};
+pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, NamedChoice, WRONG_SIZES, arguments};
 pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
 pub use files::{SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};
+pub use mounting::{BoreShape, MountingQuestion, PinKind};
+pub use process::assemblies_that_turn;
 pub use question::{SearchEffort, WheelQuestion, in_millimetres};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
+
+pub use geneva_workshop::LayerNames;

@@ -5,6 +5,7 @@ use super::mouth;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
+use geneva_workshop::ThinWall;
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
@@ -33,9 +34,7 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
-    let chosen = |given: Option<f64>, words: &'static str, placeholder: &'static str| {
-        if given.is_some() { words } else { placeholder }
-    };
+    let (of_wheel, of_driver) = (Needs::SIZE.union(Needs::WHEEL_SHAFT), Needs::SIZE.union(Needs::DRIVER_SHAFT));
     let mut fields = vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "how much wider a slot is than the pin"),
@@ -58,7 +57,8 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("horn thickness", "least thickness between a slot and a locking arc"),
         mm("slot_web_mm", of(|sizes| sizes.web))
             .line("web between slots", "least thickness between the ends of two slots"),
-        mm("bore_web_mm", of(Sizes::bore_web))
+        mm("bore_web_mm", sizes.filter(|sizes| sizes.wheel_bore() > 0.0).map(Sizes::bore_web))
+            .needing(of_wheel)
             .line("web at the bore", "least thickness between a slot's end and the bore"),
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
@@ -69,32 +69,37 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
-        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line(
-            "wheel shaft",
-            chosen(
-                design.question.wheel_shaft,
-                "diameter",
-                "diameter: a placeholder, half of the largest possible; set what your load needs",
-            ),
-        ),
+        mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).needing(of_wheel).line("wheel shaft", "diameter"),
         mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
             .line("wheel shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
-        mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
-        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft)).line(
-            "driver shaft",
-            chosen(
-                design.question.driver_shaft,
-                "diameter in the plane of the wheel",
-                "diameter in the plane of the wheel: a placeholder as well",
-            ),
-        ),
+        mm("wheel_bore_mm", shaft(Sizes::wheel_bore))
+            .needing(of_wheel)
+            .line("wheel bore", "diameter: shaft plus bore play"),
+        mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
+            .needing(of_driver)
+            .line("driver shaft", "diameter in the plane of the wheel"),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "the shaft must be thinner")
             .rounded(LIMIT),
-        mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
+        mm("driver_bore_mm", shaft(Sizes::driver_bore))
+            .needing(of_driver)
+            .line("driver bore", "diameter: shaft plus bore play"),
+        mm("plate_shaft_mm", shaft(|sizes| sizes.plate_shaft))
+            .needing(of_driver)
+            .line("plate shaft", "driver's shaft in the plate, diameter"),
+        mm("plate_shaft_limit_mm", of(|sizes| sizes.plate_shaft_limit))
+            .line("plate shaft limit", "the shaft must be thinner")
+            .rounded(LIMIT),
+        mm("plate_bore_mm", shaft(Sizes::plate_bore))
+            .needing(of_driver)
+            .line("plate bore", "diameter: shaft plus bore play"),
         mm("disc_web_mm", sizes.and_then(Sizes::disc_web))
+            .needing(of_driver)
             .line("web of the disc", "least thickness between crescent and bore"),
+        mm("plate_web_mm", sizes.and_then(Sizes::plate_web))
+            .needing(of_driver)
+            .line("web of the plate", "least thickness between pin and bore"),
         mm("crescent_web_mm", sizes.and_then(Sizes::crescent_web))
             .line("web between crescents", "least thickness of the disc between two of them")
             .needing(Needs::SIZE.union(Needs::SECOND_PIN)),
@@ -216,7 +221,10 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 ///
 /// A distance of the axes at which the parts can't work together.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
-    let found = design.warnings()?;
+    let mut found = design.warnings()?;
+    // What can't be mounted is refused where the files are made.
+    let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
+    found.extend(thin.iter().map(ThinWall::to_string));
     let said = found.join("; ");
     let texts: Vec<FieldValue> = found.into_iter().map(FieldValue::Text).collect();
     let field = ReportField::new("warnings", texts);

@@ -13,6 +13,8 @@ const MILLI: f64 = 1000.0;
 const MEGA: f64 = 1e6;
 /// Places within the play at which a wheel that has drifted is struck.
 const DRIFTS: u32 = 64;
+/// An arm in crank radii below which a blow goes through the wheel's axis.
+const LEAST_ARM: f64 = 1e-3;
 
 /// What a force does to a pin: stresses in MPa, the factors of strength and pressure, and the least pin in mm.
 #[derive(Clone, Copy, Default)]
@@ -106,7 +108,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("drifted_blow_energy_mj", blows[1], "mJ")
-            .line("", "with the wheel anywhere in its greatest play; none if the pin can then hit the rim")
+            .line(
+                "blow after drift",
+                "its energy with the wheel anywhere in its greatest play; none if the pin can then hit the rim",
+            )
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
     ])
@@ -156,15 +161,21 @@ fn blows(design: &WheelDesign) -> [Option<f64>; 2] {
     [centred, greatest_drifted(sizes).map(energy)]
 }
 
-/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play; none if the pin can hit the rim,
-/// before which the wheel can't give way.
+/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play; none if the pin can then hit the rim,
+/// where its force has no arm about the wheel's axis.
 fn greatest_drifted(sizes: &Sizes) -> Option<f64> {
     let play = sizes.dwell_play()?;
-    let at = |k: u32| {
-        let drift = play.greatest * f64::from(k) / f64::from(DRIFTS);
-        sizes.drifted_entry(drift).map(|entry| entry.velocity_jump.abs())
-    };
-    (0..=DRIFTS).filter_map(at).reduce(f64::max).filter(|jump| jump.is_finite())
+    let mut greatest = 0.0_f64;
+    for k in 0..=DRIFTS {
+        let Some(entry) = sizes.drifted_entry(play.greatest * f64::from(k) / f64::from(DRIFTS)) else { continue };
+        let jump = entry.velocity_jump.abs();
+        // The jump is the closing speed over the arm, in crank radii. On the rim the arm is zero but for rounding.
+        if jump.is_nan() || jump * LEAST_ARM > entry.closing_speed {
+            return None;
+        }
+        greatest = greatest.max(jump);
+    }
+    Some(greatest)
 }
 
 #[cfg(test)]
@@ -221,6 +232,27 @@ mod tests {
         let most = force / (pin * 12.0) * number(&report, "peak_sliding_mm_s") / 1e3;
         let pv = number(&report, "peak_pv_mpa_m_s");
         assert!(pv < most && pv > 0.3 * most, "{pv} of {most}");
+    }
+
+    #[test]
+    fn a_blow_on_the_rim_has_no_energy_of_turning() {
+        let (mut told, mut rim) = (0, 0);
+        for (stations, play) in
+            [3, 4, 5, 6, 8, 12].into_iter().flat_map(|stations| [0.1, 0.4, 1.0, 2.0].map(|play| (stations, play)))
+        {
+            let asked = format!("wheel --stations {stations} --crank-radius 25 --rpm 60 --play {play}");
+            let Ok(report) = answer(&asked) else { continue };
+            match report.field("drifted_blow_energy_mj").and_then(ReportField::number) {
+                // No more than the wheel has at fifty times the driver's speed.
+                Some(energy) => {
+                    let driver = 0.5 * number(&report, "inertia_kgm2") * (2.0 * PI).powi(2) * 1e3;
+                    assert!(energy > 0.0 && energy < 2500.0 * driver, "{stations}, {play}: {energy} of {driver}");
+                    told += 1;
+                }
+                None => rim += 1,
+            }
+        }
+        assert!(told > 3 && rim > 0, "{told} told, {rim} on the rim");
     }
 
     #[test]

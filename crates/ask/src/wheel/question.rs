@@ -1,10 +1,12 @@
 //! A question about a wheel: what was said of it, however it was said.
 
-use super::arguments::{Argument, ArgumentSlot, arguments};
+use super::arguments::{Argument, ArgumentSlot, NamedChoice, arguments};
 use super::kind::WheelKind;
+use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_kinematics::wheel::as_built::Process;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +37,10 @@ pub struct WheelQuestion {
     pub outside_diameter: Option<f64>,
     /// Thickness of the wheel.
     pub thickness: Option<f64>,
+    /// How the parts are made.
+    pub process: Option<Process>,
+    /// Least play with which the pin ran on the test piece of the process.
+    pub measured_play: Option<f64>,
     /// Diameter of the pins.
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
@@ -66,6 +72,10 @@ pub struct WheelQuestion {
     pub wheel_shaft: Option<f64>,
     /// Diameter of the driver's shaft in the plane of the wheel.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, if it ends there; that in the plane of the wheel unless it is given.
+    pub plate_shaft: Option<f64>,
+    /// Holes for mounting, and what the files have besides wheel and driver.
+    pub mounting: MountingQuestion,
     /// By how much the axes are too far apart, for clearance and knock.
     pub centre_error: Option<f64>,
     /// Mass in kg of a round table that turns with the wheel.
@@ -171,7 +181,6 @@ impl WheelQuestion {
 
     fn set(&mut self, name: &str, value: &str) -> Result<(), Error> {
         match name {
-            "pin-friction" => self.pin_friction = Some(number(name, value)?),
             "before-entry" => self.before_entry = Some(number(name, value)?),
             _ => {
                 let known = arguments().find(|argument| argument.name == name).ok_or_else(|| {
@@ -189,6 +198,14 @@ impl WheelQuestion {
                     ArgumentSlot::AboveZero(at) | ArgumentSlot::ZeroOrMore(at) => {
                         *at(self) = Some(number(name, value)?)
                     }
+                    ArgumentSlot::Count(at) => *at(self) = Some(number(name, value)?),
+                    ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                        let numbered: Vec<(&str, usize)> = names.iter().copied().zip(0..).collect();
+                        set(self, one_of(name, value, &numbered)?);
+                    }
+                    ArgumentSlot::Process(at) => {
+                        *at(self) = Some(one_of(name, value, &Process::ALL.map(|process| (process.name(), process)))?);
+                    }
                     ArgumentSlot::Material(at) => {
                         *at(self) = Some(one_of(name, value, &MATERIALS.map(|material| (material.name, material)))?);
                     }
@@ -203,17 +220,26 @@ impl WheelQuestion {
     pub fn numbers(&self) -> Vec<(Argument, f64)> {
         let mut copy = self.clone();
         let mut number = |argument: &Argument| match argument.place {
-            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => at(&mut copy).map(f64::from),
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) | ArgumentSlot::Count(at) => {
+                at(&mut copy).map(f64::from)
+            }
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
             | ArgumentSlot::SignedLength(at)
             | ArgumentSlot::AboveZero(at)
             | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
             ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
-            ArgumentSlot::Kind(_) | ArgumentSlot::Material(_) => None,
+            ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Choice(_) | ArgumentSlot::Material(_) => {
+                None
+            }
         };
         arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
     }
+}
+
+/// A shaft that was given; one of no diameter is none.
+pub(super) fn given(shaft: Option<f64>) -> Option<f64> {
+    shaft.filter(|diameter| *diameter != 0.0)
 }
 
 /// A length in millimetres: a number, or one in inches, `2.5in`.
@@ -251,12 +277,12 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 
 #[cfg(test)]
 mod tests {
-    use super::{ArgumentSlot, WheelQuestion, arguments};
+    use super::{ArgumentSlot, NamedChoice, WheelQuestion, arguments};
     use crate::{FieldValue, Needs, ReportField, answer, further};
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 9] = [
+    const GIVEN: [(&str, Needs); 20] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -265,7 +291,18 @@ mod tests {
         ("--pins 2", Needs::SECOND_PIN),
         ("--pin-friction 0.15", Needs::PIN_FRICTION),
         ("--before-entry 20", Needs::BEFORE_ENTRY),
+        ("--wheel-shaft 6", Needs::WHEEL_SHAFT),
+        ("--driver-shaft 2", Needs::DRIVER_SHAFT),
         ("--thickness 10", Needs::SIZE),
+        ("--process mill", Needs::PROCESS),
+        ("--disc-friction 0.1", Needs::DISC_FRICTION),
+        ("--bearing-friction 0.01 --wheel-bearing 10 --driver-bearing 10", Needs::BEARING_FRICTION),
+        ("--driver-friction 0.001", Needs::DRIVER_FRICTION),
+        ("--held-torque 0.01", Needs::HELD_TORQUE),
+        ("--arm-torque 1", Needs::ARM_TORQUE),
+        ("--driver-inertia 0.001", Needs::DRIVER_INERTIA),
+        ("--drive-torque 1", Needs::DRIVE_TORQUE),
+        ("--gear-ratio 10", Needs::GEAR_RATIO),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
@@ -300,6 +337,16 @@ mod tests {
         for argument in arguments() {
             let (value, set) = match argument.place {
                 ArgumentSlot::Kind(_) => ("spherical", "kind: Some(Spherical)".to_owned()),
+                ArgumentSlot::Count(_) => ("7", format!("{}: Some(7)", argument.name)),
+                ArgumentSlot::Choice(NamedChoice { names, .. }) => {
+                    let said = |name: &str| {
+                        let question = WheelQuestion::parse(&format!("--{} {name}", argument.name)).expect("a choice");
+                        format!("{question:?}")
+                    };
+                    assert_ne!(said(names[0]), said(names[1]), "--{}", argument.name);
+                    continue;
+                }
+                ArgumentSlot::Process(_) => ("resin", "process: Some(Resin)".to_owned()),
                 ArgumentSlot::Material(_) => ("acetal", format!("{}: Some(Material", argument.name)),
                 ArgumentSlot::Stations(_) | ArgumentSlot::Pins(_) => ("7", format!("{}: Some(7)", argument.name)),
                 ArgumentSlot::Degrees(_) => ("7", format!("{}: [7.0]", argument.name)),

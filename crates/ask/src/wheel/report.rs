@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, loads, parts, pin_load};
+use super::{drive, loads, parts, pin_load, process};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -26,6 +26,7 @@ impl WheelDesign {
             ("Parts", parts::parts(self)),
             ("Play and tolerances of the parts", parts::tolerances(self)?),
             ("Limits if all sizes are wrong at once", parts::together(self)?),
+            ("Process", process::fields(self)?),
             ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
@@ -58,6 +59,17 @@ impl WheelDesign {
         fields.extend(loads::fields(self, wheel)?);
         fields.extend(pin_load::fields(self, wheel)?);
         fields.extend(drive::fields(self, wheel)?);
+        Ok(fields)
+    }
+
+    /// The fields of how far sizes may be wrong: each alone, and all at once.
+    ///
+    /// # Errors
+    ///
+    /// A distance of the axes at which the parts can't work together.
+    pub fn tolerance_fields(&self) -> Result<Vec<ReportField>, Error> {
+        let mut fields = parts::tolerances(self)?;
+        fields.extend(parts::together(self)?);
         Ok(fields)
     }
 }

@@ -147,9 +147,9 @@ impl Place {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellContact {
-    /// c, distance between the axes, in m.
+    /// c, distance between the axes, in metres.
     pub centre_distance: f64,
-    /// r, radius of the disc, in m.
+    /// r, radius of the disc, in metres.
     pub radius: f64,
     /// β, angle of the ends of a locking arc from the line of centres, seen from the driver's axis, in radians.
     pub end_angle: f64,

@@ -35,6 +35,7 @@ mod search;
 
 pub use drive::{Reflected, RunUp};
 pub use friction::{DwellContact, Friction};
+pub use search::Peak;
 
 use crate::error::{DynamicsError, not_negative, positive};
 use friction::Place;
@@ -58,15 +59,6 @@ pub struct Load {
     pub crank_torque: f64,
     /// Power at the crank in the SI's unit of power, N m/s: what the driver gives.
     pub power: f64,
-}
-
-/// A greatest or least load, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Peak {
-    /// Crank angle in radians from the middle of the engagement.
-    pub angle: f64,
-    /// The load there, in its own unit.
-    pub value: f64,
 }
 
 /// A load's greatest, and its least if it reverses: the greatest of the other sign.

@@ -1,6 +1,5 @@
 //! Greatest values, roots and integrals over an engagement.
 
-use super::Peak;
 use crate::steady::quadrature::rule;
 use geneva_kinematics::bisection::bisect;
 
@@ -16,6 +15,15 @@ const PARTS: u32 = 32;
 const GOLDEN_STEPS: u32 = 48;
 /// (√5 − 1)/2.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A greatest or least load, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// Crank angle in radians from the middle of the engagement.
+    pub angle: f64,
+    /// The load there, in its own unit.
+    pub value: f64,
+}
 
 /// The greatest value between two angles in radians, in its own unit, where its `rate` changes from plus to minus or at an
 /// end.

@@ -197,3 +197,22 @@ fn what_no_wheel_can_carry_is_refused() {
     let loads = WheelLoads::new(&wheel, 1.0, 0.0, 1.0).expect("possible");
     assert!(matches!(loads.load(1.0), Err(KinematicsError::OutsideEngagement { .. })));
 }
+
+/// R. C. Hibbeler, *Engineering Mechanics: Dynamics*, problem 16-49: a wheel of four slots, whose driver of r = 100 mm turns at 2 rad/s;
+/// the axes are √2 r apart, so that it rests as the pin enters (the text that we read has lost the root). The manual of its solutions, read at coursehero.com, closes the loop by r cos θ + s cos φ = √2 r and
+/// r sin θ = s sin φ, and differentiates both. At θ = 30° that gives the wheel's speed, and so what a torque on it asks of the driver.
+#[test]
+fn the_wheel_of_hibbeler_asks_for_the_torque_that_virtual_work_says() {
+    let (r, driver, theta) = (0.1, 2.0, 30_f64.to_radians());
+    let (along, across) = (2_f64.sqrt() * r - r * theta.cos(), r * theta.sin());
+    let (s, phi) = (along.hypot(across), across.atan2(along));
+    // −r sin θ ω + s' cos φ − s sin φ ω' = 0 and r cos θ ω = s' sin φ + s cos φ ω': two equations for s' and ω'.
+    let (right, up) = (r * theta.sin() * driver, r * theta.cos() * driver);
+    let wheel_speed = (up * phi.cos() - right * phi.sin()) / s;
+    assert_relative_eq!(wheel_speed, 0.816, max_relative = 1e-3);
+    let wheel = Wheel::new(4).expect("possible");
+    let loads = WheelLoads::new(&wheel, 0.0, 1.5, driver).expect("possible");
+    let load = loads.load(-theta).expect("engaged");
+    assert_relative_eq!(load.crank_torque, 1.5 * wheel_speed / driver, max_relative = 1e-12);
+    assert_relative_eq!(load.pin_moment / r, 1.5 / s, max_relative = 1e-12);
+}

@@ -7,8 +7,9 @@ use crate::parts::{self, axis};
 use crate::svg::{Canvas, DASHED, DrawingKind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
 use crate::theme::{Colour, DRIVER, FILL, FOLLOWER, GRID, INK, PAPER};
 use crate::{Series, Words};
+use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, Face, Loop, Mouth, Sizes};
+use geneva_kinematics::wheel::{Edge, Face, Loop, Mouth, Outline, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -39,18 +40,58 @@ const TOUCHING: f64 = 1e-6;
 /// Dimensions along the line of centres stand above and below; what has no room there is listed. Series: the same
 /// numbers, in millimetres.
 pub fn dimensions(sizes: &Sizes) -> Figure {
-    draw_at_scale(sizes, PIXELS_PER_MILLIMETRE, DrawingKind::TrueSize)
+    draw_at_scale(sizes, PIXELS_PER_MILLIMETRE, DrawingKind::TrueSize, &sizes.outline())
 }
 
 /// Wheel and driver as large as a page has room for.
 ///
 /// Only the dimensions along the line of centres are in the drawing. Series: as of [`dimensions`].
 pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
-    let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
-    draw_at_scale(sizes, ON_A_PAGE / length, DrawingKind::Mechanism)
+    with_outline_on_a_page(sizes, &sizes.outline())
 }
 
-fn draw_at_scale(sizes: &Sizes, scale: f64, kind: DrawingKind) -> Figure {
+/// The same with a wheel that is made wrong: dimensions of `sizes`, and the outline of `made` with each slot `turned` by an
+/// angle in radians out of its place.
+pub fn dimensions_of_a_wrong_wheel(sizes: &Sizes, made: &Sizes, turned: f64) -> Figure {
+    let mut outline = made.outline();
+    // Where the rim begins beside a slot's mouth.
+    let rim = made.mouth_face().map(|face| face.end_point());
+    let corner = rim.map_or_else(
+        || libm::asin((made.slot_width / 2.0 / made.tip_radius).min(1.0)),
+        |rim| libm::atan2(rim.y, rim.x),
+    ) + TOUCHING;
+    let pitch = 2.0 * made.wheel.half_pitch_angle();
+    let in_slot = |p: &Vector2<f64>| {
+        let angle = libm::atan2(p.y, p.x);
+        (angle - pitch * (angle / pitch).round()).abs() <= corner
+    };
+    let place = |p: Vector2<f64>| {
+        let turn = Turn::from_radians(turned);
+        if in_slot(&p) { Vector2::new(turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y) } else { p }
+    };
+    for edge in &mut outline.wheel.outer.edges {
+        let (from, to) = (edge.start_point(), edge.end_point());
+        *edge = match *edge {
+            Edge::Line { .. } => Edge::Line { from: place(from), to: place(to) },
+            Edge::Arc { .. } if in_slot(&from) && in_slot(&to) => edge.transform(turned, Vector2::zeros()),
+            Edge::Arc { centre, radius, start, sweep } if in_slot(&from) => {
+                Edge::Arc { centre, radius, start: start + turned, sweep: sweep - turned }
+            }
+            Edge::Arc { centre, radius, start, sweep } if in_slot(&to) => {
+                Edge::Arc { centre, radius, start, sweep: sweep + turned }
+            }
+            arc => arc,
+        };
+    }
+    with_outline_on_a_page(sizes, &outline)
+}
+
+fn with_outline_on_a_page(sizes: &Sizes, outline: &Outline) -> Figure {
+    let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
+    draw_at_scale(sizes, ON_A_PAGE / length, DrawingKind::Mechanism, outline)
+}
+
+fn draw_at_scale(sizes: &Sizes, scale: f64, kind: DrawingKind, outline: &Outline) -> Figure {
     let is_true = matches!(kind, DrawingKind::TrueSize);
     let (c, reach) = (sizes.centre_distance, sizes.plate_radius);
     let (above, below) = along(sizes);
@@ -68,7 +109,7 @@ fn draw_at_scale(sizes: &Sizes, scale: f64, kind: DrawingKind) -> Figure {
     let view = View { origin: pivot, scale };
     let list = if is_true { LINE * lines as f64 + MARGIN } else { 0.0 };
     let mut canvas = Canvas::new(width, words + list);
-    bodies(&mut canvas, sizes, &view);
+    bodies(&mut canvas, sizes, outline, &view);
     above.draw(&mut canvas, &view, -half, -1.0);
     below.draw(&mut canvas, &view, half, 1.0);
     let unit = Label::words(if is_true { "scale 1 : 1, lengths in mm" } else { "lengths in mm" });
@@ -264,8 +305,7 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
 }
 
 /// Both parts with a pin on the line of centres, and the lines that tell where their axes and the pin's circle are.
-fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
-    let outline = sizes.outline();
+fn bodies(canvas: &mut Canvas, sizes: &Sizes, outline: &Outline, view: &View) {
     let axis_at = Vector2::new(sizes.centre_distance, 0.0);
     let driver = |face: &Face| face.transform(PI, axis_at);
     let face = |canvas: &mut Canvas, face: &Face, fill: Colour, line: Colour, opacity: &str, class: &'static str| {
@@ -324,6 +364,37 @@ mod tests {
     fn sizes(stations: u32, pins: u32, a: f64) -> Sizes {
         let wheel = Wheel::with_pins(stations, pins).expect("possible");
         Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).expect("fits")
+    }
+
+    #[test]
+    fn slots_out_of_place_are_drawn_out_of_place_and_arcs_stay() {
+        for (stations, turned) in [(4, 0.05), (6, -0.03), (12, 0.02)] {
+            let sizes = sizes(stations, 1, 25.0);
+            let (right, wrong) = (dimensions_on_a_page(&sizes), dimensions_of_a_wrong_wheel(&sizes, &sizes, turned));
+            assert_drawn(&wrong);
+            let corners = |figure: &Figure| {
+                let drawing = ParsedDrawing::parse(figure);
+                let [pivot, _] = drawing.line("line-of-centres");
+                let data =
+                    drawing.elements("wheel")[0].attribute("d").expect("a path").split('Z').next().expect("a loop");
+                // Of the drawing's y axis, which points down.
+                let of = crate::checks::corners(data.trim(), 1e3).into_iter().map(|p| p - pivot);
+                of.map(|p| (p.norm(), libm::atan2(-p.y, p.x))).collect::<Vec<_>>()
+            };
+            let (right, wrong) = (corners(&right), corners(&wrong));
+            assert_eq!(right.len(), wrong.len());
+            let (mut out, mut stay) = (0, 0);
+            for ((radius, angle), (other, at)) in right.iter().zip(&wrong) {
+                assert!((radius - other).abs() < 0.01, "{radius} {other}");
+                let moved = (at - angle + PI).rem_euclid(2.0 * PI) - PI;
+                out += usize::from((moved - turned).abs() < 1e-3);
+                stay += usize::from(moved.abs() < 1e-4);
+            }
+            // The ends of two walls of each slot, and of an arc.
+            assert!(out >= 4 * stations as usize && stay >= 2 * stations as usize, "{stations}: {out} {stay}");
+        }
+        let sizes = sizes(6, 1, 25.0);
+        assert_eq!(dimensions_of_a_wrong_wheel(&sizes, &sizes, 0.0).svg, dimensions_on_a_page(&sizes).svg);
     }
 
     #[test]

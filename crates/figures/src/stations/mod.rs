@@ -33,7 +33,7 @@ mod wrong_formulas;
 pub use choice::choice;
 pub use crescent::crescent;
 pub use critical::critical_geometry;
-pub use dimensions::{dimensions, dimensions_on_a_page};
+pub use dimensions::{dimensions, dimensions_of_a_wrong_wheel, dimensions_on_a_page};
 pub use dwell_play::dwell_play;
 pub use extremes::extremes;
 pub use indexing::indexing;

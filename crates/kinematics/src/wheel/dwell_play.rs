@@ -91,7 +91,7 @@ impl Sizes {
 
     /// By what angle one slot may be off its place between the locking arcs, to either side, so that the pin still comes in
     /// and out, in radians: how far the whole disc lets the wheel turn, and the play of the pin in the mouth. None without a
-    /// locking disc.
+    /// locking disc. Told as of sharp corners: another mouth leaves more room.
     pub fn slot_direction_tolerance(&self) -> Option<f64> {
         let in_mouth = libm::asin((self.slot_gap() / self.wheel_radius).min(1.0));
         Some(self.disc_limit(self.dwell_angle()?)?.max(0.0) + in_mouth)
@@ -99,7 +99,7 @@ impl Sizes {
 
     /// By how much a crank may be too long, in millimetres, so that the pin still comes in and reaches its deepest place.
     /// Beyond that it sticks: on the wall that it does not push, as it enters, with the wheel turned back as far as the disc
-    /// lets it; or on the slot's bottom. None without a locking disc.
+    /// lets it; or on the slot's bottom. None without a locking disc. Told as of sharp corners: another mouth leaves more room.
     pub fn crank_radius_tolerance(&self) -> Option<f64> {
         let half = self.disc_limit(self.dwell_angle()?)?.max(0.0) / 2.0;
         let turned = self.wheel.half_pitch_angle() + half;

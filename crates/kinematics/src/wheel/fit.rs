@@ -48,8 +48,10 @@ impl fmt::Display for MouthSize {
 pub enum ShaftOf {
     /// The wheel.
     Wheel,
-    /// The driver.
+    /// The driver, in the plane of the wheel.
     Driver,
+    /// The driver's plate.
+    Plate,
 }
 
 impl fmt::Display for Remedy {
@@ -64,11 +66,19 @@ impl fmt::Display for Remedy {
     }
 }
 
+impl ShaftOf {
+    /// Where else a shaft that is too thick may have room.
+    fn or_elsewhere(self) -> &'static str {
+        if self == Self::Driver { ", or let it end in the plate, which has its own bore" } else { "" }
+    }
+}
+
 impl fmt::Display for ShaftOf {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Wheel => "wheel's",
             Self::Driver => "driver's",
+            Self::Plate => "the plate's",
         })
     }
 }
@@ -130,9 +140,9 @@ pub enum SizesError {
     #[error(
         "{name} shaft, diameter {asked} mm: {}",
         if *most > 0.0 {
-            format!("it must be less than {most:.4} mm; give a thinner shaft")
+            format!("it must be less than {most:.4} mm; give a thinner shaft{}", name.or_elsewhere())
         } else {
-            "there is no room for one in the plane of the wheel; leave it out, or choose a thinner pin or less play".to_owned()
+            "there is no room for one; let it end in the plate, or choose a thinner pin or less play".to_owned()
         }
     )]
     Shaft {

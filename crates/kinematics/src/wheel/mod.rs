@@ -29,6 +29,7 @@ mod shared_tolerance;
 mod sizes;
 mod sizing;
 mod standard_fit;
+mod tolerance_class;
 mod walls;
 mod warnings;
 
@@ -45,4 +46,5 @@ pub use play::{EntryContact, Knock, PinEntry};
 pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, Crescent, LockingDisc, Play, Scale, Sizes};
 pub use standard_fit::{play_of_h8_e8, play_of_h8_e8_at};
+pub use tolerance_class::{ToleranceClass, ToleranceLetter};
 pub use warnings::Warning;

@@ -270,7 +270,7 @@ impl Sizes {
         Outline {
             wheel: Face { outer: self.wheel_loop(), holes: bore(self.wheel_bore()) },
             disc: self.disc_loop().map(|outer| Face { outer, holes: bore(self.driver_bore()) }),
-            plate: Face { outer: plate, holes: bore(self.driver_bore()) },
+            plate: Face { outer: plate, holes: bore(self.plate_bore()) },
             pins: pins.collect(),
         }
     }

@@ -72,12 +72,14 @@ pub struct Choices {
     pub horn_thickness: Option<f64>,
     /// Radius of the locking arcs, in millimetres, which then gives the horn's thickness.
     pub locking_arc_radius: Option<f64>,
-    /// Diameter of the wheel's shaft, in millimetres. By default half of the greatest.
+    /// Diameter of the wheel's shaft, in millimetres. By default there is none, and the wheel has no bore.
     pub wheel_shaft: Option<f64>,
-    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres. By default half of the greatest; none,
-    /// so that the shaft must end in the plate, where that would be less than two fifths of the pin's diameter: beside a
-    /// bore as wide as half the room, the disc would be thinner than a fifth of the pin.
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres. By default there is none, and the locking disc
+    /// has no bore.
     pub driver_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plate, in millimetres. By default as in the plane of the wheel. A shaft that ends
+    /// in the plate can be thicker than one that has to pass crescent and rim.
+    pub plate_shaft: Option<f64>,
     /// Shape of the mouths of the slots. By default their corners are sharp.
     pub mouth: Mouth,
 }
@@ -161,10 +163,14 @@ pub struct Sizes {
     /// Greatest diameter of the driver's shaft in the plane of the wheel, in millimetres: the wheel's rim must pass it,
     /// and the crescent must leave it.
     pub driver_shaft_limit: f64,
-    /// Diameter of the wheel's shaft, in millimetres.
+    /// Greatest diameter of the driver's shaft in the plate, in millimetres: the pins must leave it.
+    pub plate_shaft_limit: f64,
+    /// Diameter of the wheel's shaft, in millimetres; zero without one.
     pub wheel_shaft: f64,
-    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres; zero if it ends in the plate.
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres; zero without one there.
     pub driver_shaft: f64,
+    /// Diameter of the driver's shaft in the plate, in millimetres; zero without one.
+    pub plate_shaft: f64,
 }
 
 /// Diameter of a pin that nothing makes thinner, in crank radii.
@@ -220,6 +226,11 @@ impl Sizes {
     /// Diameter of the driver's bore in the plane of the wheel, in millimetres; zero without a shaft there.
     pub fn driver_bore(&self) -> f64 {
         self.bore(self.driver_shaft)
+    }
+
+    /// Diameter of the bore of the driver's plate, in millimetres; zero without a shaft.
+    pub fn plate_bore(&self) -> f64 {
+        self.bore(self.plate_shaft)
     }
 
     fn bore(&self, shaft: f64) -> f64 {

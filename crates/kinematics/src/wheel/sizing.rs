@@ -7,9 +7,6 @@ use super::sizes::{Choices, Crescent, LockingDisc, OF_CRANK_RADIUS, Play, Scale,
 use crate::error::length;
 use crate::indexing::Indexing;
 
-/// The least diameter of a driver's shaft that the program chooses, over the pin's diameter, dimensionless.
-const OF_DRIVER_SHAFT: f64 = 0.4;
-
 /// The clearance at a slot's bottom over the pin's diameter, dimensionless.
 const OF_BOTTOM: f64 = 0.05;
 
@@ -78,8 +75,10 @@ impl Sizes {
             plate_radius,
             wheel_shaft_limit: 2.0 * (slot_end - half).min(c - plate_radius) - play.bore,
             driver_shaft_limit: 2.0 * (c - tip_radius) - play.bore,
+            plate_shaft_limit: 2.0 * a - pin_diameter - play.bore,
             wheel_shaft: 0.0,
             driver_shaft: 0.0,
+            plate_shaft: 0.0,
         };
         sizes.check_mouth()?;
         if wheel.dwell_fraction() > SHORTEST_DWELL {
@@ -89,9 +88,10 @@ impl Sizes {
             sizes.driver_shaft_limit = sizes.driver_shaft_limit.min(left);
             sizes.locking_disc = Some(LockingDisc { radius, crescent });
         }
-        sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
-        sizes.driver_shaft =
-            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, OF_DRIVER_SHAFT * pin_diameter)?;
+        sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit)?;
+        sizes.driver_shaft = shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit)?;
+        let plate = choices.plate_shaft.or(choices.driver_shaft);
+        sizes.plate_shaft = shaft(ShaftOf::Plate, plate, sizes.plate_shaft_limit)?;
         Ok(sizes)
     }
 }
@@ -180,10 +180,10 @@ fn zero_or_more(name: &'static str, asked: f64) -> Result<f64, SizesError> {
     if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(SizesError::Play { name, asked }) }
 }
 
-/// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.
-fn shaft(name: ShaftOf, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
+/// The shaft that was asked for, or none.
+fn shaft(name: ShaftOf, asked: Option<f64>, most: f64) -> Result<f64, SizesError> {
     match asked {
-        None => Ok(Some(most / 2.0).filter(|half| *half > least).unwrap_or_default()),
+        None => Ok(0.0),
         Some(asked) if length("shaft's diameter", asked)? < most => Ok(asked),
         Some(asked) => Err(SizesError::Shaft { name, asked, most }),
     }

@@ -3,9 +3,8 @@
 //! Notation: `q` distance of a crescent's centre from the driver's axis, ρ its radius, `P` pins, β = π/P half the angle between
 //! two pins.
 //!
-//! Three walls of wheel and driver are thicker than others wherever they are: between a locking arc and the wheel's bore is
-//! more than between a slot's end and the bore; between the disc's rim and its bore more than between crescent and bore; and
-//! in the plate between pin and bore more than the horn.
+//! Two walls of wheel and driver are thicker than others wherever they are: between a locking arc and the wheel's bore is
+//! more than between a slot's end and the bore, and between the disc's rim and its bore more than between crescent and bore.
 
 use super::sizes::Sizes;
 use crate::indexing::Indexing;
@@ -72,16 +71,33 @@ impl Sizes {
         self.plate_radius - self.crank_radius - self.pin_radius()
     }
 
+    /// Least thickness of the driver's plate between a pin and the bore, in millimetres. None without a bore.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let play = Play { bore: 0.1, ..Play::from_slot(0.2) }; // mm
+    /// let choices = Choices { pin_diameter: Some(10.0), plate_shaft: Some(40.0), play: Some(play), ..Choices::default() };
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// // From the middle of the pin half of it and half of the bore are away.
+    /// assert!(sizes.plate_web().is_some_and(|web| (web - (50.0 - 5.0 - 20.05)).abs() < 1e-12)); // mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn plate_web(&self) -> Option<f64> {
+        (self.plate_bore() > 0.0).then(|| self.crank_radius - self.pin_radius() - self.plate_bore() / 2.0)
+    }
+
     /// All walls that may be too thin, with their thickness in millimetres: of the wheel, of the disc, of the plate.
     pub(super) fn walls(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let walls = [
             ("the horn", Some(self.horn_thickness)),
             ("the horn at the mouth", self.mouth_horn()),
             ("the web between two slots", Some(self.web)),
-            ("the web at the bore", Some(self.bore_web())),
+            ("the web at the bore", Some(self.bore_web()).filter(|_| self.wheel_bore() > 0.0)),
             ("the locking disc between crescent and bore", self.disc_web()),
             ("the locking disc between two crescents", self.crescent_web()),
             ("the plate outside the pin", Some(self.plate_rim())),
+            ("the plate between pin and bore", self.plate_web()),
         ];
         walls.into_iter().filter_map(|(wall, thickness)| Some((wall, thickness?)))
     }

@@ -3,10 +3,10 @@
 //! Points on the wheel's outline and the pin's path in short steps: nothing here uses a formula of mouth, play or blow. Only
 //! the outline is common, and it is compared with areas and distances of its own.
 
-use super::assembly::{Point, check, from_edge, is_inside, placed, points, sized};
+use super::assembly::{Point, check, from_edge, is_inside, points, sized};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{
-    Choices, Edge, EntryContact, Mouth, MouthSize, Play, Scale, Sizes, SizesError, Warning, Wheel,
+    Choices, Edge, EntryContact, Loop, Mouth, MouthSize, Play, Scale, Sizes, SizesError, Warning, Wheel,
 };
 use std::f64::consts::PI;
 
@@ -164,24 +164,17 @@ fn no_state_has_the_wheel_farther_forwards_than_is_said() {
         let (entry, play) = (sizes.wheel.engagement_half_angle(), sizes.dwell_play().unwrap());
         let name = format!("{}, {play:?}", name(&sizes));
         let free = |until: f64, by: f64| {
-            let (wheel, disc, pins) = placed(&sizes, -entry - until.max(0.0));
-            // Past entry the wheel that waits is where the dwell has left it.
-            let theta = -entry - until;
+            // The wheel waits where the dwell leaves it, also while the pin is already in its mouth.
+            let outline = sizes.outline();
             let axis = Point::new(sizes.centre_distance, 0.0);
-            let pins: Vec<_> = if until < 0.0 {
-                sizes.outline().pins.iter().map(|pin| pin.transform(PI - theta, axis)).collect()
-            } else {
-                pins
-            };
-            let disc = if until < 0.0 {
-                sizes.outline().disc.map(|disc| disc.outer.transform(PI - theta, axis))
-            } else {
-                disc
-            };
-            let wheel = wheel.transform(by, Point::zeros()).corners(2e-4).unwrap();
+            let on_driver = |part: &Loop| part.transform(PI + entry + until, axis);
+            let (disc, pins) = (outline.disc.map(|disc| on_driver(&disc.outer)), outline.pins.iter().map(on_driver));
+            let pins: Vec<Loop> = pins.collect();
+            let rest = by - sizes.wheel.half_pitch_angle();
+            let wheel = outline.wheel.outer.transform(rest, Point::zeros()).corners(5e-4).unwrap();
             let parts = disc.iter().chain(&pins);
             !parts.into_iter().any(|part| {
-                let polygon = part.corners(2e-4).unwrap();
+                let polygon = part.corners(5e-4).unwrap();
                 let middle = polygon.iter().sum::<Point>() / polygon.len() as f64;
                 let reach = polygon.iter().map(|p| (p - middle).norm()).fold(0.0, f64::max);
                 let near = |p: &&Point| (**p - middle).norm() < reach;
@@ -195,8 +188,8 @@ fn no_state_has_the_wheel_farther_forwards_than_is_said() {
         assert!(!free(at, 1.03 * play.greatest), "{name} is too little");
         // Before that and after it, the wheel is stopped earlier: by the disc or by the pin.
         let (first, last) = (at.min(0.0), sizes.dwell_angle().unwrap());
-        for step in 0..=24 {
-            let until = first + (last - first) * f64::from(step) / 24.0;
+        for step in 0..=12 {
+            let until = first + (last - first) * f64::from(step) / 12.0;
             assert!(!free(until, 1.03 * play.greatest), "{name}, {until} before entry");
         }
     }

@@ -130,3 +130,33 @@ fn what_does_not_fit_is_said() {
         assert!(Sizes::new(wheel, scale, &Choices::default()).is_err(), "{scale:?}");
     }
 }
+
+#[test]
+fn a_bore_is_there_only_if_a_shaft_is_given() {
+    for (stations, pins) in [(3, 1), (4, 4), (6, 2), (12, 1), (24, 1)] {
+        let wheel = Wheel::with_pins(stations, pins).unwrap();
+        let of = |choices: Choices| Sizes::new(wheel, Scale::CentreDistance(100.0), &choices).unwrap();
+        let none = of(Choices::default());
+        assert_eq!([none.wheel_bore(), none.driver_bore(), none.plate_bore()], [0.0; 3]);
+        let outline = none.outline();
+        assert!(
+            [Some(outline.wheel), outline.disc, Some(outline.plate)]
+                .into_iter()
+                .flatten()
+                .all(|of| of.holes.is_empty())
+        );
+
+        // The plate has room for a shaft that the disc has none for.
+        let thick = 1.5 * none.driver_shaft_limit.max(1.0);
+        let plate = of(Choices { plate_shaft: Some(thick), ..Choices::default() });
+        assert_eq!([plate.driver_bore(), plate.plate_bore()], [0.0, thick + plate.play.bore]);
+        let both = Choices { driver_shaft: Some(thick), ..Choices::default() };
+        let message = Sizes::new(wheel, Scale::CentreDistance(100.0), &both).unwrap_err().to_string();
+        assert!(message.contains("end in the plate"), "{message}");
+        let through = of(Choices { driver_shaft: Some(0.5 * none.driver_shaft_limit), ..Choices::default() });
+        assert_eq!(through.plate_shaft, through.driver_shaft);
+    }
+    let most = sized(6, &Choices::default()).unwrap().plate_shaft_limit;
+    let refused = sized(6, &Choices { plate_shaft: Some(most), ..Choices::default() });
+    assert!(matches!(refused, Err(SizesError::Shaft { asked, .. }) if asked == most));
+}

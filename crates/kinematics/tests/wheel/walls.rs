@@ -68,6 +68,7 @@ fn the_least_thickness_of_each_part_is_that_of_a_wall_which_is_checked() {
         (5, 3, Choices { horn_thickness: Some(25.0), ..pin(24.0) }, Some("the locking disc between two crescents")),
         (24, 2, pin(3.3), Some("the locking disc between two crescents")),
         (3, 1, Choices { bottom_clearance: Some(0.1), ..pin(15.2) }, Some("the plate outside the pin")),
+        (6, 1, Choices { plate_shaft: Some(88.0), ..pin(10.0) }, Some("the plate between pin and bore")),
         (6, 1, Choices::default(), None),
         (6, 2, Choices::default(), None),
         (4, 3, Choices::default(), None),
@@ -78,13 +79,14 @@ fn the_least_thickness_of_each_part_is_that_of_a_wall_which_is_checked() {
         let name = format!("{stations} stations, {pins} pins");
         let [wheel, disc, plate] = seen(&sizes);
         let of_disc = [sizes.disc_web(), sizes.crescent_web()].into_iter().flatten().reduce(f64::min);
-        let of_wheel = sizes.horn_thickness.min(sizes.web).min(sizes.bore_web());
-        let is_seen = |seen: f64, said: f64| seen > said - 1e-9 && seen < 1.02 * said.hypot(0.25);
+        let of_bore = if sizes.wheel_bore() > 0.0 { sizes.bore_web() } else { f64::INFINITY };
+        let of_wheel = sizes.horn_thickness.min(sizes.web).min(of_bore);
+        let is_seen = |seen: f64, said: f64| seen > said - 1e-9 && seen < 1.03 * said.hypot(0.25);
         assert!(is_seen(wheel.unwrap(), of_wheel), "{name}: {wheel:?} seen, {of_wheel} said");
         assert_eq!(disc.is_some(), of_disc.is_some(), "{name}");
         assert!(disc.zip(of_disc).is_none_or(|(seen, said)| is_seen(seen, said)), "{name}: {disc:?}, {of_disc:?}");
-        // Between pin and bore the plate is thicker than the horn.
-        assert!(plate.unwrap() > sizes.plate_rim().min(sizes.horn_thickness) - 1e-9, "{name}: {plate:?}");
+        let of_plate = sizes.plate_web().map_or(sizes.plate_rim(), |web| web.min(sizes.plate_rim()));
+        assert!(plate.unwrap() > of_plate - 1e-9, "{name}: {plate:?}, {of_plate} said");
         let walls: Vec<&str> = sizes
             .warnings()
             .iter()

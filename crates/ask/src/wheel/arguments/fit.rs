@@ -1,4 +1,4 @@
-//! How the parts fit: pin, slot, plays, horn and the place of the axes.
+//! How the parts fit: pin, slot, plays and horn.
 
 use super::ActsOn::Parts;
 use super::{Argument, ArgumentSlot, Knob};
@@ -9,6 +9,22 @@ const MOUTH: &str = "mouth";
 const OF_MOUTH: [f64; 2] = [0.0, 1000.0];
 
 pub(super) const ROWS: &[Argument] = &[
+    Argument::new(
+        "process",
+        "PROCESS",
+        ArgumentSlot::Process(|question| &mut question.process),
+        &[Parts],
+        "How the parts are made: it gives the plays that are not given, and tells how many of 1000 simulated assemblies turn with \
+         the errors of that process",
+    )
+    .with_knob(Knob::at("made by", "", [0.0, 0.0], 1.0, 0.0)),
+    Argument::new(
+        "measured-play",
+        "MM",
+        ArgumentSlot::Length(|question| &mut question.measured_play),
+        &[Parts],
+        "Least play in millimetres with which the pin ran on the test piece of --process: its plays and errors then come from there",
+    ),
     Argument::new(
         "pin-diameter",
         "MM",
@@ -23,7 +39,7 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::LengthOrZero(|question| &mut question.play),
         &[Parts],
         "How much wider slots and locking arcs are than the parts that run in them, in millimetres, zero or more; bores \
-         have a quarter of it [default: a thousandth of the centre distance, or less if parts are small]",
+         have a quarter of it [default: that of --process, or a thousandth of the centre distance, or less if parts are small]",
     )
     .with_knob(Knob::follows("play of the slots", "mm", [0.0, 0.5], 0.01, "play_mm").typed([0.0, 1000.0])),
     Argument::new(
@@ -134,32 +150,26 @@ pub(super) const ROWS: &[Argument] = &[
     Argument::new(
         "wheel-shaft",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.wheel_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.wheel_shaft),
         &[Parts],
-        "Diameter of the wheel's shaft, in millimetres",
+        "Diameter of the wheel's shaft, in millimetres; 0 for none, and no bore [default: 0]",
     )
-    .with_knob(
-        Knob::follows("diameter of the wheel's shaft", "mm", [1.0, 100.0], 0.5, "wheel_shaft_mm")
-            .typed([0.001, 10_000.0]),
-    ),
+    .with_knob(Knob::at("diameter of the wheel's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
         "driver-shaft",
         "MM",
-        ArgumentSlot::Length(|question| &mut question.driver_shaft),
+        ArgumentSlot::LengthOrZero(|question| &mut question.driver_shaft),
         &[Parts],
-        "Diameter of the driver's shaft in the plane of the wheel, in millimetres",
+        "Diameter of the driver's shaft in the plane of the wheel, in millimetres; 0 if it ends in the plate [default: 0]",
     )
-    .with_knob(
-        Knob::follows("diameter of the driver's shaft", "mm", [1.0, 100.0], 0.5, "driver_shaft_mm")
-            .typed([0.001, 10_000.0]),
-    ),
+    .with_knob(Knob::at("diameter of the driver's shaft", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
     Argument::new(
-        "centre-error",
+        "plate-shaft",
         "MM",
-        ArgumentSlot::SignedLength(|question| &mut question.centre_error),
+        ArgumentSlot::LengthOrZero(|question| &mut question.plate_shaft),
         &[Parts],
-        "By how much the axes stand too far apart, in millimetres, or below zero too near: clearance and knock are those of \
-         the parts so placed [default: 0]",
+        "Diameter of the driver's shaft in its plate, in millimetres, for a shaft that ends there; 0 as in the plane of the \
+         wheel [default: as --driver-shaft]",
     )
-    .with_knob(Knob::at("axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0])),
+    .with_knob(Knob::at("diameter of the driver's shaft in the plate", "mm", [0.0, 100.0], 0.5, 0.0).typed([0.0, 10_000.0])),
 ];

@@ -40,7 +40,7 @@ pub(super) const ROWS: &[Argument] = &[
         "MM",
         ArgumentSlot::Length(|question| &mut question.driver_bearing),
         &[Motion, Load],
-        "Diameter at which the driver's bearing rubs, in millimetres [default: that of --driver-shaft]",
+        "Diameter at which the driver's bearing rubs, in millimetres [default: that of --plate-shaft, or else of --driver-shaft]",
     ),
     Argument::new(
         "driver-friction",

@@ -1,6 +1,6 @@
 //! What the wheel carries, and of what it is made.
 
-use super::ActsOn::{Inertia, Motion, Parts};
+use super::ActsOn::{Inertia, Load, Motion, Parts};
 use super::{Argument, ArgumentSlot, Knob};
 
 /// The group of ways to say what the wheel turns.
@@ -48,7 +48,7 @@ pub(super) const ROWS: &[Argument] = &[
         "friction-torque",
         "NM",
         ArgumentSlot::ZeroOrMore(|question| &mut question.friction_torque),
-        &[Motion],
+        &[Motion, Load],
         "Torque of the friction that brakes the wheel, in N m, zero or more [default: 0]",
     )
     .with_knob(Knob::at("friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6])),

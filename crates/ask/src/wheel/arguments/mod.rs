@@ -1,17 +1,22 @@
 //! The one table of what can be said of a wheel: an option at the command line and a control on the page for each row.
 //!
 //! The rows stand by what they are about, in the order of a designer's questions: what the wheel must do, how large it is, how
-//! its parts fit, how they are mounted, and what they carry.
+//! its parts fit, how they are mounted, what they carry, and what is not as drawn.
 
 mod fit;
+mod friction;
 mod instants;
 mod load;
+mod mounting;
 mod need;
 mod size;
+mod strength;
+mod wrong;
 
 use super::WheelQuestion;
 use super::kind::WheelKind;
 use geneva_dynamics::line_contact::Material;
+use geneva_kinematics::wheel::as_built::Process;
 
 /// An argument of a question about a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -70,10 +75,25 @@ pub enum ArgumentSlot {
     AboveZero(fn(&mut WheelQuestion) -> &mut Option<f64>),
     /// A number that is zero or more.
     ZeroOrMore(fn(&mut WheelQuestion) -> &mut Option<f64>),
+    /// A number of things.
+    Count(fn(&mut WheelQuestion) -> &mut Option<u32>),
+    /// One of a few names.
+    Choice(NamedChoice),
+    /// A process, by its name.
+    Process(fn(&mut WheelQuestion) -> &mut Option<Process>),
     /// A material, by its name.
     Material(fn(&mut WheelQuestion) -> &mut Option<Material>),
     /// Angles in degrees; the argument can be repeated.
     Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
+}
+
+/// A choice among a few names; the first is what holds if nothing is said.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedChoice {
+    /// The names as they are typed.
+    pub names: &'static [&'static str],
+    /// Takes the choice with a number, from 0.
+    pub set: fn(&mut WheelQuestion, usize),
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -89,6 +109,8 @@ pub enum ActsOn {
     Speed,
     /// The moment of inertia of what the wheel carries: one way to say it.
     Inertia,
+    /// The loads, which need a speed and an inertia.
+    Load,
 }
 
 /// What the arguments of a group are about.
@@ -102,12 +124,19 @@ pub struct ArgumentGroup {
     pub rows: &'static [Argument],
 }
 
+/// The fold of controls for sizes that are wrong: a page has more of them than the command.
+pub const WRONG_SIZES: &str = "What if a size is wrong";
+
 /// All arguments, by what they are about, in the order of command and page.
 pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What the wheel must do", fold: "What the wheel is to do", rows: need::ROWS },
     ArgumentGroup { heading: "How large it is", fold: "How large it is", rows: size::ROWS },
     ArgumentGroup { heading: "How its parts fit", fold: "How it fits", rows: fit::ROWS },
+    ArgumentGroup { heading: "How it is mounted", fold: "How it is mounted", rows: mounting::ROWS },
     ArgumentGroup { heading: "What it carries", fold: "What it carries", rows: load::ROWS },
+    ArgumentGroup { heading: "What rubs", fold: "What rubs", rows: friction::ROWS },
+    ArgumentGroup { heading: "Pin and motor", fold: "Pin and motor", rows: strength::ROWS },
+    ArgumentGroup { heading: "What is not as drawn", fold: WRONG_SIZES, rows: wrong::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
 

@@ -39,7 +39,7 @@ pub struct Yield {
 }
 
 impl Yield {
-    /// The share that turns, from 0 to 1; of none tried, 0.
+    /// The share that turns, from 0 to 1, dimensionless; of none tried, 0.
     pub fn share(self) -> f64 {
         if self.tried == 0 { 0.0 } else { self.turning as f64 / self.tried as f64 }
     }
@@ -49,7 +49,7 @@ impl Yield {
         Self { tried: self.tried + other.tried, turning: self.turning + other.turning }
     }
 
-    /// The interval that has the true share with a probability of 95 %, by Wilson's score.
+    /// The interval that has the true share with a probability of 95 %, by Wilson's score; both ends dimensionless.
     ///
     /// E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
     pub fn interval(self) -> [f64; 2] {

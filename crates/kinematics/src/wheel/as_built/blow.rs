@@ -11,7 +11,7 @@ use nalgebra::Vector2;
 
 /// The blow with which a pin comes in, over the pin's speed, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EntryBlow {
+pub struct BuiltBlow {
     /// With the wheel in the middle of the play that it has in the middle of the dwell before, dimensionless.
     pub centred: f64,
     /// The greatest with the wheel at rest anywhere that disc and pins let it be, dimensionless.
@@ -59,7 +59,7 @@ impl Assembled<'_> {
         let pin = self.built.pins()[self.pin_of(event)];
         let centre = Turn::from_radians(sign * room).direction() * place.distance;
         let normal = match contact {
-            BuiltContact::PinAtMouth => self.mouth(number).from_corner(side, centre) / (pin.diameter / 2.0),
+            BuiltContact::PinAtMouth => self.mouth(number).corner_to(side, centre) / (pin.diameter / 2.0),
             BuiltContact::PinAtBottom => {
                 let from = Vector2::new(self.built.slots()[number].end, 0.0) - centre;
                 from / from.norm()
@@ -72,7 +72,7 @@ impl Assembled<'_> {
         Some((wheel, -velocity.dot(&normal)))
     }
 
-    pub(super) fn entry_blow(&self, event: i64) -> Option<EntryBlow> {
+    pub(super) fn entry_blow(&self, event: i64) -> Option<BuiltBlow> {
         let [from, to] = self.entry_range(event)?;
         let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(PLACES);
         let instants: Vec<Instant> = (0..=PLACES).map(|k| self.instant(event, at(k))).collect();
@@ -86,7 +86,7 @@ impl Assembled<'_> {
             met.push(can_be.and_then(|since| self.first_meeting(event, wheel, since.crank_angle, &instants)));
         }
         let greatest = met.into_iter().flatten().map(|(_, speed)| speed).fold(centred, f64::max);
-        Some(EntryBlow { centred, greatest, lost_motion: late - self.tangent() })
+        Some(BuiltBlow { centred, greatest, lost_motion: late - self.tangent() })
     }
 
     /// From when on and where the wheel rests farthest forwards (sign −1) or backwards (sign 1) until the pin would enter a right

@@ -39,19 +39,28 @@ pub(super) struct Claw {
     pub horn: f64,
 }
 
-/// Where an arc's middle is at least, in radians from the line of centres; by what; and how far from the wheel's axis, in
-/// millimetres.
-pub(super) type ClawLimit = (f64, BuiltContact, f64);
+/// Where an arc's middle is at least.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ClawLimit {
+    /// Its angle from the line of centres, in radians.
+    pub angle: f64,
+    /// By what.
+    pub contact: BuiltContact,
+    /// How far from the wheel's axis, in millimetres.
+    pub radius: f64,
+    /// How deep the parts are in each other along the radius, in millimetres; zero unless they are.
+    pub overlap: f64,
+}
 
-/// An angle from its cosine; beyond 1 the shortfall as an angle below zero, so that it goes on continuously.
-fn opening(cosine: f64, missing: f64, distance: f64) -> f64 {
-    if cosine > 1.0 { -missing / distance } else { libm::acos(cosine.max(-1.0)) }
+/// An angle from its cosine, and what is missing; beyond 1 what is missing as an angle below zero, so that it goes on continuously.
+fn opening(cosine: f64, missing: f64, distance: f64) -> (f64, f64) {
+    if cosine > 1.0 { (-missing / distance, missing) } else { (libm::acos(cosine.max(-1.0)), 0.0) }
 }
 
 impl Claw {
     /// The half angle of the arc's opening at a distance from the wheel's axis, in radians; below zero where the arc does not
-    /// reach so deep.
-    fn arc_opening(&self, r: f64) -> f64 {
+    /// reach so deep, with by how much it does not.
+    fn arc_opening(&self, r: f64) -> (f64, f64) {
         let [radius, centre] = self.arc;
         let cosine = (r * r + centre * centre - radius * radius) / (2.0 * r * centre);
         opening(cosine, centre - radius - r, r)
@@ -80,28 +89,33 @@ impl Claw {
         if low >= upper || low >= reach || upper <= -reach {
             return None;
         }
-        let mut least: ClawLimit = (f64::NEG_INFINITY, BuiltContact::DiscInArc, self.horn);
-        let mut candidate = |angle: f64, contact, r: f64| {
-            if angle > least.0 {
-                least = (angle, contact, r);
+        let mut least =
+            ClawLimit { angle: f64::NEG_INFINITY, contact: BuiltContact::DiscInArc, radius: self.horn, overlap: 0.0 };
+        let mut candidate = |angle: f64, contact, radius: f64, beyond: f64| {
+            let (opening, missing) = self.arc_opening(radius);
+            if angle - opening > least.angle {
+                least = ClawLimit { angle: angle - opening, contact, radius, overlap: missing.max(beyond) };
             }
         };
         let nearest = low.max(0.0).min(upper);
-        let [r, angle] = if nearest == 0.0 { [self.axes - self.disc, 0.0] } else { self.rim(nearest) };
-        let contact = if nearest == 0.0 { BuiltContact::DiscInArc } else { BuiltContact::OpeningEdge };
-        candidate(angle - self.arc_opening(r), contact, r);
+        if nearest == 0.0 {
+            candidate(0.0, BuiltContact::DiscInArc, self.axes - self.disc, 0.0);
+        } else {
+            let [r, angle] = self.rim(nearest);
+            candidate(angle, BuiltContact::OpeningEdge, r, 0.0);
+        }
         if upper >= reach {
             let [r, angle] = self.rim(reach);
-            candidate(angle - self.arc_opening(r), BuiltContact::DiscInArc, r);
+            candidate(angle, BuiltContact::DiscInArc, r, 0.0);
         } else {
             if upper > 0.0 {
                 let [r, angle] = self.rim(upper);
-                candidate(angle - self.arc_opening(r), BuiltContact::OpeningEdge, r);
+                candidate(angle, BuiltContact::OpeningEdge, r, 0.0);
             }
             let (r, Cut { distance: s, radius, .. }) = (self.horn, self.cut);
             let cosine = (r * r + s * s - radius * radius) / (2.0 * r * s);
-            let opening = opening(cosine, (r - s).abs() - radius, r);
-            candidate(self.cut.angle - opening - self.arc_opening(r), BuiltContact::Crescent, r);
+            let (opening, missing) = opening(cosine, (r - s).abs() - radius, r);
+            candidate(self.cut.angle - opening, BuiltContact::Crescent, r, missing);
         }
         // Along the arc: circle in circle.
         let [radius, centre] = self.arc;
@@ -112,7 +126,10 @@ impl Claw {
             let (sin, cos) = libm::sincos(turned);
             let tau = libm::atan2(centre * sin, centre * cos - self.axes);
             if tau >= low.max(0.0) && tau <= upper.min(reach) {
-                candidate(-turned, BuiltContact::DiscInArc, self.rim(tau)[0]);
+                let radius = self.rim(tau)[0];
+                if -turned > least.angle {
+                    least = ClawLimit { angle: -turned, contact: BuiltContact::DiscInArc, radius, overlap: 0.0 };
+                }
             }
         }
         Some(least)

@@ -6,7 +6,7 @@
 //! is at (c, 0), and the pin at (c − a cos θ, a sin θ). Each pair of parts stops the wheel at an angle in closed form, forwards or
 //! backwards, so the free angles are one interval.
 
-use super::claw::{Claw, Cut};
+use super::claw::{Claw, ClawLimit, Cut};
 use super::contact::BuiltContact;
 use super::mouth::{Mouth, horn_end};
 use super::parts::AsBuiltWheel;
@@ -24,6 +24,8 @@ pub struct AngleLimit {
     pub part: usize,
     /// Distance of the contact, or of the pin's centre, from the wheel's axis, in millimetres.
     pub radius: f64,
+    /// How deep the parts are in each other along the radius, however the wheel is turned, in millimetres; zero unless they are.
+    pub overlap: f64,
 }
 
 /// The angles between which the wheel is free.
@@ -59,9 +61,14 @@ impl FreeAngles {
         f64::midpoint(self.forward.angle, self.backward.angle)
     }
 
-    /// How far the wheel is free, or the parts overlap if it is below zero, in millimetres where the nearer of the two contacts is.
+    /// How far the wheel is free, in millimetres where the nearer of the two contacts is. Below zero it is by how much the parts
+    /// overlap: along the radius where both contacts do, because no wheel angle helps there; otherwise around the wheel's axis.
     pub fn room(&self) -> f64 {
-        self.width() * self.forward.radius.min(self.backward.radius)
+        let (width, overlaps) = (self.width(), [self.forward.overlap, self.backward.overlap]);
+        if width < 0.0 && overlaps.iter().all(|overlap| *overlap > 0.0) {
+            return -overlaps[0].max(overlaps[1]);
+        }
+        width * self.forward.radius.min(self.backward.radius)
     }
 
     pub(super) fn stop_forward(&mut self, limit: AngleLimit) {
@@ -180,13 +187,17 @@ impl<'a> Assembled<'a> {
             let place = self.pin_place(event + later, self.crank(later, theta));
             let slot = self.slot_of(event + later);
             let beside = place.beside + 2.0 * self.half_pitch * later as f64;
-            let limit = |angle, contact| AngleLimit { angle, contact, part: slot, radius: place.distance };
+            let limit = |sign: f64, (room, contact): (f64, BuiltContact)| {
+                let is_deep = contact == BuiltContact::PinAtBottom && room < 0.0;
+                let overlap = if is_deep { -room * place.distance } else { 0.0 };
+                AngleLimit { angle: beside + sign * room, contact, part: slot, radius: place.distance, overlap }
+            };
             let [clockwise, counter] = place.rooms;
-            if let Some((room, contact)) = clockwise {
-                free.stop_forward(limit(beside + room, contact));
+            if let Some(room) = clockwise {
+                free.stop_forward(limit(1.0, room));
             }
-            if let Some((room, contact)) = counter {
-                free.stop_backward(limit(beside - room, contact));
+            if let Some(room) = counter {
+                free.stop_backward(limit(-1.0, room));
             }
         }
     }
@@ -232,12 +243,15 @@ impl<'a> Assembled<'a> {
                 Claw { axes: self.built.centre_distance, disc, ends, cut, arc: [sizes.radius, sizes.centre], horn }
                     .limit()
             };
-            let limit = |angle, contact, radius| AngleLimit { angle, contact, part: arc, radius };
-            if let Some((least, contact, radius)) = claw(1.0) {
-                free.stop_backward(limit(least - middle, contact, radius));
+            let limit = |sign: f64, of: ClawLimit| {
+                let angle = sign * of.angle - middle;
+                AngleLimit { angle, contact: of.contact, part: arc, radius: of.radius, overlap: of.overlap }
+            };
+            if let Some(least) = claw(1.0) {
+                free.stop_backward(limit(1.0, least));
             }
-            if let Some((least, contact, radius)) = claw(-1.0) {
-                free.stop_forward(limit(-least - middle, contact, radius));
+            if let Some(least) = claw(-1.0) {
+                free.stop_forward(limit(-1.0, least));
             }
         }
     }
@@ -249,6 +263,7 @@ impl<'a> Assembled<'a> {
             contact: BuiltContact::Nothing,
             part: self.slot_of(event),
             radius: self.built.centre_distance,
+            overlap: 0.0,
         };
         FreeAngles { backward: limit(-1.0), forward: limit(1.0) }
     }

@@ -23,7 +23,7 @@ mod test_piece;
 mod turn;
 
 pub use assemblies::{Assemblies, Yield};
-pub use blow::EntryBlow;
+pub use blow::BuiltBlow;
 pub use contact::BuiltContact;
 pub use errors::{BuiltError, ErrorShape, MeasuredError, SizeErrors};
 pub use free_angles::{AngleLimit, FreeAngles};

@@ -91,7 +91,7 @@ impl Mouth {
 
 impl Mouth {
     /// From the corner on one side to a point in the slot's frame, in millimetres.
-    pub(super) fn from_corner(&self, side: usize, point: nalgebra::Vector2<f64>) -> nalgebra::Vector2<f64> {
+    pub(super) fn corner_to(&self, side: usize, point: nalgebra::Vector2<f64>) -> nalgebra::Vector2<f64> {
         let sign = if side == 1 { 1.0 } else { -1.0 };
         point - nalgebra::Vector2::new(self.corners[side].along, sign * self.half_width)
     }

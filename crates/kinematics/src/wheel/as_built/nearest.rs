@@ -9,13 +9,15 @@ use super::errors::MeasuredError;
 use super::measured::{MeasuredSize, MeasuredWheel, SizeMeasurement};
 use super::parts::{AsBuiltWheel, BuiltArc, BuiltCrescent, BuiltPin, BuiltSlot};
 use crate::indexing::Indexing;
-use crate::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use crate::wheel::{Choices, Play, Scale, Sizes, SizesError, Wheel};
 use nalgebra::{SMatrix, SVector};
 
 /// Free sizes of a right wheel: crank radius, pin, slot, slot end, arc, disc, and centre of the crescent.
 const FREE: usize = 7;
 type Free = SVector<f64, FREE>;
 
+/// Culprits besides the first that are looked for at most.
+const MOST_FURTHER: u32 = 2;
 /// Steps of Gauss and Newton.
 const STEPS: usize = 30;
 /// The greatest play of slot and arc that is ordinary, over the pin's diameter, and how far from ordinary a size counts as one
@@ -50,7 +52,7 @@ pub struct Culprit {
     pub measured: f64,
     /// What the others ask for, in millimetres or radians.
     pub expected: f64,
-    /// By how many of its uncertainties it is off.
+    /// By how many of its uncertainties it is off, dimensionless.
     pub uncertainties: f64,
     /// Whether without it the rest agrees.
     pub rest_agrees: bool,
@@ -89,6 +91,10 @@ pub struct NearestWheel {
     pub culprit: Option<Culprit>,
     /// Others without which the rest agrees nearly as well: one of these may be wrong instead.
     pub suspects: Vec<MeasuredSize>,
+    /// Further measurements that contradict what is left without the culprit, up to two.
+    pub further_culprits: Vec<Culprit>,
+    /// Why no wheel can be made of exactly these sizes; none if one can.
+    pub refusal: Option<SizesError>,
 }
 
 /// A right wheel by its free sizes.
@@ -154,10 +160,15 @@ impl MeasuredWheel {
     ///
     /// [`MeasuredError::NoScale`] where nothing tells how large the wheel is.
     pub fn nearest(&self) -> Result<NearestWheel, MeasuredError> {
+        self.nearest_within(MOST_FURTHER)
+    }
+
+    fn nearest_within(&self, depth: u32) -> Result<NearestWheel, MeasuredError> {
         let start = self.start()?;
         let (free, sum) = self.fit(start);
         let right = Right { wheel: self.wheel(), free };
         let limit = limit(self.sizes().len());
+        let refusal = design(self.wheel(), &free).err();
         let leave = |index: usize| {
             let others = self.without(index);
             others.start().map_or((free, f64::INFINITY), |own| {
@@ -198,6 +209,15 @@ impl MeasuredWheel {
             .filter(|(index, (_, without))| Some(*index) != best && *without - least < SUSPECT * (sum - least))
             .map(|(index, _)| self.sizes()[index].size)
             .collect();
+        // What is left may contradict itself, too.
+        let further = match (best, culprit) {
+            (Some(index), Some(Culprit { rest_agrees: false, .. })) if depth > 0 => {
+                self.without(index).nearest_within(depth - 1).ok()
+            }
+            _ => None,
+        };
+        let further_culprits =
+            further.map_or_else(Vec::new, |of| of.culprit.into_iter().chain(of.further_culprits).collect());
         Ok(NearestWheel {
             crank_radius: free[0],
             centre_distance: right.centre_distance(),
@@ -214,6 +234,8 @@ impl MeasuredWheel {
             residuals,
             culprit,
             suspects,
+            further_culprits,
+            refusal,
         })
     }
 
@@ -342,14 +364,14 @@ impl MeasuredWheel {
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;
 
-/// The sum of squares that so many measurements may have: three standard deviations above its mean, as for a distribution of χ².
+/// The sum of squares that so many measurements may have: four standard deviations above its mean, as for a distribution of χ².
 fn limit(measurements: usize) -> f64 {
     let degrees = (measurements as f64 - 6.0).max(1.0);
-    degrees + 3.0 * (2.0 * degrees).sqrt() + 3.0
+    degrees + 4.0 * (2.0 * degrees).sqrt() + 3.0
 }
 
-/// The centre of the shallowest cut with which the horns pass, in millimetres; half the crank radius where no design has these sizes.
-fn shallowest(wheel: &Wheel, free: &Free) -> f64 {
+/// The design that has these sizes.
+fn design(wheel: &Wheel, free: &Free) -> Result<Sizes, SizesError> {
     let [a, pin, slot, end, arc, disc, ..]: [f64; FREE] = (*free).into();
     let sine = libm::sin(wheel.half_pitch_angle());
     let choices = Choices {
@@ -359,8 +381,14 @@ fn shallowest(wheel: &Wheel, free: &Free) -> f64 {
         horn_thickness: Some((a - slot.max(pin) / 2.0 - arc).max(0.01 * pin)),
         ..Choices::default()
     };
-    let sizes = Sizes::new(*wheel, Scale::CrankRadius(a), &choices).ok();
-    sizes.and_then(|sizes| sizes.locking_disc).map_or(0.6 * a, |disc| disc.crescent.centre)
+    Sizes::new(*wheel, Scale::CrankRadius(a), &choices)
+}
+
+/// The centre of the shallowest cut with which the horns pass, in millimetres; a part of the crank radius where no design has
+/// these sizes.
+fn shallowest(wheel: &Wheel, free: &Free) -> f64 {
+    let disc = design(wheel, free).ok().and_then(|sizes| sizes.locking_disc);
+    disc.map_or(0.6 * free[0], |disc| disc.crescent.centre)
 }
 
 /// The parts of the nearest right wheel.

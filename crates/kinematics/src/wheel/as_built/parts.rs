@@ -84,7 +84,8 @@ pub struct AsBuiltWheel {
 }
 
 impl From<&Sizes> for AsBuiltWheel {
-    /// The wheel that is made exactly as it was drawn.
+    /// The wheel that is made exactly as it was drawn, but with sharp corners at the mouths of its slots: whatever turns with
+    /// these turns with any [`Mouth`](crate::wheel::Mouth), and its blows are softer.
     fn from(sizes: &Sizes) -> Self {
         let slot = BuiltSlot {
             width: sizes.slot_width,

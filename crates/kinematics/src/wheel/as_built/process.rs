@@ -99,6 +99,18 @@ impl Process {
         }
     }
 
+    /// What it is, in words.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Ground => "Ground or wire-cut metal",
+            Self::Mill => "Metal milled on a machining centre",
+            Self::Router => "Sheet routed with a spinning cutter",
+            Self::Laser => "Sheet cut by a laser",
+            Self::Resin => "Resin cured layer by layer (SLA, DLP)",
+            Self::Fdm => "Filament laid layer by layer (FDM, FFF)",
+        }
+    }
+
     /// The greatest error of a size, and its source. The length is in millimetres.
     fn error(self, length: f64) -> SourcedNumber {
         // In millimetres.

@@ -47,17 +47,17 @@ impl SplitMix64 {
         mixed ^ (mixed >> 31)
     }
 
-    /// The next number from 0 up to but not including 1, a multiple of 2⁻⁵³.
+    /// The next number from 0 up to but not including 1, a multiple of 2⁻⁵³, dimensionless.
     pub fn next_unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0)
     }
 
-    /// The next number from −1 up to but not including 1.
+    /// The next number from −1 up to but not including 1, dimensionless.
     pub fn next_signed(&mut self) -> f64 {
         2.0 * self.next_unit() - 1.0
     }
 
-    /// The next number of the standard normal distribution, by the polar method of Marsaglia.
+    /// The next number of the standard normal distribution, by the polar method of Marsaglia, dimensionless.
     pub fn next_normal(&mut self) -> f64 {
         loop {
             let (x, y) = (self.next_signed(), self.next_signed());

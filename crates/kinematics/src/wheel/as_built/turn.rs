@@ -4,14 +4,14 @@
 //! turns if that interval is nowhere empty. It is looked at where a part comes within reach or leaves it and at places between;
 //! each of its local minima is then narrowed down by golden section. What that leaves open is below [`WIDTH_TOLERANCE`].
 
-use super::blow::EntryBlow;
+use super::blow::BuiltBlow;
 use super::contact::BuiltContact;
 use super::errors::BuiltError;
 use super::free_angles::{Assembled, FreeAngles};
 use super::parts::AsBuiltWheel;
 use crate::indexing::Indexing;
 
-/// What the search leaves open of the least free angle, in radians; tests compare it with 20,000 places of each station.
+/// What the search leaves open of the least free angle, in radians; tests compare it with 10,000 places of each station.
 pub const WIDTH_TOLERANCE: f64 = 1e-7;
 
 /// Intervals between two changes at least and at most, and how long one is between them, in radians; twice as many where the whole
@@ -60,7 +60,7 @@ pub struct StationTurn {
     /// Whether the wheel can stand so in the dwell that the next pin meets its rim beside the slot: it then jams or loses an index.
     pub can_miss: bool,
     /// The blow with which the pin comes in; none where it meets nothing.
-    pub entry: Option<EntryBlow>,
+    pub entry: Option<BuiltBlow>,
 }
 
 /// A whole turn of every station.
@@ -148,6 +148,31 @@ impl AsBuiltWheel {
         let stations = (0..self.events() as i64).map(|event| assembled.station(event)).collect();
         let jam = Some(tightest).filter(|place| place.free.width() < 0.0);
         Ok(BuiltTurn { jam, tightest, stations })
+    }
+
+    /// The tightest place of one event, and whether the wheel can miss its pin: all that there is to know of whether a wheel turns
+    /// whose slots, arcs and pins are alike.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?; // mm
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// built.centre_distance -= 0.01; // mm
+    /// let (tightest, can_miss) = built.tightest_place(0)?;
+    /// assert_eq!(tightest.free.width(), built.turn()?.tightest.free.width());
+    /// assert!(!can_miss);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`check`](Self::check).
+    pub fn tightest_place(&self, event: i64) -> Result<(Jam, bool), BuiltError> {
+        self.check()?;
+        let assembled = Assembled::new(self);
+        Ok((assembled.tightest(event, f64::INFINITY), assembled.can_miss(event)))
     }
 
     /// Whether the wheel turns through every combination of a pin and a slot: as [`turn`](Self::turn) finds, and sooner.

@@ -44,7 +44,7 @@ fn design(k: u64, random: &mut SplitMix64) -> Sizes {
     let play = Some(Play::from_slot(0.15 + 0.35 * random.next_unit()));
     let default = sized(stations, pins, &Choices { play, ..Choices::default() });
     // Half of them with a thinner pin than by default.
-    let pin = if k % 2 == 0 { default.pin_diameter } else { 0.8 * default.pin_diameter };
+    let pin = if k.is_multiple_of(2) { default.pin_diameter } else { 0.8 * default.pin_diameter };
     sized(stations, pins, &Choices { play, pin_diameter: Some(pin), ..Choices::default() })
 }
 
@@ -150,4 +150,17 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
         ];
         assert!(wheel(stations, &right).is_empty(), "{stations}");
     }
+}
+
+#[test]
+fn sizes_of_which_no_wheel_can_be_made_are_told_to_be_so() {
+    // A worn wheel of nine stations: outside diameter 55 mm, slots of 3.1 mm, hollows of 4.3 mm. Nothing contradicts, but the
+    // disc would run into the horns.
+    let mut measured = MeasuredWheel::new(Wheel::new(9).unwrap());
+    measured.add(MeasuredSize::TipRadius, 27.5, 0.05).unwrap();
+    measured.add(MeasuredSize::SlotWidth(None), 3.1, 0.05).unwrap();
+    measured.add(MeasuredSize::ArcRadius(None), 4.3, 0.05).unwrap();
+    let nearest = measured.nearest().unwrap();
+    assert!(nearest.culprit.is_none());
+    assert!(nearest.refusal.is_some_and(|error| error.to_string().contains("horns")), "{:?}", nearest.refusal);
 }

@@ -2,6 +2,7 @@
 
 mod drawn;
 mod measured;
+mod others;
 mod points;
 mod process;
 mod sweep;

@@ -1,0 +1,129 @@
+//! A part: a plate with holes, and where it is in the assembly.
+
+use super::holes::Hole;
+use crate::geometry::{Point, area};
+use geneva_kinematics::wheel::{Face, Loop};
+
+/// A layer of the drawing; the pieces of one layer are cut from one sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// The wheel.
+    Wheel,
+    /// The driver's locking disc, in the wheel's plane.
+    LockingDisc,
+    /// The locking segment of an internal wheel's driver.
+    LockingSegment,
+    /// The driver's plate, behind the wheel.
+    Plate,
+    /// The pins, or the holes for them in the plate.
+    Pins,
+    /// The plate that closes the ring of an internal wheel and carries its shaft.
+    RingPlate,
+    /// The plate that carries both axes.
+    BasePlate,
+    /// Crosses at axes and pins.
+    Centres,
+    /// Pockets and shoulders that don't go through a part.
+    Pockets,
+}
+
+impl Layer {
+    /// All layers.
+    pub const ALL: [Self; 9] = [
+        Self::Wheel,
+        Self::LockingDisc,
+        Self::Plate,
+        Self::Pins,
+        Self::BasePlate,
+        Self::Centres,
+        Self::Pockets,
+        Self::LockingSegment,
+        Self::RingPlate,
+    ];
+
+    /// The layer's name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wheel => "WHEEL",
+            Self::LockingDisc => "LOCKING_DISC",
+            Self::LockingSegment => "LOCKING_SEGMENT",
+            Self::RingPlate => "RING_PLATE",
+            Self::Plate => "DRIVER_PLATE",
+            Self::Pins => "PINS",
+            Self::BasePlate => "BASE_PLATE",
+            Self::Centres => "CENTRES",
+            Self::Pockets => "POCKETS",
+        }
+    }
+
+    /// What its part is called in a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Wheel => "wheel",
+            Self::LockingDisc => "locking disc",
+            Self::LockingSegment => "locking segment",
+            Self::RingPlate => "ring plate",
+            Self::Plate => "driver plate",
+            Self::Pins => "pin",
+            Self::BasePlate => "base plate",
+            Self::Centres => "centre marks",
+            Self::Pockets => "pockets",
+        }
+    }
+}
+
+/// Where a part is in the assembly, in the middle of a dwell: the wheel's axis is the origin, the driver's is at (c, 0).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Angle by which the part is turned about its own axis, in radians.
+    pub turn: f64,
+    /// Where its axis is, in millimetres.
+    pub at: Point,
+    /// Height of its lower face, in millimetres; that of the wheel is at 0.
+    pub bottom: f64,
+}
+
+/// A part: a plate with holes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// What it is.
+    pub layer: Layer,
+    /// Its outer line, counter-clockwise, about its own axis, in millimetres.
+    pub outer: Loop,
+    /// Its holes.
+    pub holes: Vec<Hole>,
+    /// Where its axis and the middles of its pins are marked, in millimetres.
+    pub marks: Vec<Point>,
+    /// Its thickness, or a pin's length, in millimetres.
+    pub thickness: f64,
+    /// Its places in the assembly: more than one if there are several of it.
+    pub places: Vec<Place>,
+    /// Whether it is in one piece with the plate, where a file has solids.
+    pub is_joined: bool,
+}
+
+impl Part {
+    /// How many of it there are.
+    pub fn quantity(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Its outline with the holes that go through it.
+    pub fn face(&self) -> Face {
+        Face { outer: self.outer.clone(), holes: self.holes.iter().map(|hole| hole.outline.clone()).collect() }
+    }
+
+    /// Its volume in cubic millimetres, less the pockets.
+    pub fn volume(&self) -> f64 {
+        let pocket = |hole: &Hole| {
+            let wide = hole.widening.as_ref()?;
+            Some((area(&wide.outline) - area(&hole.outline)).abs() * wide.depth)
+        };
+        self.face().area() * self.thickness - self.holes.iter().filter_map(pocket).sum::<f64>()
+    }
+
+    /// Whether it is cut out of a sheet.
+    pub fn is_cut(&self) -> bool {
+        self.layer != Layer::Pins
+    }
+}

@@ -1,0 +1,22 @@
+//! Drawings for a workshop: a sheet for each part, with limits, true to scale in print.
+
+mod callout;
+mod dimension;
+mod ink;
+mod length;
+mod limits;
+mod page;
+mod paper;
+mod part_views;
+mod sheet;
+#[cfg(test)]
+mod tests;
+mod text;
+mod title;
+mod view;
+
+pub use dimension::{Measured, PrintedDimension};
+pub use page::{sheets_html, sheets_svg};
+pub use paper::{DrawingScale, Paper};
+pub use sheet::{Sheet, sheets};
+pub use text::SheetText;

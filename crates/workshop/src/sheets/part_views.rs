@@ -1,0 +1,379 @@
+//! The views of all parts with their sizes.
+
+use super::callout::{Row, Side};
+use super::dimension::{Measured, PrintedDimension};
+use super::length::{deviation, mm};
+use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
+use super::view::{Making, Target, View, on_circle, pocket_rows, thickness, zone};
+use crate::geometry::{Point, direction, point_along};
+use crate::parts::{HolePurpose, Layer, Part, PinMount};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, ToleranceClass, ToleranceLetter};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Turned so, what is on the first axis points up.
+const UPRIGHT: f64 = FRAC_PI_2;
+/// Below the view's right, and above its left, in radians: where leaders find a rim.
+const LOWER_RIGHT: f64 = -0.2 * PI;
+/// A crescent's centre that is farther from the axis, over the disc's radius, is given in words.
+const FAR: f64 = 1.4;
+/// Length of a pin's chamfers over its diameter: our choice.
+const CHAMFER: f64 = 0.05;
+
+impl Making<'_> {
+    /// The view of a part.
+    pub(super) fn view(&self, part: &Part) -> View {
+        match part.layer {
+            Layer::Wheel => self.wheel(part),
+            Layer::LockingDisc => self.disc(part),
+            Layer::Pins => self.pin(part),
+            Layer::BasePlate => self.base(part),
+            // An internal wheel has other sizes and no sheets.
+            Layer::Plate | Layer::LockingSegment | Layer::RingPlate | Layer::Centres | Layer::Pockets => {
+                self.plate(part)
+            }
+        }
+    }
+
+    fn wheel(&self, part: &Part) -> View {
+        let (sizes, chain) = (self.sizes, &self.chain);
+        let (stations, pitch) = (sizes.wheel.stations(), 2.0 * sizes.wheel.half_pitch_angle());
+        let mut view = View::new(part, UPRIGHT);
+        let half = sizes.slot_width / 2.0;
+        let corner = |x: f64| Point::new(x, sizes.wheel_radius - sizes.mouth_length());
+        let slot = PrintedDimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
+            .limited(Limits::class(SLOT, sizes.slot_width).within([chain.width, f64::INFINITY]));
+        view.add(
+            Target::Across([corner(-half), corner(half)]),
+            Side::Right,
+            vec![
+                Row::Size(slot),
+                Row::Position { zone: zone("", chain.slot_zone), datums: &["A"], is_from_chain: chain.is_known },
+                Row::Words(format!("at exact {}°", mm(pitch.to_degrees()))),
+                Row::Datum("B"),
+            ],
+        );
+        let end = PrintedDimension::new(Measured::SlotEnd, "", sizes.slot_end, "");
+        let general = general_tolerance(sizes.slot_end);
+        let end = end.limited(Limits::new([-general, general]).within([general, chain.slot_end]));
+        view.add(
+            Target::Along([Point::zeros(), Point::new(0.0, sizes.slot_end)]),
+            Side::Left,
+            vec![Row::Size(end), Row::Size(PrintedDimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
+        );
+        let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
+        let radius =
+            PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
+                .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
+        let centres =
+            PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
+        view.add(
+            Target::Edge(arc),
+            Side::Right,
+            vec![
+                Row::Size(radius),
+                Row::Position { zone: zone("Ø", chain.arc_zone), datums: &["A", "B"], is_from_chain: chain.is_known },
+                Row::Size(centres),
+                Row::Words("midway between slots".to_owned()),
+            ],
+        );
+        let rim = rim_point(&view.part.outer, sizes.tip_radius, direction(LOWER_RIGHT));
+        let rim_size = PrintedDimension::new(Measured::Rim, "Ø", 2.0 * sizes.tip_radius, "");
+        let mut rows = vec![Row::Size(rim_size.limited(Limits::class(RIM, 2.0 * sizes.tip_radius))), thickness(part)];
+        if !view.has_bore() {
+            rows.insert(1, Row::Datum("A"));
+        }
+        view.add(Target::Edge(rim), Side::Right, rows);
+        self.add_mouth(&mut view);
+        view.add_holes(self);
+        view.notes.push("Slot walls, locking arcs: Ra 1.6. Corners of mouths: 0.1 at most.".to_owned());
+        // The axes' whole share: on a base plate, bores and shafts take half of it.
+        view.notes.push(format!(
+            "Distance of the axes: {} ({} / {}).",
+            mm(sizes.centre_distance),
+            deviation(chain.axes[1]),
+            deviation(-chain.axes[0])
+        ));
+        view
+    }
+
+    /// The mouths of the slots where they are not sharp: on the left of the upper slot.
+    fn add_mouth(&self, view: &mut View) {
+        let Some(face) = self.sizes.mouth_face() else { return };
+        let length =
+            PrintedDimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
+        let shape = match face {
+            Edge::Line { from, to } => {
+                let angle = libm::atan2(to.y - from.y, to.x - from.x).to_degrees();
+                Row::Words(format!("chamfer {}° to the wall", mm(angle)))
+            }
+            Edge::Arc { radius, .. } => {
+                Row::Size(PrintedDimension::new(Measured::MouthRadius, "from the wall R", radius, ""))
+            }
+        };
+        let middle = point_along(&face, 0.5);
+        view.add(Target::Edge(Point::new(-middle.y, middle.x)), Side::Left, vec![Row::Size(length), shape]);
+    }
+
+    fn disc(&self, part: &Part) -> View {
+        let mut view = View::new(part, UPRIGHT);
+        let Some(disc) = self.sizes.locking_disc else { return view };
+        let pins = self.sizes.wheel.pins();
+        let cut = disc.crescent;
+        let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
+        let rim = rim_point(&view.part.outer, disc.radius, direction(LOWER_RIGHT));
+        let size = PrintedDimension::new(Measured::Disc, "Ø", 2.0 * disc.radius, "");
+        let limits = Limits::class(DISC, 2.0 * disc.radius).within([f64::INFINITY, 2.0 * self.chain.locking]);
+        let mut rows = vec![Row::Size(size.limited(limits)), thickness(part)];
+        if !view.has_bore() {
+            rows.insert(1, Row::Datum("A"));
+        }
+        view.add(Target::Edge(rim), Side::Right, rows);
+
+        let shift = crescent_shift(&disc);
+        let wider = Limits::class(SLOT, 2.0 * cut.radius);
+        let limits = Limits::new([2.0 * shift, 2.0 * shift + to_micrometres(wider.upper / 2.0)]);
+        let radius = PrintedDimension::new(Measured::Crescent, &format!("{many}R"), cut.radius, "").limited(limits);
+        let to = cut_point(&disc);
+        let place = Row::Position { zone: zone("Ø", 2.0 * shift), datums: &["A"], is_from_chain: false };
+        let mut rows = vec![Row::Size(radius), place];
+        let centre = |before: &str| Row::Size(PrintedDimension::new(Measured::CrescentCentre, before, cut.centre, ""));
+        let is_far = cut.centre > FAR * disc.radius;
+        if is_far {
+            rows.push(centre("centre at exact "));
+        }
+        if pins > 1 {
+            rows.push(Row::Words(format!("at exact {}°", mm(360.0 / f64::from(pins)))));
+        }
+        view.add(Target::Edge(to), Side::Right, rows);
+        if !is_far {
+            view.add(
+                Target::Along([Point::zeros(), Point::new(0.0, cut.centre)]),
+                Side::Left,
+                vec![centre("exact "), Row::Words("to crescent's centre".to_owned())],
+            );
+        }
+        let [y, x] = [libm::cos(cut.half_angle), libm::sin(cut.half_angle)].map(|part| part * disc.radius);
+        let opening = PrintedDimension::new(Measured::Opening, "(", 2.0 * x, ")");
+        view.add(
+            Target::Across([Point::new(-x, y), Point::new(x, y)]),
+            Side::Left,
+            vec![Row::Size(opening), Row::Words("opening, for checking".to_owned())],
+        );
+        view.add_holes(self);
+        view.notes.push("Rim: Ra 1.6. Edges of the opening: 0.1 at most.".to_owned());
+        view.notes.push(format!("On the plate: crescent's centre in line with axis and pin to {}.", mm(shift)));
+        view
+    }
+
+    fn plate(&self, part: &Part) -> View {
+        let (sizes, chain) = (self.sizes, &self.chain);
+        let pins = sizes.wheel.pins();
+        let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
+        let mut view = View::new(part, UPRIGHT);
+        let rim = direction(LOWER_RIGHT) * sizes.plate_radius;
+        let mut rows =
+            vec![Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
+        if !view.has_bore() {
+            rows[0] = Row::Size(
+                PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
+                    .limited(Limits::class(RIM, 2.0 * sizes.plate_radius)),
+            );
+            rows.insert(1, Row::Datum("A"));
+        }
+        view.add(Target::Edge(rim), Side::Right, rows);
+        let crank = PrintedDimension::new(Measured::CrankRadius, "", sizes.crank_radius, "");
+        let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.crank, chain.crank]) };
+        view.add(
+            Target::Along([Point::zeros(), Point::new(0.0, sizes.crank_radius)]),
+            Side::Left,
+            vec![Row::Size(crank.limited(limits))],
+        );
+        let hole = view.part.holes.iter().find(|hole| hole.purpose == HolePurpose::Pin).cloned();
+        if let Some(hole) = hole
+            && let Some(diameter) = hole.diameter()
+        {
+            let size = PrintedDimension::new(Measured::PinHole, &format!("{many}Ø"), diameter, "");
+            let is_dowel = !matches!(self.mounting.pins, PinMount::Screw(..));
+            let size = if is_dowel {
+                size.limited(Limits::class(chain.pin_classes(diameter)[1], diameter))
+            } else {
+                size.limited(Limits::class(BORE, diameter))
+            };
+            let mut rows = vec![Row::Size(size)];
+            if pins > 1 {
+                rows.push(Row::Words(format!("at {}°", mm(360.0 / f64::from(pins)))));
+            }
+            rows.extend(pocket_rows(&hole));
+            view.add(Target::Edge(on_circle(&hole, Side::Right, 0.6)), Side::Right, rows);
+        }
+        view.circles.push(sizes.crank_radius);
+        view.add_holes(self);
+        view.notes.push(match self.mounting.pins {
+            PinMount::Screw(thread, _) => {
+                format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter), thread.name())
+            }
+            _ => "Pins pressed or bonded in, square within 0.01 on 10.".to_owned(),
+        });
+        view
+    }
+
+    fn pin(&self, part: &Part) -> View {
+        let (radius, length) = (self.sizes.pin_radius(), part.thickness);
+        // From the side: the outline is that of its middle plane.
+        let mut side = part.clone();
+        let cut = chamfer(2.0 * radius);
+        let p = Point::new;
+        let corners = [
+            p(0.0, cut - radius),
+            p(cut, -radius),
+            p(length - cut, -radius),
+            p(length, cut - radius),
+            p(length, radius - cut),
+            p(length - cut, radius),
+            p(cut, radius),
+            p(0.0, radius - cut),
+        ];
+        let line = |k: usize| Edge::Line { from: corners[k], to: corners[(k + 1) % 8] };
+        side.outer = Loop { edges: (0..8).map(line).collect() };
+        side.marks = Vec::new();
+        let mut view = View::new(&side, 0.0);
+        let diameter = 2.0 * radius;
+        let classes = self.chain.pin_classes(diameter);
+        let limits = Limits::class(classes[0], diameter).within([f64::INFINITY, self.chain.width.max(0.0)]);
+        let size = PrintedDimension::new(Measured::Pin, "Ø", diameter, "").limited(limits);
+        view.add(Target::Along([p(cut, -radius), p(cut, radius)]), Side::Left, vec![Row::Size(size)]);
+        let across = Target::Across([p(0.0, radius - cut), p(length, radius - cut)]);
+        view.add(across, Side::Right, vec![Row::Size(PrintedDimension::new(Measured::PinLength, "", length, ""))]);
+        view.add(
+            Target::Edge(p(length - cut / 2.0, cut / 2.0 - radius)),
+            Side::Right,
+            vec![Row::Words(format!("2× {} × 45°", mm(cut)))],
+        );
+        view.notes.push("Surface of the pin: Ra 0.8.".to_owned());
+        view.notes.push(if classes[0].letter == ToleranceLetter::LowerM {
+            "A dowel as ISO 8734 of this diameter will do.".to_owned()
+        } else {
+            "The slots leave no room for dowels of class m6.".to_owned()
+        });
+        view
+    }
+
+    fn base(&self, part: &Part) -> View {
+        let (sizes, chain) = (self.sizes, &self.chain);
+        let mut view = View::new(part, 0.0);
+        let [least, greatest] = view.extent();
+        let axes = PrintedDimension::new(Measured::AxisDistance, "", sizes.centre_distance, "");
+        let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.axes[0], chain.axes[1]]) };
+        view.add(
+            Target::Across([Point::zeros(), Point::new(sizes.centre_distance, 0.0)]),
+            Side::Right,
+            vec![Row::Size(axes.limited(limits))],
+        );
+        let (length, width) = (greatest.x - least.x, greatest.y - least.y);
+        view.add(
+            Target::Across([Point::new(least.x, 0.0), Point::new(greatest.x, 0.0)]),
+            Side::Left,
+            vec![Row::Size(PrintedDimension::new(Measured::BaseLength, "", length, ""))],
+        );
+        view.add(
+            Target::Across([Point::new(least.x, 0.0), Point::zeros()]),
+            Side::Left,
+            vec![Row::Size(PrintedDimension::new(Measured::AxisPlace, "", -least.x, ""))],
+        );
+        view.add(
+            Target::Along([Point::new(0.0, least.y), Point::new(0.0, greatest.y)]),
+            Side::Left,
+            vec![Row::Size(PrintedDimension::new(Measured::BaseWidth, "", width, "")), thickness(part)],
+        );
+        let bores: Vec<_> = view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Bore).cloned().collect();
+        for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left }))
+        {
+            let Some(diameter) = hole.diameter() else { continue };
+            let limits = Limits::class(BORE, diameter).within([f64::INFINITY, chain.bore]);
+            let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
+            rows.extend(pocket_rows(hole));
+            view.add(Target::Edge(on_circle(hole, side, -0.5)), side, rows);
+        }
+        let fixing: Vec<_> =
+            view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Fixing).cloned().collect();
+        let corner = fixing.iter().max_by(|a, b| (a.centre.x - a.centre.y).total_cmp(&(b.centre.x - b.centre.y)));
+        if let Some((hole, diameter)) = corner.and_then(|hole| Some((hole, hole.diameter()?))) {
+            let reach = |of: fn(&Point) -> f64| {
+                let places = || fixing.iter().map(|hole| of(&hole.centre));
+                places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+            };
+            let size =
+                |measured, before: &str, nominal| Row::Size(PrintedDimension::new(measured, before, nominal, ""));
+            let rows = vec![
+                size(Measured::FixingHole, &format!("{}× Ø", fixing.len()), diameter),
+                size(Measured::FixingLength, "apart ", reach(|p| p.x)),
+                size(Measured::FixingWidth, "and across ", reach(|p| p.y)),
+            ];
+            view.add(Target::Edge(on_circle(hole, Side::Right, 0.4)), Side::Right, rows);
+        }
+        if let Some(Edge::Arc { centre, radius, .. }) = view.part.outer.edges.first() {
+            let at = *centre + direction(0.25 * PI) * *radius;
+            let size = PrintedDimension::new(Measured::BaseCorner, "4× R", *radius, "");
+            let mut rows = vec![Row::Size(size)];
+            if !fixing.is_empty() {
+                rows.push(Row::Words("about the holes".to_owned()));
+            }
+            view.add(Target::Edge(at), Side::Right, rows);
+        }
+        view
+    }
+}
+
+/// A pin's chamfer in millimetres: in tenths, or in hundredths for thin pins.
+fn chamfer(diameter: f64) -> f64 {
+    let step = if diameter < 10.0 { 100.0 } else { 10.0 };
+    libm::floor(CHAMFER * diameter * step) / step
+}
+
+/// How far the middle of a crescent may be off its place, in millimetres: half of the grade IT8 of its distance, our choice. The
+/// crescent's radius is larger by twice as much at least, for its place on the disc and for the disc's on the plate; so it holds
+/// the crescent that was found to be large enough.
+pub(super) fn crescent_shift(disc: &LockingDisc) -> f64 {
+    let class = ToleranceClass { letter: ToleranceLetter::UpperJs, grade: 8 };
+    let shift = to_micrometres(Limits::class(class, disc.crescent.centre).upper / 2.0);
+    shift.max(0.001)
+}
+
+/// A point of the crescent that is cut out before the upper pin, to the right of its middle.
+fn cut_point(disc: &LockingDisc) -> Point {
+    let cut = disc.crescent;
+    let (x, y) = (disc.radius * libm::sin(cut.half_angle), disc.radius * libm::cos(cut.half_angle));
+    // From straight down, a good part of the way to the edge of the opening.
+    let to_edge = libm::atan2(x, cut.centre - y);
+    Point::new(0.0, cut.centre) + direction(0.6 * to_edge - FRAC_PI_2) * cut.radius
+}
+
+/// The middle of that arc of a radius whose middle is nearest to a direction.
+fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
+    let middles = of.edges.iter().filter_map(|edge| match *edge {
+        Edge::Arc { centre, radius, start, sweep }
+            if (radius - wanted).abs() < 1e-9 * wanted && centre.norm() > radius =>
+        {
+            Some(centre + direction(start + sweep / 2.0) * radius)
+        }
+        _ => None,
+    });
+    middles.max_by(|a, b| a.normalize().dot(&towards).total_cmp(&b.normalize().dot(&towards))).unwrap_or_default()
+}
+
+/// The middle of that arc about the axis whose middle is nearest to a direction, or the place there if the arc passes it.
+fn rim_point(of: &Loop, wanted: f64, towards: Point) -> Point {
+    let places = of.edges.iter().filter_map(|edge| match *edge {
+        Edge::Arc { centre, radius, start, sweep }
+            if centre.norm() < 1e-9 && (radius - wanted).abs() < 1e-9 * wanted =>
+        {
+            let aim = libm::atan2(towards.y, towards.x);
+            // In the middle of a short piece, clear of its corners.
+            let passes = sweep.abs() > 1.0 && crate::geometry::into_arc(start, sweep, aim) <= sweep.abs();
+            Some(if passes { towards * radius } else { direction(start + sweep / 2.0) * radius })
+        }
+        _ => None,
+    });
+    places.max_by(|a, b| a.normalize().dot(&towards).total_cmp(&b.normalize().dot(&towards))).unwrap_or_default()
+}

@@ -1,0 +1,169 @@
+//! The designer on its page: does its wheel turn without a new drawing, by play button, keyboard and pointer; does a row of its
+//! tolerances light up; and are drawing, numbers and controls on one screen?
+
+use super::{browser, of, open, typed};
+use crate::browser::devtools::Medium;
+use serde_json::{Value, json};
+
+const NAME: &str = "design";
+
+/// The turns of wheel and plate, and what is said of them.
+const TURNED: &str = "[f.querySelector('.wheel').getAttribute('transform'), f.querySelector('.plate').getAttribute('transform'), \
+     f.querySelector('.turned').textContent, f.querySelectorAll('.contact').length]";
+
+#[test]
+fn the_drawing_turns_without_a_new_one_and_comes_back() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    open(&mut browser, "making", "");
+    let still = of(&mut browser, NAME, "f.querySelector('svg').outerHTML");
+    // The first answer draws; what follows only turns.
+    of(&mut browser, NAME, &typed("crank", "10"));
+    of(&mut browser, NAME, "f.querySelector('.wheel').kept = true");
+    of(&mut browser, NAME, &typed("crank", "25"));
+    of(&mut browser, NAME, &typed("larger", "20"));
+    let turned = of(&mut browser, NAME, &format!("[f.querySelector('.wheel').kept, ...{TURNED}]"));
+    assert_eq!(turned[0], json!(true), "it was drawn anew");
+    let parts = geneva_live::by_name(NAME).expect("a figure");
+    let settings = geneva_live::LiveArguments::parse("crank=25&larger=20").expect("arguments");
+    let parts = parts.turned_parts(&settings).expect("an answer").expect("parts");
+    let is_turned = |text: &Value, by: f64| {
+        let told = text.as_str().and_then(|text| text.split("rotate(").nth(1)?.split(' ').next()?.parse::<f64>().ok());
+        told.is_some_and(|told| (told - by).abs() < 1e-9)
+    };
+    assert!(is_turned(&turned[1], -parts.wheel) && is_turned(&turned[2], parts.driver), "{turned}");
+    assert_eq!(turned[3], json!(parts.words));
+    // What is to be seen is told to who doesn't see it.
+    let told = of(&mut browser, NAME, "f.querySelector('svg desc').textContent");
+    assert!(told.as_str().is_some_and(|told| told.ends_with(&parts.words)), "{told}");
+    of(&mut browser, NAME, "g.querySelector('[data-do=reset]').click()");
+    assert!(of(&mut browser, NAME, "f.querySelector('svg').outerHTML") == still, "it is not as at first again");
+}
+
+#[test]
+fn play_turns_it_until_it_jams() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    let features = json!({ "features": [{ "name": "prefers-reduced-motion", "value": "no-preference" }] });
+    browser.command("Emulation.setEmulatedMedia", features);
+    open(&mut browser, "making", "#fig-wheel-dimensions?crank=-90&slot-direction-error=0.5&larger=10");
+    let shown = of(
+        &mut browser,
+        NAME,
+        "await (async () => { const play = g.querySelector('[data-do=play]'); f.scrollIntoView({ behavior: 'instant' }); \
+         const fold = play.closest('details'); fold.querySelector('summary').click(); play.click(); const during = play.textContent; \
+         await until(() => f.classList.contains('jams')); await settled(); return [during, play.textContent, \
+         f.querySelector('.turned').textContent, Number(g.elements.crank.value), f.querySelectorAll('.contact').length, \
+         [...g.querySelectorAll('.moved details')].filter(fold => fold.open).length] })()",
+    );
+    assert_eq!([&shown[0], &shown[1], &shown[4], &shown[5]], [&json!("Pause"), &json!("Play"), &json!(2), &json!(1)]);
+    assert!(shown[2].as_str().is_some_and(|told| told.contains("It jams here")), "{shown}");
+    assert!(shown[3].as_f64().is_some_and(|crank| (-90.0..0.0).contains(&crank)), "{shown}");
+}
+
+#[test]
+fn the_wheel_is_dragged_within_its_play_by_pointer_and_by_keys() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    open(&mut browser, "making", "#fig-wheel-dimensions?larger=50");
+    of(
+        &mut browser,
+        NAME,
+        "g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(g.elements.turned))",
+    );
+    // From the left end of the wheel straight up and down: clockwise and counter-clockwise.
+    let place = of(
+        &mut browser,
+        NAME,
+        "(() => { f.scrollIntoView({ behavior: 'instant' }); const c = f.querySelector('.wheel').getBoundingClientRect(); \
+         return [c.left + 0.25 * c.width, c.top + 0.5 * c.height] })()",
+    );
+    let at = |k: usize| place[k].as_f64().expect("a place");
+    for (by, end, side) in [(-120.0, "-100", "backwards"), (240.0, "100", "forwards")] {
+        for (kind, y) in [("mousePressed", 0.0), ("mouseMoved", by), ("mouseReleased", by)] {
+            let event =
+                json!({ "type": kind, "x": at(0), "y": at(1) + y, "button": "left", "buttons": 1, "clickCount": 1 });
+            browser.command("Input.dispatchMouseEvent", event);
+            of(&mut browser, NAME, "null");
+        }
+        let shown = of(&mut browser, NAME, &format!("[g.elements.turned.value, ...{TURNED}]"));
+        assert_eq!([&shown[0], &shown[4]], [&json!(end), &json!(1)], "{shown}");
+        assert!(shown[3].as_str().is_some_and(|told| told.contains(&format!("stopped {side}"))), "{shown}");
+    }
+    of(&mut browser, NAME, "g.elements.turned.focus()");
+    browser.press("ArrowLeft", 37);
+    let shown = of(&mut browser, NAME, &format!("[g.elements.turned.value, ...{TURNED}]"));
+    assert_eq!([&shown[0], &shown[4]], [&json!("99"), &json!(0)], "{shown}");
+}
+
+#[test]
+fn a_row_of_the_tolerances_lights_up_in_words_when_its_limit_is_passed() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    open(&mut browser, "making", "");
+    of(
+        &mut browser,
+        NAME,
+        "g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(g.elements['slot-direction-error']))",
+    );
+    let row = "(() => { const row = [...f.querySelectorAll('.tolerances tr')].find(row => row.textContent.includes('slot out of \
+               direction')); return [row.className, row.querySelector('.state').checkVisibility() && row.querySelector('.state').textContent, \
+               row.cells[1].textContent] })()";
+    assert_eq!(of(&mut browser, NAME, row), json!(["within", false, "–"]));
+    of(&mut browser, NAME, &typed("slot-direction-error", "0.5"));
+    assert_eq!(of(&mut browser, NAME, row), json!(["beyond", "limit passed", "0.500°"]));
+    of(&mut browser, NAME, &typed("slot-direction-error", "0"));
+    assert_eq!(of(&mut browser, NAME, row), json!(["within", false, "–"]));
+}
+
+#[test]
+fn with_one_open_fold_drawing_numbers_and_controls_are_on_one_screen() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    open(&mut browser, "making", "");
+    let shown = of(
+        &mut browser,
+        NAME,
+        "await (async () => { const found = []; for (const fold of g.querySelectorAll('.moved details')) { \
+         g.querySelectorAll('details').forEach(other => other.open = other === fold); \
+         scrollTo({ top: f.getBoundingClientRect().top + scrollY - 55, behavior: 'instant' }); await new Promise(requestAnimationFrame); \
+         for (const name of ['.drawing', '.results', '.moved']) { const { top, bottom } = f.querySelector(name).getBoundingClientRect(); \
+         if (top < 50 || bottom > innerHeight) { found.push(`${fold.querySelector('summary').textContent}: ${name} ${top} to ${bottom}`) } } } \
+         return found })()",
+    );
+    assert_eq!(shown, json!([]));
+}
+
+#[test]
+fn on_a_phone_the_drawing_is_small_and_stays_beside_any_control() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([390, 664], Medium::Light);
+    open(&mut browser, "making", "");
+    let shown = of(&mut browser, NAME, "[f.querySelector('.drawing svg').getBoundingClientRect().height, f.className]");
+    assert!(shown[0].as_f64().is_some_and(|height| (160.0..=200.0).contains(&height)), "{shown}");
+    assert!(shown[1].as_str().is_some_and(|class| class.contains("stays")), "{shown}");
+}
+
+#[test]
+fn each_file_is_there_and_the_command_follows_the_setting() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([1280, 800], Medium::Light);
+    open(&mut browser, "making", "");
+    of(&mut browser, NAME, &typed("stations", "8"));
+    let command = of(&mut browser, NAME, "f.querySelector('.command').textContent");
+    assert!(command.as_str().is_some_and(|command| command.starts_with("geneva wheel --stations 8 ")), "{command}");
+    let saved = of(
+        &mut browser,
+        NAME,
+        "await (async () => { const saved = [], own = HTMLAnchorElement.prototype.click; let blob; const make = URL.createObjectURL; \
+         URL.createObjectURL = of => { blob = of; return make(of) }; HTMLAnchorElement.prototype.click = function () { \
+         saved.push([this.download, blob.size]) }; const files = [...f.querySelectorAll('[data-file]')]; for (const [at, file] of \
+         files.entries()) { file.click(); await until(() => saved.length > at) } HTMLAnchorElement.prototype.click = own; \
+         URL.createObjectURL = make; return saved })()",
+    );
+    let live = geneva_live::by_name(NAME).expect("a figure");
+    let settings = geneva_live::LiveArguments::parse("stations=8").expect("arguments");
+    let right =
+        live.files.iter().map(|file| json!([file.name, live.file(file.name, &settings).expect("a file").len()]));
+    assert_eq!(saved, Value::Array(right.collect()));
+}
