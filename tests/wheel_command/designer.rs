@@ -49,7 +49,11 @@ impl Asked {
             if let ArgumentSlot::Choice(NamedChoice { names, .. }) = argument.place {
                 // Bare parts for the most part: most mountings need another option, or a room that small wheels lack.
                 let at = if random.u32(..10) == 0 { random.usize(..names.len()) } else { 0 };
-                asked.set(argument.name, at.to_string(), names[at]);
+                asked.page.push((argument.name, at.to_string()));
+                // The first is what holds if nothing is said.
+                if at > 0 {
+                    asked.command.extend([format!("--{}", argument.name), names[at].to_owned()]);
+                }
                 continue;
             }
             if let ArgumentSlot::Material(_) = argument.place {
