@@ -126,17 +126,10 @@ fn values() -> Vec<(String, f64, &'static str)> {
     ];
     let lengths = [
         ("question.worked.crank-radius", given("worked", "--crank-radius")),
-        ("question.worked.thickness", given("worked", "--thickness")),
-        ("question.worked.centre-distance", answered("worked", "centre_distance_mm")),
-        ("question.sized.centre-distance", given("sized", "--centre-distance")),
-        ("question.loaded.centre-distance", given("loaded", "--centre-distance")),
-        ("question.second.centre-distance", given("second", "--centre-distance")),
     ];
     let bare = [
         ("question.worked.rpm", given("worked", "--rpm")),
         ("question.instant.rpm", given("instant", "--rpm")),
-        ("question.sized.rpm", given("sized", "--rpm")),
-        ("question.loaded.rpm", given("loaded", "--rpm")),
         ("question.twice-as-fast.rpm", given("worked-twice-as-fast", "--rpm")),
         ("spread.parts", 1.0 / LEAST_SPREAD),
         ("explained.three", explained(3)),

@@ -1,5 +1,6 @@
 //! Does `geneva wheel` say what the kinematics say, and does it refuse what they refuse?
 
+mod chapter;
 mod cycle;
 mod designer;
 mod everywhere;

@@ -64,7 +64,6 @@ const USED: &[(&str, &[Use])] = &[
     (
         "making",
         &[
-            (r"\tfrac12 - \tfrac1N", r"• = \text{index of one pin}"),
             ("1/2 - 1/N", r"• = \text{index of one pin}"),
             ("1/2 + 1/N", r"• = \text{internal index}"),
             ("1/2", r"• = \text{spherical index}"),
@@ -78,10 +77,6 @@ const USED: &[(&str, &[Use])] = &[
             (r"\tan\alpha", r"• = \text{jump at entry} = \text{internal jump at entry} = \text{spherical peak speed}"),
             (r"\sin\alpha\cos\alpha", r"• = \text{spherical jump at entry}"),
             (r"J\ddot\varphi + M", "• = F r"),
-            (r"l\sin\alpha", "• = R"),
-            (r"l\cos\alpha", r"• = \text{wheel radius}"),
-            (r"R + l\cos\alpha - l", r"• = \text{pin travel}"),
-            (r"l - R", r"• + \text{pin travel} = \text{wheel radius}"),
         ],
     ),
     ("pin", &[(r"90^\circ - |\theta|", r"\gamma = • - |\varphi|")]),
@@ -152,7 +147,6 @@ const NOT_EVALUATED: &[(&str, &[(&str, &str)])] = &[
             ("timer", r"\sqrt 2"),
             ("timer", "I_D/I_f"),
             ("making", r"\dot\theta^2"),
-            ("making", r"J\dot\theta^2"),
             ("making", r"\dot\varphi/\dot\theta"),
             ("making", r"\ddot\varphi/\dot\theta^2"),
             ("pin", "r^2"),
@@ -200,7 +194,6 @@ const NOT_EVALUATED: &[(&str, &[(&str, &str)])] = &[
             ("making", r"\sqrt{2g/R}"),
             ("making", r"e\sin\alpha"),
             ("making", r"g/\sin\alpha"),
-            ("making", r"\alpha\cos\theta"),
         ],
     ),
     (
@@ -279,7 +272,6 @@ fn of_all_kinds(state: Moment) -> Moment {
     state
         .with([(r"\alpha", wheel.half_pitch_angle()), ("l", wheel.centre_distance_ratio() * radius)])
         .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
-        .with([(r"\text{pin travel}", wheel.slot_length_ratio() * radius)])
         .with([(r"\text{index of one pin}", wheel.motion_fraction())])
         .with([(r"\text{internal index}", internal.motion_fraction())])
         .with([(r"\text{spherical index}", spherical.motion_fraction())])

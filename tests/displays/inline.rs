@@ -32,7 +32,6 @@ const UNDER_CONDITIONS: &[Condition] = &[
     ("escapement", r"\varphi = \pi/N", escapement::at_the_hand_over),
     ("jazar", r"\cos\theta = \sin\alpha", |number| at_the_wheel(number, Wheel::engagement_half_angle)),
     ("making", r"\tfrac12 + \tfrac1N = \tfrac23", |_| Moment::default().with([("N", 6.0)])),
-    ("making", r"\ddot\varphi/\dot\theta^2 = \tan 45^\circ = 1", |number| wheel_entering(4, number)),
     ("pin", r"r^2 = (5 - 2\sqrt{3})\,R^2", |number| pin(number, Some(2.0), Some(30f64.to_radians()))),
     ("pin", r"\cos\theta = \tfrac12\sqrt{3}", |number| pin(number, None, Some(30f64.to_radians()))),
     ("pin", r"\cos\theta = 1", |number| pin(number, None, Some(0.0))),
@@ -97,13 +96,6 @@ fn at_the_wheel(number: usize, angle: fn(&Wheel) -> f64) -> Moment {
     Moment::default()
         .with([(r"\theta", angle(&wheel)), (r"\alpha", wheel.half_pitch_angle())])
         .with([("k", wheel.centre_distance_ratio())])
-}
-
-/// A wheel of so many stations as the pin enters.
-fn wheel_entering(stations: u32, number: usize) -> Moment {
-    let (wheel, speed) = (Wheel::new(stations).expect("a wheel"), 0.5 + number as f64);
-    let entry = wheel.engaged(-wheel.engagement_half_angle()).expect("in the slot");
-    Moment::default().with([(r"\dot\theta", speed), (r"\ddot\varphi", entry.acceleration * speed * speed)])
 }
 
 /// The formulas in the lines of a text, with single blanks, degrees as TeX writes them, and no sign of equality that a number

@@ -74,7 +74,10 @@ pub enum Error {
 pub fn answer(question: &str) -> Result<MechanismReport, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
-        "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),
+        "wheel" => match arguments.strip_prefix("check ") {
+            Some(measured) => wheel::CheckQuestion::parse(measured)?.answer(),
+            None => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.answer(),
+        },
         "pin" => Ok(pin::PinDesign::new(&pin::PinQuestion::parse(arguments)?)?.answer()),
         "quick-return" => {
             quick_return::QuickReturnDesign::new(&quick_return::QuickReturnQuestion::parse(arguments)?)?.answer()
@@ -97,6 +100,7 @@ pub fn answer(question: &str) -> Result<MechanismReport, Error> {
 pub fn further(question: &str) -> Result<Vec<ReportField>, Error> {
     let (mechanism, arguments) = question.split_once(' ').unwrap_or((question, ""));
     match mechanism {
+        "wheel" if arguments.starts_with("check ") => Ok(Vec::new()),
         "wheel" => wheel::WheelDesign::new(wheel::WheelQuestion::parse(arguments)?)?.further(),
         "escapement" => escapement::EscapementDesign::new(escapement::EscapementQuestion::parse(arguments)?)?.further(),
         _ => Ok(Vec::new()),

@@ -136,7 +136,7 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(1..=12)),
+        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(2..=12)),
         ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
         ArgumentSlot::Process(_) => {
             option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))

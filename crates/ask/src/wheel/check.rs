@@ -341,6 +341,8 @@ fn verdict(
         }
         None => "yes, every station".to_owned(),
     };
+    // What the other sizes ask for instead.
+    let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
     let first = nearest.culprit.iter().map(|culprit| culprit_words(culprit, &nearest.suspects));
     let further = nearest.further_culprits.iter().map(|culprit| culprit_words(culprit, &[]));
     let culprits: Vec<String> = first.chain(further).collect();
@@ -355,6 +357,7 @@ fn verdict(
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
         ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
             .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
+        ReportField::in_unit("culprit_expected", expected.map(|(value, _)| value), expected.map_or("", |(_, unit)| unit)),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },

@@ -182,6 +182,8 @@ impl WheelQuestion {
     fn set(&mut self, name: &str, value: &str) -> Result<(), Error> {
         match name {
             "before-entry" => self.before_entry = Some(number(name, value)?),
+            // The command chooses a size where it writes all files.
+            "out" => self.recommends_size = true,
             _ => {
                 let known = arguments().find(|argument| argument.name == name).ok_or_else(|| {
                     let names = arguments().map(|argument| argument.name).collect::<Vec<_>>().join(", --");

@@ -23,22 +23,8 @@ pub fn numbers() -> Vec<OwnNumber> {
             OUTLINES,
             || Ok(least_gap_by_places(false)?),
         ),
-        fit("making.fit-3", 0),
         fit("making.fit-6", 1),
-        fit("making.fit-10", 2),
-        fit("making.fit-18", 3),
-        in_fit("making.fit-radius-4", "{.0}&nbsp;mm", 4, 0),
-        in_fit("making.fit-pin-4", "{.1}&nbsp;mm", 4, 1),
-        in_fit("making.fit-radius-5", "{.0}&nbsp;mm", 5, 0),
-        in_fit("making.fit-pin-5", "{.1}&nbsp;mm", 5, 1),
-        in_fit("making.fit-radius-6", "{.0}&nbsp;mm", 6, 0),
-        in_fit("making.fit-pin-6", "{.1}&nbsp;mm", 6, 1),
-        in_fit("making.fit-radius-8", "{.0}&nbsp;mm", 8, 0),
-        in_fit("making.fit-pin-8", "{.1}&nbsp;mm", 8, 1),
-        in_fit("making.fit-radius-10", "{.0}&nbsp;mm", 10, 0),
-        in_fit("making.fit-pin-10", "{.1}&nbsp;mm", 10, 1),
-        in_fit("making.fit-radius-12", "{.0}&nbsp;mm", 12, 0),
-        in_fit("making.fit-pin-12", "{.1}&nbsp;mm", 12, 1),
+        in_fit("making.fit-radius-6", 6),
     ]
 }
 
@@ -97,31 +83,29 @@ fn fit(id: &'static str, range: usize) -> OwnNumber {
         .with_second_route("so much play is usual", STANDARD, move || Ok(tabulated(FITS[range])))
 }
 
-/// The crank radius in whole millimetres up to which the program's play is no more than that of the fit, or the pin's diameter
-/// there.
-fn in_fit(id: &'static str, form: &'static str, stations: u32, which: usize) -> OwnNumber {
-    OwnNumber::new(id, form, SEARCH, move || Ok(last_in_fit(stations)?[which])).with_second_route(
+/// The crank radius in whole millimetres up to which the program's play is no more than that of the fit.
+fn in_fit(id: &'static str, stations: u32) -> OwnNumber {
+    OwnNumber::new(id, "{.0}&nbsp;mm", SEARCH, move || Ok(last_in_fit(stations)?)).with_second_route(
         "up to there the program's play is usual",
         PROPORTION,
-        move || Ok(last_in_fit_by_proportion(stations)?[which]),
+        move || last_in_fit_by_proportion(stations),
     )
 }
 
-/// The last radius and the pin there, tenth by tenth of a millimetre.
-fn last_in_fit(stations: u32) -> anyhow::Result<[f64; 2]> {
+/// The last radius, tenth by tenth of a millimetre.
+fn last_in_fit(stations: u32) -> anyhow::Result<f64> {
     let wheel = Wheel::new(stations)?;
     let of = |radius: f64| Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default());
     let mut tenths = 10;
     while of(f64::from(tenths + 1) / 10.0)?.looser_than_fit().is_none() {
         tenths += 1;
     }
-    let radius = f64::from(tenths / 10);
-    Ok([radius, of(radius)?.pin_diameter])
+    Ok(f64::from(tenths / 10))
 }
 
-/// The last radius and the pin there: pin and play are in proportion to the crank radius, so in each range of the standard there is
+/// The last radius: pin and play are in proportion to the crank radius, so in each range of the standard there is
 /// one radius from which on the play is too great.
-fn last_in_fit_by_proportion(stations: u32) -> Numbers<[f64; 2]> {
+fn last_in_fit_by_proportion(stations: u32) -> Numbers<f64> {
     const SIZE: f64 = 1000.0;
     let sizes = Sizes::new(Wheel::new(stations)?, Scale::CrankRadius(SIZE), &Choices::default())?;
     let (pin, play) = (sizes.pin_diameter / SIZE, sizes.play.slot / SIZE);
@@ -131,8 +115,7 @@ fn last_in_fit_by_proportion(stations: u32) -> Numbers<[f64; 2]> {
         (from < up_to / pin).then_some(from)
     });
     // Up to there it is no more than the fit's; a little is left to rounding.
-    let radius = (too_loose.fold(f64::INFINITY, f64::min) + 1e-9).floor();
-    Ok([radius, pin * radius])
+    Ok((too_loose.fold(f64::INFINITY, f64::min) + 1e-9).floor())
 }
 
 #[cfg(test)]
@@ -141,7 +124,8 @@ mod tests {
     use crate::questions::{question, value};
     use geneva_ask::ReportField;
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-    use geneva_kinematics::wheel::{EntryContact, Play};
+    use geneva_dynamics::wheel_loads::WheelLoads;
+    use geneva_kinematics::wheel::{EntryContact, Play, Warning};
     use geneva_live::LiveArguments;
 
     #[track_caller]
@@ -164,24 +148,12 @@ mod tests {
         let of_the_chapter = "With the wheel of this chapter (button six stations), move the axes apart by 0.02 mm";
         assert!(live.hint.contains(of_the_chapter) && live.hint.contains("At 0.06 mm"), "another hint");
         assert!(live.presets.first().is_some_and(|preset| preset.name == "six stations"));
-        let other = design("sized").expect("fits").sizes.expect("a size");
+        let other = sizes_of("printed").expect("fits");
         assert_ne!(other.entry(0.06).expect("met").contact, EntryContact::Mouth);
         let sizes = sizes().expect("fits");
         assert_eq!(asked("worked-little-apart", "centre_error_mm"), 0.02);
         assert!(asked("worked-little-apart", "entry_knock_mm_s") < 0.8 * shown("blow"));
         assert_eq!(sizes.entry(0.06).expect("met").contact, EntryContact::Mouth);
-    }
-
-    #[test]
-    fn the_second_design_is_what_its_exercise_says() {
-        let sizes = sizes_of("second").expect("fits");
-        let (index, dwell) = (sizes.wheel.motion_fraction(), sizes.wheel.dwell_fraction());
-        let turn = 60.0 / design("second").expect("fits").question.rpm.expect("a speed");
-        assert!((turn * index - 0.5).abs() < 1e-12 && (turn * dwell - 1.5).abs() < 1e-12);
-        assert!((sizes.crank_radius / sizes.wheel_radius - 1.0).abs() < 1e-12);
-        assert!((sizes.pin_diameter / sizes.deepest() - 2.0 / 3.0).abs() < 1e-12);
-        let crescent = sizes.locking_disc.expect("a disc").crescent;
-        assert_eq!(crescent.centre, sizes.centre_distance);
     }
 
     #[test]
@@ -193,9 +165,7 @@ mod tests {
         assert_eq!(apart.contact, EntryContact::Mouth);
         assert!(sizes.locking_gap().expect("a disc") < error);
         // With two pins the opening is in the arc all the time.
-        for question in ["worked-two-pins", "twelve-two-pins"] {
-            assert_eq!(sizes_of(question).expect("fits").dwell_play().expect("a dwell").held, 0.0);
-        }
+        assert_eq!(sizes_of("worked-two-pins").expect("fits").dwell_play().expect("a dwell").held, 0.0);
         assert!(play.greatest > 10.0 * play.middle && !play.can_miss);
     }
 
@@ -203,18 +173,15 @@ mod tests {
     fn the_chapters_words_about_the_fit_hold() {
         let (sizes, [least, most]) = (sizes().expect("fits"), play_of_h8_e8(6.0, 10.0));
         assert!((6.0..10.0).contains(&sizes.pin_diameter) && (least..most).contains(&sizes.play.slot));
-        // Up to the radius of the table no play is more than the fit's, and a millimetre farther one is.
-        for stations in [4, 5, 6, 8, 10, 12] {
-            let wheel = Wheel::new(stations).expect("possible");
-            let is_loose = |radius: f64| {
-                let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
-                sizes.looser_than_fit().is_some()
-            };
-            let [last, pin] = last_in_fit(stations).expect("fits");
-            assert!((10..=10 * last as u32).all(|tenths| !is_loose(f64::from(tenths) / 10.0)), "{stations}: {last}");
-            assert!((0..=10).any(|tenths| is_loose(last + f64::from(tenths) / 10.0)), "{stations}: {last}");
-            assert!((3.0..=30.0).contains(&pin), "{stations}: a pin of no column");
-        }
+        // Up to the chapter's radius no play is more than the fit's, and a millimetre farther one is.
+        let wheel = Wheel::new(6).expect("possible");
+        let is_loose = |radius: f64| {
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
+            sizes.looser_than_fit().is_some()
+        };
+        let last = last_in_fit(6).expect("fits");
+        assert!((10..=10 * last as u32).all(|tenths| !is_loose(f64::from(tenths) / 10.0)), "{last}");
+        assert!((0..=10).any(|tenths| is_loose(last + f64::from(tenths) / 10.0)), "{last}");
     }
 
     #[test]
@@ -264,5 +231,125 @@ mod tests {
         let blow = sizes.entry(0.0).expect("met").closing_speed;
         // sin τ = √(2g/a − (g/a)²).
         assert!((blow / sine - 1.0).abs() < 1e-3, "{blow} {sine}");
+    }
+
+    #[test]
+    fn the_size_that_the_program_takes_is_the_smallest_preferred_one_with_a_tenth_of_the_tables_inertia() {
+        let share = |crank_radius: Option<f64>| {
+            let question = design("table").expect("fits").question;
+            let recommends_size = crank_radius.is_none();
+            // The time of the index is a speed by now.
+            let question = WheelQuestion { crank_radius, recommends_size, index_time: None, ..question };
+            let design = WheelDesign::new(question).expect("fits");
+            let own = design.wheel_inertia.expect("a size");
+            (design.crank_radius.expect("a size"), own / design.table_inertia.expect("a table"))
+        };
+        let (taken, of_table) = share(None);
+        // About the number before it in the series, which has 20 in a decade.
+        let before = share(Some(taken / 1.12)).1;
+        assert!(of_table >= 0.1 && before < 0.1, "{taken} mm: {of_table} {before}");
+    }
+
+    #[test]
+    fn the_chapters_words_about_the_printed_wheel_hold() {
+        let sizes = sizes_of("printed").expect("fits");
+        let (share, error) = (asked("printed", "yield"), asked("printed", "process_error_mm"));
+        // Its errors are beyond the limits for all sizes at once, if there are any, and yet most assemblies turn.
+        let keeps = sizes.shared_tolerance().is_some_and(|limit| limit.locking > error / 2.0 && limit.crank > error / 2.0);
+        assert!(share > 0.9 && !keeps, "{share}");
+        assert!(asked("printed", "dwell_backlash_deg") > 10.0 * asked("worked", "dwell_backlash_deg"));
+    }
+
+    #[test]
+    fn the_worn_wheel_is_that_of_the_example() {
+        for (key, within) in [("crank_radius_mm", 0.05), ("centre_distance_mm", 0.1), ("locking_arc_radius_mm", 0.05)] {
+            assert!((asked("replaced", key) - asked("worked", key)).abs() < within, "{key}");
+        }
+    }
+
+    #[test]
+    fn no_mouth_of_the_table_is_softer_in_both_cases() {
+        let blows = |name| ["knock_mm_s", "greatest_knock_mm_s"].map(|key| asked(name, key));
+        let [sharp, worst] = blows("worked");
+        for name in ["worked-flat-chamfer", "worked-lead-in"] {
+            let [usual, greatest] = blows(name);
+            assert!(usual > 3.0 * sharp && greatest < 0.7 * worst, "{name}: {usual} {greatest}");
+        }
+        for name in ["worked-rounded", "worked-chamfer"] {
+            let [usual, greatest] = blows(name);
+            assert!(usual > 3.0 * sharp && greatest > worst, "{name}: {usual} {greatest}");
+            let warnings = design(name).expect("fits").sizes.expect("a size").warnings();
+            assert!(warnings.iter().any(|warning| matches!(warning, Warning::HarderMouth { .. })), "{name}");
+        }
+    }
+
+    #[test]
+    fn with_inertia_alone_the_force_is_least_where_the_wheel_has_a_third_of_the_tables() {
+        let wheel = Wheel::new(6).expect("possible");
+        // kg m², mm, kg/m³, rad/s.
+        let (table, thickness, steel, speed) = (0.002, 10.0, 7850.0, 6.0);
+        let own = |radius: f64| {
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
+            sizes.outline().wheel.moment_of_inertia(thickness, steel).expect("possible")
+        };
+        let loads = |radius: f64| WheelLoads::new(&wheel, table + own(radius), 0.0, speed).expect("possible");
+        let force = |radius: f64| loads(radius).pin_moment().driving.value / radius;
+        let torque = |radius: f64| loads(radius).crank_torque().driving.value;
+        let radii: Vec<f64> = (100..600).map(|tenth| f64::from(tenth) / 10.0).collect();
+        let best = radii.iter().min_by(|a, b| force(**a).total_cmp(&force(**b))).expect("one of them");
+        assert!((own(*best) / table - 1.0 / 3.0).abs() < 0.01);
+        // The torque at the crank only grows.
+        assert!(radii.windows(2).all(|pair| torque(pair[0]) < torque(pair[1])));
+        assert!(asked("worked-three", "peak_crank_torque_nm") > 2.0 * asked("worked", "peak_crank_torque_nm"));
+    }
+
+    #[test]
+    fn with_up_to_seven_stations_the_crescent_is_about_the_wheels_axis() {
+        for stations in 3..=18 {
+            let wheel = Wheel::new(stations).expect("possible");
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
+            let crescent = sizes.locking_disc.expect("a dwell").crescent;
+            assert!(crescent.radius > sizes.tip_radius || stations > 7);
+            assert_eq!(crescent.centre == sizes.centre_distance, stations <= 7);
+        }
+    }
+
+    #[test]
+    fn the_backlash_stays_in_the_middle_of_the_dwell_and_is_more_than_ten_times_as_great_at_its_ends() {
+        for stations in [3, 4, 6, 8, 12] {
+            let wheel = Wheel::new(stations).expect("possible");
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
+            let play = sizes.dwell_play().expect("a dwell");
+            assert!(play.held > 0.3 && play.greatest > 10.0 * play.middle);
+            // The edge holds the wheel with the lever l sin τ.
+            let until = 10_f64.to_radians();
+            let [forwards, backwards] = sizes.dwell_play_at(until).expect("in the dwell");
+            let lever = sizes.centre_distance * until.sin();
+            assert!((forwards * lever / sizes.locking_gap().expect("a disc") - 1.0).abs() < 0.15);
+            assert_eq!(backwards, play.middle);
+        }
+    }
+
+    #[test]
+    fn the_blow_grows_as_the_square_root_of_the_play() {
+        let blow = |play: f64| {
+            let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
+            let sizes = Sizes::new(Wheel::new(6).expect("possible"), Scale::CrankRadius(25.0), &choices).expect("fits");
+            sizes.entry(0.0).expect("meets the slot").closing_speed
+        };
+        assert!((blow(0.04) / blow(0.01) - 2.0).abs() < 2e-3);
+        assert_eq!(blow(0.0), 0.0);
+    }
+
+    #[test]
+    fn the_pin_meets_a_corner_where_the_axes_are_too_far_apart() {
+        for stations in [3, 4, 6, 12] {
+            let wheel = Wheel::new(stations).expect("possible");
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
+            let tolerance = sizes.centre_tolerance();
+            let beside = tolerance.farther * wheel.half_pitch_angle().sin();
+            assert!((beside / sizes.slot_gap() - 1.0).abs() < 0.02);
+            assert!(sizes.play.bore < tolerance.nearer && tolerance.nearer < sizes.locking_gap().expect("a disc"));
+        }
     }
 }
