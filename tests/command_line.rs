@@ -27,7 +27,7 @@ use serde_json::{Map, Value};
 use std::ffi::OsString;
 use std::fs;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 use std::thread::sleep;
@@ -83,10 +83,14 @@ fn errata() -> &'static CommandOutput {
     })
 }
 
+/// A path inside of the workspace.
+fn path(inside: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/geneva is in it").join(inside)
+}
+
 fn settings() -> insta::Settings {
     let mut settings = insta::Settings::clone_current();
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/geneva is in it");
-    settings.set_snapshot_path(workspace.join("snapshots/command-line"));
+    settings.set_snapshot_path(path("snapshots/command-line"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings

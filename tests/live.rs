@@ -170,8 +170,8 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
 /// bar or under another.
 const APART: &str = "(async () => { const found = []; const shown = f.querySelector('.shown'); const bar = \
      document.querySelector('#mdbook-menu-bar'); for (const input of g.querySelectorAll('.moved input[name], .moved select')) { \
-     g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(input)); input.scrollIntoView({ block: 'nearest', \
-     behavior: 'instant' }); \
+     g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(input)); const inside = input.closest('.inside'); \
+     if (inside) { inside.scrollTop += input.getBoundingClientRect().top - inside.getBoundingClientRect().top - 60 } \
      const label = input.labels[0], box = g.querySelector(`[data-box=${input.name}]`) ?? input; \
      const end = Math.max(...[label, input, box].map(of => of.getBoundingClientRect().bottom)); \
      const figure = f.getBoundingClientRect().top - 60; \

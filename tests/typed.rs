@@ -124,9 +124,7 @@ fn values() -> Vec<(String, f64, &'static str)> {
         ("question.instant.before", given("instant", "--at").abs()),
         ("quick-return.lever-angle", printed("quick-return.lever-angle")),
     ];
-    let lengths = [
-        ("question.worked.crank-radius", given("worked", "--crank-radius")),
-    ];
+    let lengths = [("question.worked.crank-radius", given("worked", "--crank-radius"))];
     let bare = [
         ("question.worked.rpm", given("worked", "--rpm")),
         ("question.instant.rpm", given("instant", "--rpm")),

@@ -208,7 +208,7 @@
             while (again) {
                 again = false;
                 const asked = Object.fromEntries(settings());
-                const turns = drawnFor && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
+                const turns = drawnFor && movedBy.length > 0 && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
                 try {
                     const answer = JSON.parse(await ask(question(turns ? '.turned' : '')));
                     if (turns && answer.error === undefined) {

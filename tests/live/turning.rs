@@ -71,12 +71,12 @@ fn the_wheel_is_dragged_within_its_play_by_pointer_and_by_keys() {
         NAME,
         "g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(g.elements.turned))",
     );
-    // From the left end of the wheel straight up and down: clockwise and counter-clockwise.
+    // From the left half of the wheel, beside a slot, straight up and down: clockwise and counter-clockwise.
     let place = of(
         &mut browser,
         NAME,
         "(() => { f.scrollIntoView({ behavior: 'instant' }); const c = f.querySelector('.wheel').getBoundingClientRect(); \
-         return [c.left + 0.25 * c.width, c.top + 0.5 * c.height] })()",
+         return [c.left + 0.3 * c.width, c.top + 0.38 * c.height] })()",
     );
     let at = |k: usize| place[k].as_f64().expect("a place");
     for (by, end, side) in [(-120.0, "-100", "backwards"), (240.0, "100", "forwards")] {

@@ -10,7 +10,13 @@ fn commands(folder: &str) -> Vec<Vec<String>> {
     let chapter = fs::read_to_string(crate::path("book/src/making.md")).expect("the chapter");
     let fenced = chapter.split("```sh\n").skip(1).filter_map(|rest| rest.split("```").next());
     let lines = fenced.flat_map(|block| {
-        block.replace("\\\n", " ").lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect::<Vec<_>>()
+        block
+            .replace("\\\n", " ")
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
     });
     let with_folder = |line: String| {
         let words = line.strip_prefix("cargo run -- ").expect("a command of ours").split_whitespace();
@@ -66,7 +72,12 @@ fn the_commands_of_the_tasks_are_the_questions_from_which_their_numbers_are() {
 fn the_nearest_wheel_for_270_degrees_has_four_stations_and_one_pin() {
     let found = stdout(&["wheel", "--dwell-angle", "270"], 0);
     let nearest = found.split("Nearest").nth(1).expect("a list");
-    assert!(nearest.lines().nth(1).is_some_and(|line| line.contains("270.0") && line.ends_with("external, 4 stations, 1 pin")));
+    assert!(
+        nearest
+            .lines()
+            .nth(1)
+            .is_some_and(|line| line.contains("270.0") && line.ends_with("external, 4 stations, 1 pin"))
+    );
 }
 
 #[test]

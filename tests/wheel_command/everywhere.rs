@@ -87,8 +87,12 @@ fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let mut all = 0;
     for of in live.quantities.iter().chain(live.others).chain(&moved.further) {
         let Some(key) = of.key else { continue };
-        let number = moved.numbers.iter().find(|number| number.name == of.name).expect(of.name);
         let field = answer.field(key).expect(key);
+        let Some(number) = moved.numbers.iter().find(|number| number.name == of.name) else {
+            // There is no bore without a shaft, for one.
+            assert_eq!(field.number(), None, "{key} is not shown");
+            continue;
+        };
         let part = if matches!(field.rounding, Rounding::Percent(_)) { 100.0 } else { 1.0 };
         assert_eq!(Some(number.value), field.number().map(|value| part * value), "{key}");
         assert_eq!(in_file(key), field.number(), "{key}: {file}");

@@ -71,9 +71,9 @@ fn what_a_file_needs_is_said() {
     for (options, said) in [
         (&["--format", "dxf"][..], "--crank-radius MM"),
         (&["--format", "stl", "--thickness", "5"], "--crank-radius MM"),
-        (&["--format", "dxf", "--type", "internal"], "internal wheels"),
+        (&["--format", "dxf", "--type", "internal"], "--crank-radius MM"),
+        (&["--format", "scad", "--type", "internal"], "internal wheels"),
         (&["--format", "scad", "--type", "spherical"], "spherical wheels"),
-        (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "internal wheels"),
         (&[&["--format", "dxf", "--type", "spherical", "--rpm", "6"][..], &sized].concat(), "spherical wheels"),
     ] {
         let told = refused(&[&["wheel", "--stations", "6"], options].concat());

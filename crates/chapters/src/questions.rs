@@ -40,10 +40,7 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("example", "wheel --stations {jazar.ex.stations} --centre-distance 100 --rpm {jazar.ex.rpm} --inertia 0.002"),
     ("worked", worked!("25", "60", "--pin-material steel --wheel-material phosphor-bronze")),
     // The tasks at the beginning of the chapter: the commands as they are typed there.
-    (
-        "table",
-        "wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --process mill --out my-wheel",
-    ),
+    ("table", "wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --process mill --out my-wheel"),
     (
         "printed",
         "wheel --stations 4 --crank-radius 25 --pin-diameter 6 --process fdm --pin-screw M3 --wheel-hub-circle 20 \

@@ -245,6 +245,10 @@ pub(crate) enum CommandFormat {
     Scad,
     /// A mesh for printing.
     Stl,
+    /// Solids for other programs.
+    Step,
+    /// Parts to be cut, as a drawing.
+    Parts,
     /// Markdown for a page.
     Markdown,
 }
@@ -262,6 +266,8 @@ impl CommandFormat {
             Self::Dxf => "dxf",
             Self::Scad => "scad",
             Self::Stl => "stl",
+            Self::Step => "step",
+            Self::Parts => "parts",
             Self::Markdown => "markdown",
         }
     }

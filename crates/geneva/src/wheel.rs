@@ -39,8 +39,10 @@ pub(crate) struct WheelArguments {
         (CommandFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
         (CommandFormat::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
         (CommandFormat::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
-        (CommandFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
-        (CommandFormat::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
+        (CommandFormat::Scad, "A moving model for OpenSCAD, in mm; needs a size"),
+        (CommandFormat::Parts, "The parts to be cut from sheets, true to scale, as SVG; needs a size"),
+        (CommandFormat::Step, "Solids of the parts in place, for CAD programs; needs a size"),
+        (CommandFormat::Stl, "Meshes of the parts side by side, in mm; needs a size"),
     ]))]
     pub format: CommandFormat,
     /// Write the sheet, the numbers, the drawing and all files for making to this folder, which is made if it isn't there;
@@ -136,7 +138,7 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(1..=12)),
+        ArgumentSlot::Count(_) => option.value_parser(clap::value_parser!(u32).range(2..=12)),
         ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
         ArgumentSlot::Process(_) => {
             option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
@@ -171,7 +173,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
     }
     let recommends_size = question.process.is_some();
     let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
-    if is_shape(format) && format != CommandFormat::Svg {
+    if format == CommandFormat::Scad {
         design.require_external(format.name())?;
     }
     reject_without_effect(&design.question, format)?;
@@ -180,6 +182,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Dxf => design.dxf()?,
         CommandFormat::Scad => design.scad()?,
         CommandFormat::Stl => design.stl()?,
+        CommandFormat::Step => design.step()?,
+        CommandFormat::Parts => design.svg_parts()?,
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
         CommandFormat::Fields => design.answer()?.table(),
@@ -299,7 +303,8 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
 /// Refuses options that have no effect for this one wheel. What only numbers need is no fault beside a file of shapes.
 fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
-    if !is_external {
+    let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && is_of_parts(format));
+    if !has_parts {
         let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
@@ -357,7 +362,12 @@ fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
 
 /// Whether a format gives shapes, and not numbers.
 fn is_shape(format: CommandFormat) -> bool {
-    matches!(format, CommandFormat::Svg | CommandFormat::Dxf | CommandFormat::Scad | CommandFormat::Stl)
+    format == CommandFormat::Svg || format == CommandFormat::Scad || is_of_parts(format)
+}
+
+/// Whether a format gives the parts that external and internal wheels have.
+fn is_of_parts(format: CommandFormat) -> bool {
+    matches!(format, CommandFormat::Dxf | CommandFormat::Parts | CommandFormat::Step | CommandFormat::Stl)
 }
 
 #[cfg(test)]

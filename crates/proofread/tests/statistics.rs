@@ -429,7 +429,7 @@ fn what_is_cut_off_or_rounded_twice_is_a_doubt() {
         "A share of 85.3% (52/61) was positive.",
         "Of them 7 of 52 (14%) failed.",
         "A drop was seen: F(1,25) = 11.30, p = .003.",
-        "The effect was marginal (z = 1.836, p = .06).",
+        "The effect was marginal (z = 1.834, p = .066).",
         "Of 1840 women and 920 men, 110 (6.0%) and 184 (20.0%) subjects had the disease, respectively.",
     ] {
         assert!(only(text), "{text}");

@@ -357,7 +357,11 @@ fn verdict(
         ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
         ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
             .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
-        ReportField::in_unit("culprit_expected", expected.map(|(value, _)| value), expected.map_or("", |(_, unit)| unit)),
+        ReportField::in_unit(
+            "culprit_expected",
+            expected.map(|(value, _)| value),
+            expected.map_or("", |(_, unit)| unit),
+        ),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
             "wrong formula",
             if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },

@@ -27,10 +27,21 @@ pub struct ShapeFile {
     pub name: &'static str,
     /// What it is.
     pub label: &'static str,
-    /// Whether it needs the parts of an external wheel with a size.
-    pub needs_parts: bool,
+    /// Of which wheels it can be made.
+    pub of: MadeOf,
     /// Makes it.
     pub make: fn(&WheelDesign) -> Result<Vec<u8>, Error>,
+}
+
+/// Of which wheels a file can be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MadeOf {
+    /// Of all.
+    Any,
+    /// Of external and internal wheels with a size, whose parts are known.
+    Parts,
+    /// Of external wheels with a size.
+    External,
 }
 
 /// All files from which a wheel is made: what the command writes to a folder and the page offers.
@@ -38,55 +49,55 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
     ShapeFile {
         name: "drawing.svg",
         label: "Drawing with sizes (SVG)",
-        needs_parts: false,
+        of: MadeOf::Any,
         make: |design| Ok(design.drawing().standalone().into_bytes()),
     },
     ShapeFile {
         name: "drawings.html",
         label: "Drawings for the workshop, to print (HTML)",
-        needs_parts: true,
+        of: MadeOf::External,
         make: |design| design.drawings_html().map(String::into_bytes),
     },
     ShapeFile {
         name: "drawings.svg",
         label: "Drawings for the workshop (SVG)",
-        needs_parts: true,
+        of: MadeOf::External,
         make: |design| design.drawings_svg().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.dxf",
         label: "Outlines for the machine (DXF)",
-        needs_parts: true,
+        of: MadeOf::Parts,
         make: |design| design.dxf().map(String::into_bytes),
     },
     ShapeFile {
         name: "parts.svg",
         label: "Parts to cut (SVG)",
-        needs_parts: true,
+        of: MadeOf::Parts,
         make: |design| design.svg_parts().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.step",
         label: "Solids (STEP)",
-        needs_parts: true,
+        of: MadeOf::Parts,
         make: |design| design.step().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.3mf",
         label: "Meshes with names and units (3MF)",
-        needs_parts: true,
+        of: MadeOf::Parts,
         make: |design| design.three_mf(),
     },
     ShapeFile {
         name: "wheel.stl",
         label: "Meshes for a printer (STL)",
-        needs_parts: true,
+        of: MadeOf::Parts,
         make: |design| design.stl().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.scad",
         label: "Moving model (OpenSCAD)",
-        needs_parts: true,
+        of: MadeOf::External,
         make: |design| design.scad().map(String::into_bytes),
     },
 ];
@@ -94,7 +105,15 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
 impl WheelDesign {
     /// Whether there is what a file needs.
     pub fn can_make(&self, file: &ShapeFile) -> bool {
-        !file.needs_parts || self.sizes.is_some()
+        match file.of {
+            MadeOf::Any => true,
+            MadeOf::External => self.sizes.is_some(),
+            MadeOf::Parts => self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some()),
+        }
+    }
+
+    fn is_internal(&self) -> bool {
+        self.wheel.kind() == WheelKind::Internal
     }
 
     /// Outlines of all parts side by side, in millimetres, with true arcs.

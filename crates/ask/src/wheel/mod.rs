@@ -25,7 +25,7 @@ mod times;
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, NamedChoice, WRONG_SIZES, arguments};
 pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
 pub use design::WheelDesign;
-pub use files::{SHAPE_FILES, ShapeFile};
+pub use files::{MadeOf, SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};
 pub use mounting::{BoreShape, MountingQuestion, PinKind};
 pub use process::assemblies_that_turn;

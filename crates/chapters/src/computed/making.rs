@@ -255,7 +255,8 @@ mod tests {
         let sizes = sizes_of("printed").expect("fits");
         let (share, error) = (asked("printed", "yield"), asked("printed", "process_error_mm"));
         // Its errors are beyond the limits for all sizes at once, if there are any, and yet most assemblies turn.
-        let keeps = sizes.shared_tolerance().is_some_and(|limit| limit.locking > error / 2.0 && limit.crank > error / 2.0);
+        let keeps =
+            sizes.shared_tolerance().is_some_and(|limit| limit.locking > error / 2.0 && limit.crank > error / 2.0);
         assert!(share > 0.9 && !keeps, "{share}");
         assert!(asked("printed", "dwell_backlash_deg") > 10.0 * asked("worked", "dwell_backlash_deg"));
     }

@@ -304,7 +304,7 @@ fn base_of(sub: &[Token]) -> Option<u32> {
 
 /// Whether a token is a whole number whose digits a base has.
 fn is_whole_in(token: &Token, base: u32) -> bool {
-    token.number().is_some_and(|digits| digits.len() <= 40 && digits.chars().all(|c| c.to_digit(base).is_some()))
+    token.number().is_some_and(|digits| digits.len() <= 40 && digits.chars().all(|c| c.is_digit(base)))
 }
 
 fn join_superscript(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Token>) {

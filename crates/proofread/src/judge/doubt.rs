@@ -116,9 +116,6 @@ impl PlacedPair<'_> {
         if judgement.verdict == ChainVerdict::Dimensions && self.is_free_fall() {
             return Some(Doubt::Unknown);
         }
-        if self.stands_for(judgement) {
-            return Some(Doubt::Fragment);
-        }
         // Each pair looks at the whole formula, which takes too long if both are many.
         let short = self.formula.tokens.len() <= LONGEST;
         let unknown = short && (self.is_in_argument() || self.is_beside_unknown());

@@ -95,6 +95,16 @@ pub(crate) fn units_in_letters(chain: &Chain) -> Option<Chain> {
     if result.literal != Literal::Number || !result.has_unit || computed.is_empty() || !computed.iter().all(fits) {
         return None;
     }
+    // A term without a unit beside one with a unit: the letter is none.
+    let has_unit = |kind: &TokenKind| matches!(kind, TokenKind::Word(_));
+    let is_mixed = |side: &ChainSide| {
+        let terms = side.tokens.split(|token| token.is_one_of("+-")).filter(|term| has_number(term));
+        let with: Vec<bool> = terms.map(|term| any(term, &has_unit)).collect();
+        with.contains(&true) && with.contains(&false)
+    };
+    if sides.iter().any(is_mixed) {
+        return None;
+    }
     // Sides that are neither numbers nor names are not understood.
     let numeric = sides.iter().filter(|side| has_number(&side.tokens)).count();
     let names: Vec<&str> = { sides.iter().flat_map(|side| &side.tokens) }

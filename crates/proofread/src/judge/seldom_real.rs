@@ -3,9 +3,7 @@
 
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::Mode;
-use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{ChainSide, Relation};
-use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::doubt::PlacedPair;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
@@ -63,13 +61,6 @@ impl PlacedPair<'_> {
         }
     }
 
-    /// Whether both sides are printed quantities of different dimensions, of which one may stand for the other: 2 moles = 44.8 L.
-    pub(crate) fn stands_for(&self, judgement: &PairJudgement) -> bool {
-        let Some((left, right)) = &judgement.values else { return false };
-        let printed = |of: &SideValue| of.literal == Literal::Number && of.has_unit;
-        judgement.verdict == ChainVerdict::Dimensions && printed(left) && printed(right)
-    }
-
     /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1.
     pub(crate) fn is_coarse_approximation(&self) -> bool {
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
@@ -95,6 +86,12 @@ impl PlacedPair<'_> {
         let significant = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
         // Whole numbers are as they are.
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        // In a sum, the digits of the terms decide.
+        let is_product = |kind: &TokenKind| match kind {
+            TokenKind::Operator(c) => "·×/(".contains(*c),
+            TokenKind::Fraction(..) | TokenKind::Power(_) | TokenKind::Root(..) | TokenKind::Function(_) => true,
+            _ => false,
+        };
         let is_long =
             |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !digits.contains('.') && digits.len() > 2);
         let strict =
@@ -102,6 +99,7 @@ impl PlacedPair<'_> {
         digits.contains('.')
             && significant >= MANY_DIGITS
             && any(&self.left.tokens, &is_decimal)
+            && any(&self.left.tokens, &is_product)
             && !any(&self.left.tokens, &is_long)
             && strict(self.left).zip(strict(self.right)).is_some_and(|(left, right)| left.meets(&right, 0.0))
     }

@@ -336,6 +336,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 // 348Tc is a product with a letter.
                 let glued = touching && follows_number && unit(&word).is_none() && word.chars().count() < 4;
                 let named = letter || glued || ((before_equals || calls) && !follows_unit);
+                // A column of mercury: 760 mm Hg.
+                let is_column =
+                    word == "Hg" && before.and_then(Token::word).is_some_and(|of| matches!(of, "mm" | "cm" | "in"));
                 let kind = if power_of_e {
                     TokenKind::Name(word)
                 } else if word == "pi" {
@@ -346,13 +349,10 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     MathFunction::from_name(&word).filter(|_| word != "sec" && (calls || !word.starts_with('m')))
                 {
                     TokenKind::Function(function)
-                } else if follows_unit
-                    && unit(&word).is_some()
-                    && (touching || closes || !PROSE.contains(&word.as_str()))
-                {
-                    TokenKind::Word(word)
-                } else if word == "Hg"
-                    && before.and_then(Token::word).is_some_and(|of| matches!(of, "mm" | "cm" | "in"))
+                } else if is_column
+                    || (follows_unit
+                        && unit(&word).is_some()
+                        && (touching || closes || !PROSE.contains(&word.as_str())))
                 {
                     TokenKind::Word(word)
                 } else if named {

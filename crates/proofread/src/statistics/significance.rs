@@ -178,7 +178,8 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
 /// Whether the p-value of the statistic as it is printed, on either side or on both, is cut off or rounded twice.
 fn is_cut(test: &TestStatistic, p: &PrintedP, exact: f64) -> bool {
     let is_equal = test.comparison == Comparison::Equal && p.comparison == Comparison::Equal && p.number.value > 0.0;
-    is_equal && p.number.is_cut_or_rounded_twice(exact)
+    // Two digits say on which side of a bound it is.
+    is_equal && p.number.decimals > 2 && p.number.is_cut_or_rounded_twice(exact)
 }
 
 /// A p-value with two digits behind its zeros or more, and with as many as it takes to tell it from the printed one.

@@ -185,7 +185,7 @@ pub(super) const ROWS: &[Argument] = &[
         "COUNT",
         ArgumentSlot::Count(|question| &mut question.mounting.disc_dowels),
         &[Parts],
-        "How many of them, from 1 to 12 [default: 2]",
+        "How many of them, from 2 to 12 [default: 2]",
     ),
     Argument::new(
         "driver-pieces",
