@@ -2,7 +2,7 @@
 
 use super::holes::Hole;
 use crate::geometry::{Point, area};
-use geneva_kinematics::wheel::{Face, Loop};
+use geneva_kinematics::wheel::{Edge, Face, Loop};
 
 /// A layer of the drawing; the pieces of one layer are cut from one sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,11 +25,13 @@ pub enum Layer {
     Centres,
     /// Pockets and shoulders that don't go through a part.
     Pockets,
+    /// The ladder of slots that measures the play of a machine.
+    TestPiece,
 }
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Wheel,
         Self::LockingDisc,
         Self::Plate,
@@ -39,6 +41,7 @@ impl Layer {
         Self::Pockets,
         Self::LockingSegment,
         Self::RingPlate,
+        Self::TestPiece,
     ];
 
     /// The layer's name in files.
@@ -53,6 +56,7 @@ impl Layer {
             Self::BasePlate => "BASE_PLATE",
             Self::Centres => "CENTRES",
             Self::Pockets => "POCKETS",
+            Self::TestPiece => "TEST_PIECE",
         }
     }
 
@@ -68,6 +72,7 @@ impl Layer {
             Self::BasePlate => "base plate",
             Self::Centres => "centre marks",
             Self::Pockets => "pockets",
+            Self::TestPiece => "test piece",
         }
     }
 }
@@ -94,6 +99,8 @@ pub struct Part {
     pub holes: Vec<Hole>,
     /// Where its axis and the middles of its pins are marked, in millimetres.
     pub marks: Vec<Point>,
+    /// What is engraved on it besides.
+    pub engraved: Vec<Edge>,
     /// Its thickness, or a pin's length, in millimetres.
     pub thickness: f64,
     /// Its places in the assembly: more than one if there are several of it.
