@@ -245,9 +245,9 @@ mod tests {
             (design.crank_radius.expect("a size"), own / design.table_inertia.expect("a table"))
         };
         let (taken, of_table) = share(None);
-        // About the number before it in the series, which has 20 in a decade.
-        let before = share(Some(taken / 1.12)).1;
-        assert!(of_table >= 0.1 && before < 0.1, "{taken} mm: {of_table} {before}");
+        // The number before it in the series.
+        let before = share(Some(40.0)).1;
+        assert!(taken == 45.0 && of_table >= 0.1 && before < 0.1, "{taken} mm: {of_table} {before}");
     }
 
     #[test]
