@@ -61,7 +61,7 @@ pub(crate) fn marks(part: &Part) -> Vec<Edge> {
     let arm = (OF_MARK * (to - from) / 2.0).clamp(MARK[0], MARK[1]);
     let line = |at: Point, by: Point| Edge::Line { from: at - by, to: at + by };
     let both = |at: &Point| [line(*at, Point::new(arm, 0.0)), line(*at, Point::new(0.0, arm))];
-    part.marks.iter().flat_map(both).collect()
+    part.marks.iter().flat_map(both).chain(part.engraved.iter().copied()).collect()
 }
 
 /// All pieces of the drawing in place, each with its layer.

@@ -9,7 +9,7 @@ use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
     Mounting, Part, PartLayout, PartList, Sheet, SheetText, dxf, internal_parts, parts, scad, sheets, sheets_html,
-    sheets_svg, step, stl, svg_parts, three_mf,
+    sheets_svg, step, stl, svg_parts, test_piece, three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -95,6 +95,18 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
         make: |design| design.stl().map(String::into_bytes),
     },
     ShapeFile {
+        name: "test-piece.svg",
+        label: "Test piece for the play, to cut (SVG)",
+        of: MadeOf::External,
+        make: |design| design.test_piece_svg().map(String::into_bytes),
+    },
+    ShapeFile {
+        name: "test-piece.stl",
+        label: "Test piece for the play, to print (STL)",
+        of: MadeOf::External,
+        make: |design| design.test_piece_stl().map(String::into_bytes),
+    },
+    ShapeFile {
         name: "wheel.scad",
         label: "Moving model (OpenSCAD)",
         of: MadeOf::External,
@@ -175,10 +187,7 @@ impl WheelDesign {
     ///
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
-        let of_process =
-            self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?.flatten();
-        let of_process = of_process.map_or(0.0, |numbers| numbers.kerf.value);
-        let kerf = self.question.mounting.kerf.unwrap_or(of_process);
+        let kerf = self.kerf()?;
         svg_parts(&self.listed("svg-parts")?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
     }
 
@@ -226,6 +235,40 @@ impl WheelDesign {
         step(&list.parts).map_err(|error| with_arguments(error, &self.question))
     }
 
+    /// Width in millimetres that the cut takes away: what is given, or that of the process.
+    fn kerf(&self) -> Result<f64, Error> {
+        let of_process =
+            self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?.flatten();
+        let of_process = of_process.map_or(0.0, |numbers| numbers.kerf.value);
+        Ok(self.question.mounting.kerf.unwrap_or(of_process))
+    }
+
+    /// A ladder of slots and pins of the wheel's diameter and thickness: the least play at which the pin runs is measured on it.
+    fn test_piece(&self) -> Result<Vec<Part>, Error> {
+        let pin = self.sized("test-piece")?.pin_diameter;
+        Ok(test_piece(pin, self.thickness("test-piece")?)?)
+    }
+
+    /// The test piece to be cut from a sheet, with the play of each slot below it in hundredths of a millimetre.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, has no size, and a kerf that is too wide.
+    pub fn test_piece_svg(&self) -> Result<String, Error> {
+        svg_parts(&self.test_piece()?, self.kerf()?).map_err(|error| with_arguments(error, &self.question))
+    }
+
+    /// The test piece as meshes for a printer; the narrowest slot is at the left.
+    ///
+    /// # Errors
+    ///
+    /// A wheel that isn't external, or has no size.
+    pub fn test_piece_stl(&self) -> Result<String, Error> {
+        let sizes = self.sized("test-piece")?;
+        let chords = tolerance(sizes.play.slot, sizes.centre_distance);
+        stl(&self.test_piece()?, chords).map_err(|error| with_arguments(error, &self.question))
+    }
+
     /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
     ///
     /// # Errors
@@ -266,9 +309,16 @@ impl WheelDesign {
         self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
-    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    /// How much wider holes become than drawn in the process, in millimetres; below zero narrower.
+    fn hole_growth(&self) -> Result<f64, Error> {
+        let numbers = self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?;
+        Ok(numbers.flatten().map_or(0.0, |numbers| numbers.hole_growth.value))
+    }
+
+    /// The parts for a file of meshes, with holes as wide as the process wants them drawn, and how far its chords leave their arcs.
     fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
-        let parts = self.listed(ending)?.parts;
+        let wider = -self.hole_growth()?;
+        let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect::<Vec<_>>();
         self.thickness(ending)?;
         let of = |play: f64, centres: f64| (play, tolerance(play, centres));
         let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {

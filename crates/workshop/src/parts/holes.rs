@@ -20,6 +20,8 @@ pub enum HolePurpose {
     DiscDowel,
     /// A hole at a corner of the base plate.
     Fixing,
+    /// A slot of the test piece.
+    TestSlot,
     /// The inside of an internal wheel's ring, with its slots.
     Inside,
 }
@@ -33,6 +35,7 @@ impl HolePurpose {
             Self::Hub => "a hole of the hub",
             Self::DiscDowel => "a hole between disc and plate",
             Self::Fixing => "a fixing hole",
+            Self::TestSlot => "a slot of the test piece",
             Self::Inside => "the inside of the ring",
         }
     }

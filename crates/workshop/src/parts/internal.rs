@@ -54,6 +54,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
         marks: vec![Point::zeros()],
         thickness,
         places: vec![place],
+        engraved: Vec::new(),
         is_joined: false,
     };
     let is_joined = !mounting.is_stacked;
@@ -97,6 +98,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
         all.push(Part {
             thickness: thickness + through,
             marks: Vec::new(),
+            engraved: Vec::new(),
             is_joined,
             ..plain(Layer::Pins, Loop::circle(Point::zeros(), sizes.pin_radius(), false), place)
         });

@@ -60,6 +60,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
         marks: vec![Point::zeros()],
         thickness,
         places,
+        engraved: Vec::new(),
         is_joined: false,
     };
 
@@ -139,6 +140,7 @@ fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Poin
         marks: Vec::new(),
         thickness: thickness + play + through,
         places: places.collect(),
+        engraved: Vec::new(),
         is_joined,
     }
 }

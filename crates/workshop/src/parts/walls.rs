@@ -47,7 +47,7 @@ pub(crate) fn remedy(purpose: HolePurpose) -> &'static str {
         HolePurpose::Hub => "choose another circle for the hub, fewer or thinner screws or dowels",
         HolePurpose::DiscDowel => "choose another circle for the dowels, fewer or thinner ones",
         HolePurpose::Fixing => "choose thinner screws for the base plate",
-        HolePurpose::Inside => "choose a thinner pin",
+        HolePurpose::Inside | HolePurpose::TestSlot => "choose a thinner pin",
     }
 }
 

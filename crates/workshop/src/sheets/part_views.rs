@@ -29,9 +29,12 @@ impl Making<'_> {
             Layer::Pins => self.pin(part),
             Layer::BasePlate => self.base(part),
             // An internal wheel has other sizes and no sheets.
-            Layer::Plate | Layer::LockingSegment | Layer::RingPlate | Layer::Centres | Layer::Pockets => {
-                self.plate(part)
-            }
+            Layer::Plate
+            | Layer::LockingSegment
+            | Layer::RingPlate
+            | Layer::Centres
+            | Layer::Pockets
+            | Layer::TestPiece => self.plate(part),
         }
     }
 

@@ -298,6 +298,7 @@ fn capital(layer: Layer) -> &'static str {
         Layer::BasePlate => "Base plate",
         Layer::LockingSegment => "Locking segment",
         Layer::RingPlate => "Ring plate",
+        Layer::TestPiece => "Test piece",
         Layer::Plate | Layer::Centres | Layer::Pockets => "Driver plate",
     }
 }
