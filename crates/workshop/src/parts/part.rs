@@ -15,7 +15,7 @@ pub enum Layer {
     LockingSegment,
     /// The driver's plate, behind the wheel.
     Plate,
-    /// The pins, or the holes for them in the plate.
+    /// The pins, or the holes for them in the plate; where screws hold the pins, their holes are in the plate's layer.
     Pins,
     /// The plate that closes the ring of an internal wheel and carries its shaft.
     RingPlate,
@@ -113,6 +113,16 @@ impl Part {
     /// How many of it there are.
     pub fn quantity(&self) -> usize {
         self.places.len()
+    }
+
+    /// What it is called in a sentence: a pin with a hole for its screw is a bush.
+    pub fn words(&self) -> &'static str {
+        if self.is_bush() { "bush" } else { self.layer.words() }
+    }
+
+    /// Whether it is the bush on a pin's screw.
+    pub fn is_bush(&self) -> bool {
+        self.layer == Layer::Pins && !self.holes.is_empty()
     }
 
     /// Its outline with the holes that go through it.
