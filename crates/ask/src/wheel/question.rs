@@ -167,7 +167,7 @@ impl WheelQuestion {
         self.rpm.map(DriverSpeed::Rpm).or(self.rad_s.map(DriverSpeed::RadiansPerSecond))
     }
 
-    /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
+    /// Reads arguments as they are typed: `--stations 6 --rpm 60`. With `--out DIR`, a wheel without a size gets the recommended one.
     ///
     /// # Errors
     ///
