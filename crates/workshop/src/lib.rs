@@ -30,10 +30,13 @@ pub use dxf_reader::{Drawing, DrawingError, DrawnEdge};
 pub use mesh::{Mesh, meshes};
 pub use parts::{
     BasePlate, Fastener, Hole, HolePurpose, KEYED_SHAFTS, Keyway, Layer, Mounting, MountingError, Part, PartList,
-    Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts,
+    Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts, test_piece,
 };
 pub use scad::scad;
-pub use sheets::{DrawingScale, Measured, Paper, PrintedDimension, Sheet, SheetText, sheets, sheets_html, sheets_svg};
+pub use sheets::{
+    DrawingScale, LimitOrigin, Measured, Paper, PrintedDimension, Sheet, SheetLimits, SheetMaterial, SheetText, sheets,
+    sheets_html, sheets_svg,
+};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;

@@ -61,6 +61,7 @@ pub(super) fn base_plate(sizes: &Sizes, base: BasePlate, thickness: f64, top: f6
         marks: axes.map(|axis| Point::new(axis, 0.0)).to_vec(),
         thickness,
         places: vec![Place { turn: 0.0, at: Point::zeros(), bottom: top - thickness }],
+        engraved: Vec::new(),
         is_joined: false,
     })
 }

@@ -14,12 +14,16 @@ pub enum HolePurpose {
     Bore,
     /// The hole of a pin.
     Pin,
+    /// The hole of the screw that holds a pin, in the plate and in the pin's bush.
+    PinScrew,
     /// A hole of the pattern that holds a part on its hub.
     Hub,
     /// A hole of the pattern that holds locking disc and plate together.
     DiscDowel,
     /// A hole at a corner of the base plate.
     Fixing,
+    /// A slot of the test piece.
+    TestSlot,
     /// The inside of an internal wheel's ring, with its slots.
     Inside,
 }
@@ -30,9 +34,11 @@ impl HolePurpose {
         match self {
             Self::Bore => "the bore",
             Self::Pin => "the pin's hole",
+            Self::PinScrew => "the hole of the pin's screw",
             Self::Hub => "a hole of the hub",
             Self::DiscDowel => "a hole between disc and plate",
             Self::Fixing => "a fixing hole",
+            Self::TestSlot => "a slot of the test piece",
             Self::Inside => "the inside of the ring",
         }
     }

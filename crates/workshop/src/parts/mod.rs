@@ -8,6 +8,7 @@ mod list;
 mod mounting;
 mod part;
 mod standards;
+mod test_piece;
 mod walls;
 
 pub use error::MountingError;
@@ -18,5 +19,6 @@ pub use list::{PartList, parts};
 pub use mounting::{BasePlate, Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit};
 pub use part::{Layer, Part, Place};
 pub use standards::{KEYED_SHAFTS, Keyway, Thread};
+pub use test_piece::test_piece;
 pub use walls::ThinWall;
 pub(crate) use walls::remedy;
