@@ -15,7 +15,8 @@ const STEEL: SheetMaterial<'static> = SheetMaterial { name: "steel", hardness: S
 const PLA: SheetMaterial<'static> = SheetMaterial { name: "pla", hardness: None };
 
 fn sizes(stations: u32, pins: u32, pin: Option<f64>, play: Option<Play>) -> Sizes {
-    let choices = Choices { pin_diameter: pin, play, wheel_shaft: Some(5.0), driver_shaft: Some(5.0), ..Choices::default() };
+    let choices =
+        Choices { pin_diameter: pin, play, wheel_shaft: Some(5.0), driver_shaft: Some(5.0), ..Choices::default() };
     Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CrankRadius(40.0), &choices).unwrap()
 }
 
@@ -135,7 +136,8 @@ fn the_sheets_have_the_pieces_that_the_solids_have() {
 fn a_bush_is_a_part_of_every_file() {
     for (hole, in_plate) in [(ScrewHole::Clearance, 3.4), (ScrewHole::Tapped, 2.5), (ScrewHole::NutTrap, 3.4)] {
         let sizes = sizes(4, 1, Some(6.0), None);
-        let mounting = Mounting { pins: PinMount::Screw(Thread::M3, hole), axial_play: Some(0.3), ..Mounting::default() };
+        let mounting =
+            Mounting { pins: PinMount::Screw(Thread::M3, hole), axial_play: Some(0.3), ..Mounting::default() };
         let list = parts(&sizes, 6.0, &mounting).unwrap().parts;
         let bush = list.iter().find(|part| part.is_bush()).unwrap();
         // From the plate to as far above the wheel: 6 mm and twice the play.
@@ -145,7 +147,10 @@ fn a_bush_is_a_part_of_every_file() {
         let sheets = drawn(&sizes, &mounting, &SheetLimits::default(), STEEL);
         let sheet = sheets.iter().find(|sheet| sheet.layer == Some(Layer::Pins)).unwrap();
         let of = |what| sheet.dimensions.iter().find(|size| size.measured == what).unwrap();
-        assert_eq!([Measured::Pin, Measured::PinHole, Measured::PinLength].map(|what| of(what).nominal), [6.0, 3.4, 6.6]);
+        assert_eq!(
+            [Measured::Pin, Measured::PinHole, Measured::PinLength].map(|what| of(what).nominal),
+            [6.0, 3.4, 6.6]
+        );
         assert!(of(Measured::PinLength).limits.unwrap()[0] >= 0.0, "the head must not hold the wheel");
         for layout in [PartLayout::Apart, PartLayout::Assembled] {
             let drawing = Drawing::read(&dxf(&list, layout)).unwrap();
@@ -191,8 +196,12 @@ fn the_first_sheet_lists_the_parts_and_has_the_distance_of_the_axes() {
     approx::assert_relative_eq!(first.nominal, sizes.crank_radius * 2.0, max_relative = 1e-12); // six stations: c = r / sin 30°
     assert_eq!(Some(first), axes(sheets.last().unwrap()), "as on the base plate");
     let text = all_text(&sheets[0]);
-    let words =
-        ["1  Wheel 1 piece, steel t = 6", "Driver plate 1 piece", "Pin 2 pieces, steel length 12.25", "Base plate 1 piece, steel t = 9"];
+    let words = [
+        "1  Wheel 1 piece, steel t = 6",
+        "Driver plate 1 piece",
+        "Pin 2 pieces, steel length 12.25",
+        "Base plate 1 piece, steel t = 9",
+    ];
     for words in words.into_iter().chain(["Axial play between wheel and plate: 0.25.", "Assembly"]) {
         assert!(text.contains(words), "{words}: {text}");
     }
