@@ -163,7 +163,9 @@ fn each_file_is_there_and_the_command_follows_the_setting() {
     );
     let live = geneva_live::by_name(NAME).expect("a figure");
     let settings = geneva_live::LiveArguments::parse("stations=8").expect("arguments");
-    let right =
-        live.files.iter().map(|file| json!([file.name, live.file(file.name, &settings).expect("a file").len()]));
+    let right = live.files.iter().map(|file| {
+        let made = geneva_live_files::file(NAME, file.name, &settings).expect("a file");
+        json!([file.name, made.len()])
+    });
     assert_eq!(saved, Value::Array(right.collect()));
 }

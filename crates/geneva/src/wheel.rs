@@ -313,6 +313,13 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
         reject_any(wanted, acts_on(ActsOn::Size), why)?;
     }
+    if is_shape(format) && format != CommandFormat::Parts {
+        let why = format!(
+            "on --format {}, whose lines are the outlines; leave it out, or choose --format parts",
+            format.name()
+        );
+        reject_any(wanted, is_named(&["kerf"]), &why)?;
+    }
     if format == CommandFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";

@@ -318,9 +318,16 @@ impl WheelDesign {
         self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
-    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    /// How much wider holes become than drawn in the process, in millimetres; below zero narrower.
+    fn hole_growth(&self) -> Result<f64, Error> {
+        let numbers = self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?;
+        Ok(numbers.flatten().map_or(0.0, |numbers| numbers.hole_growth.value))
+    }
+
+    /// The parts for a file of meshes, with holes as wide as the process wants them drawn, and how far its chords leave their arcs.
     fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
-        let parts = self.listed(ending)?.parts;
+        let wider = -self.hole_growth()?;
+        let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect::<Vec<_>>();
         self.thickness(ending)?;
         let of = |play: f64, centres: f64| (play, tolerance(play, centres));
         let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {

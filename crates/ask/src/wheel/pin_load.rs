@@ -1,6 +1,7 @@
 //! Strength of the pin, and what the wheel's bearings carry, as they are reported.
 
 use super::design::WheelDesign;
+use crate::number_format::number;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_limit};
 use geneva_dynamics::pin_strength::{Cantilever, PinLength, least_diameter_for_pressure, least_diameter_for_strength};
@@ -31,9 +32,7 @@ struct PinCheck {
 /// The fields of the pin, of the blow on it and of the bearings.
 pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let loads = design.loads(wheel)?;
-    let moment = loads.as_ref().map(|loads| loads.pin_moment().driving.value);
-    let running = check(design, moment.and_then(|moment| design.force(moment)))?;
-    let arm = check(design, design.question.arm_torque.and_then(|torque| design.force(torque)))?;
+    let [running, arm] = checks(design, wheel)?;
     let friction = loads.as_ref().map(|loads| loads.friction());
     let bearing = running.force.zip(friction).map(|(force, friction)| force * libm::hypot(friction.pin, 1.0));
     let sizes = design.sizes.as_ref();
@@ -115,6 +114,32 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
     ])
+}
+
+/// What the loads of running do to the pin, and what the torque on the arm does.
+fn checks(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<[PinCheck; 2], Error> {
+    let moment = design.loads(wheel)?.map(|loads| loads.pin_moment().driving.value);
+    let running = check(design, moment.and_then(|moment| design.force(moment)))?;
+    let arm = check(design, design.question.arm_torque.and_then(|torque| design.force(torque)))?;
+    Ok([running, arm])
+}
+
+/// A warning for each load that pin or wheel can't bear.
+pub(super) fn weaknesses(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<String>, Error> {
+    let checks = checks(design, wheel)?;
+    let loads = ["the peak pin force", "the force of the arm's torque"];
+    let weak = |(load, check): (&str, &PinCheck)| {
+        let said = |part: &str, factor: Option<f64>| {
+            let factor = factor.filter(|factor| *factor < 1.0)?;
+            let least = check.least.map_or_else(String::new, |least| format!(" of {} mm at least", number(least)));
+            Some(format!(
+                "{part} bears only {} of {load}: choose a thicker pin{least}, or a larger wheel",
+                number(factor)
+            ))
+        };
+        [said("the pin", check.factor), said("the contact of pin and slot", check.pressure_factor)]
+    };
+    Ok(loads.into_iter().zip(&checks).flat_map(weak).flatten().collect())
 }
 
 /// The greatest pressure in MPa that pin and wheel should have.

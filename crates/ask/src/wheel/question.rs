@@ -45,6 +45,8 @@ pub struct WheelQuestion {
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
     pub play: Option<f64>,
+    /// Width of the slots, which gives their play.
+    pub slot_width: Option<f64>,
     /// How much wider the locking arcs are than the locking disc, as a difference of diameters; as the play of the slots unless
     /// it is given.
     pub locking_play: Option<f64>,

@@ -222,5 +222,8 @@ fn missing(design: &WheelDesign) -> String {
              driver's plate, fatigue and wear."
         )
     });
-    lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
+    let bores = design.sizes.filter(|sizes| sizes.wheel_shaft == 0.0 && sizes.plate_shaft == 0.0).map(|_| {
+        "For bores, add --wheel-shaft MM and --driver-shaft MM; without them the files have centre marks.".to_owned()
+    });
+    lengths.into_iter().chain(bores).chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

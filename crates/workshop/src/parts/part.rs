@@ -130,6 +130,30 @@ impl Part {
         Face { outer: self.outer.clone(), holes: self.holes.iter().map(|hole| hole.outline.clone()).collect() }
     }
 
+    /// The part with its round holes wider by a length in millimetres, or narrower below zero: for a machine that makes them too
+    /// narrow or too wide by as much. A hole that would have no width stays as it is.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    /// use geneva_workshop::{Mounting, parts};
+    ///
+    /// let choices = Choices { wheel_shaft: Some(6.0), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// let wheel = parts(&sizes, 5.0, &Mounting::default()).expect("bare parts").parts.remove(0);
+    /// let bore = wheel.holes[0].diameter().expect("round");
+    /// let wider = wheel.with_wider_holes(0.2).holes[0].diameter().expect("round");
+    /// assert!((wider - bore - 0.2).abs() < 1e-12); // mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn with_wider_holes(mut self, by: f64) -> Self {
+        for hole in &mut self.holes {
+            if let Some(diameter) = hole.diameter().map(|diameter| diameter + by).filter(|diameter| *diameter > 0.0) {
+                hole.outline = Loop::circle(hole.centre, diameter / 2.0, true);
+            }
+        }
+        self
+    }
+
     /// Its volume in cubic millimetres, less the pockets.
     pub fn volume(&self) -> f64 {
         let pocket = |hole: &Hole| {
