@@ -121,7 +121,7 @@ impl CheckQuestion {
             ),
             introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1.",
             sections: vec![
-                ("Verdict", verdict(&turn, &self.unmeasured_pin(&nearest), &nearest, &mistakes, &changes)),
+                ("Verdict", verdict(&turn, &self.unmeasured(&nearest), &nearest, &mistakes, &changes)),
                 (right_heading(&nearest), right_sizes(&nearest)),
                 ("As it was made", self.as_made(&built, &turn)),
             ],
@@ -134,12 +134,19 @@ impl CheckQuestion {
         }
     }
 
-    /// A remark on the pin that is taken from the nearest right wheel; empty if it was measured.
-    fn unmeasured_pin(&self, nearest: &NearestWheel) -> String {
-        if self.is_pin_measured() {
-            return String::new();
+    /// A remark on pin and slots that are taken from the nearest right wheel; empty if they were measured.
+    fn unmeasured(&self, nearest: &NearestWheel) -> String {
+        let is_slot = |size| matches!(size, MeasuredSize::SlotWidth(_));
+        let has_slot = self.measured.sizes().iter().any(|of| is_slot(of.size));
+        let [pin, slot] = [nearest.pin_diameter, nearest.slot_width].map(number);
+        match (self.is_pin_measured(), has_slot) {
+            (true, true) => String::new(),
+            (false, true) => format!("; this is with a pin of {pin} mm, which was not measured"),
+            (true, false) => format!("; this is with slots of {slot} mm, which were not measured"),
+            (false, false) => {
+                format!("; this is with a pin of {pin} mm and slots of {slot} mm, which were not measured")
+            }
         }
-        format!("; this is with a pin of {} mm, which was not measured", number(nearest.pin_diameter))
     }
 
     fn is_pin_measured(&self) -> bool {
@@ -231,17 +238,22 @@ fn corners(turn: &BuiltTurn) -> impl Iterator<Item = (&StationTurn, BuiltBlow)> 
 
 /// What the pin meets as it comes in, the wheel in the middle of its play.
 fn entry_words(turn: &BuiltTurn) -> String {
-    let hardest =
-        |one: &(&StationTurn, BuiltBlow), other: &(&StationTurn, BuiltBlow)| one.1.centred.total_cmp(&other.1.centred);
-    let worst = corners(turn).max_by(hardest);
+    // Of blows that differ by rounding the first is taken.
+    fn harder<'a>(
+        one: (&'a StationTurn, BuiltBlow),
+        other: (&'a StationTurn, BuiltBlow),
+    ) -> (&'a StationTurn, BuiltBlow) {
+        if other.1.centred > one.1.centred + 1e-9 { other } else { one }
+    }
     let all = || turn.stations.iter().filter_map(|station| Some((station, station.entry?)));
-    let Some((station, entry)) = worst.or_else(|| all().max_by(hardest)) else {
+    let Some((station, entry)) = corners(turn).reduce(harder).or_else(|| all().reduce(harder)) else {
         return "the pin meets nothing".to_owned();
     };
     let met = match entry.contact {
         BuiltContact::PinAtMouth => {
             let further = corners(turn).count() - 1;
-            let also = if further == 0 { String::new() } else { format!(", and on {further} more") };
+            let also =
+                if further == 0 { String::new() } else { format!(", and so at {}", count(further, "further slot")) };
             format!("the pin lands on the corner of the mouth of slot {}{also}", station.slot + 1)
         }
         BuiltContact::PinAtBottom => format!("the pin meets the end of slot {}", station.slot + 1),
@@ -258,7 +270,7 @@ fn entry_words(turn: &BuiltTurn) -> String {
 
 fn verdict(
     turn: &BuiltTurn,
-    unmeasured_pin: &str,
+    unmeasured: &str,
     nearest: &NearestWheel,
     mistakes: &[KnownMistake],
     changes: &[SizeChange],
@@ -290,7 +302,7 @@ fn verdict(
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
     let first = first_change(nearest, changes);
     vec![
-        ReportField::new("turns", turn.jam.is_none()).words("turns", turns + unmeasured_pin),
+        ReportField::new("turns", turn.jam.is_none()).words("turns", turns + unmeasured),
         ReportField::new("lands_on_corner", lands).words("entry", entry_words(turn)),
         ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
             "contradiction",
@@ -448,7 +460,7 @@ fn note(question: &CheckQuestion, nearest: &NearestWheel) -> String {
 #[cfg(test)]
 mod tests {
     use super::CheckQuestion;
-    use crate::{FieldValue, MechanismReport};
+    use crate::{FieldValue, MechanismReport, ReportField};
 
     fn report(question: &str) -> MechanismReport {
         CheckQuestion::parse(question).and_then(|question| question.answer()).expect("an answer")
@@ -488,7 +500,7 @@ mod tests {
             "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
              --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
         );
-        let words = &report.sections[0].1[1].line.as_ref().expect("a line").meaning;
+        let words = words(&report, "culprit");
         assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
     }
 
@@ -516,5 +528,61 @@ mod tests {
         assert!(refused("--stations 6 --crank-radius -25").contains("above zero"));
         assert!(refused("--stations 6 --radius 25").contains("--outside-diameter"));
         assert!(refused("--stations 6 --crank-radius 25 --rpm 0").contains("above zero"));
+    }
+
+    fn words(report: &MechanismReport, key: &str) -> String {
+        report.field(key).and_then(|field| field.line.as_ref()).expect("a line").meaning.to_string()
+    }
+
+    #[test]
+    fn every_wrong_size_is_named_the_worst_first_with_the_numbers_of_the_right_wheel() {
+        let measured = "--stations 6 --centre-distance 50.4 --crank-radius 25.0 --outside-diameter 87.1 --pin-diameter 6.0 \
+                        --slot-width 1:6.1,2:6.1,3:6.1,4:6.3,5:6.1,6:6.1 --locking-disc-radius 15.2 --locking-arc-radius 15.4";
+        let report = report(measured);
+        let contradiction = words(&report, "culprit");
+        assert_eq!(
+            contradiction,
+            "centre distance 50.40 mm: the others ask for 50.15 ± 0.03 mm, 5.0 of its uncertainties away. Besides, slot width 4 6.300 \
+             mm: the others ask for 6.100 ± 0.02 mm, 4.0 of its uncertainties away; all others agree"
+        );
+        assert_eq!(text(&report, "change_first"), "make centre distance 50.15 mm, then slot width 4 6.100 mm");
+        let shown = report.field("centre_distance_mm").and_then(ReportField::number).expect("a size");
+        assert_eq!(report.field("culprit_expected").and_then(ReportField::number), Some(shown));
+        assert!(report.sections[1].0.contains("without the sizes that contradict"));
+        // Too far apart, the pin comes in on a corner.
+        assert_eq!(report.field("lands_on_corner").map(|field| &field.value), Some(&FieldValue::Flag(true)));
+        assert!(words(&report, "turns").contains("corner"), "{}", words(&report, "turns"));
+        let entry = words(&report, "lands_on_corner");
+        assert!(entry.contains("lands on the corner") && entry.contains("before a right pin would enter"), "{entry}");
+    }
+
+    #[test]
+    fn what_is_not_measured_or_not_counted_is_said() {
+        let of_three = report("--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.72");
+        assert!(words(&of_three, "turns").contains("were not measured"), "{}", words(&of_three, "turns"));
+        assert!(!words(&report(RIGHT), "turns").contains("not measured"));
+        assert!(of_three.note.contains("corners of the slots count as sharp") && of_three.note.contains("bores"));
+        let question = CheckQuestion::parse(RIGHT).expect("sizes");
+        let mut with_hole = CheckQuestion { screw_hole: Some(3.4), has_mouths: true, ..question };
+        assert!(!with_hole.answer().expect("an answer").note.contains("screw"), "the pin was typed");
+        with_hole.measured = CheckQuestion::parse("--stations 6 --crank-radius 25").expect("sizes").measured;
+        let note = with_hole.answer().expect("an answer").note;
+        assert!(note.contains("3.400 mm") && note.contains("--pin-diameter") && note.contains("chamfered"), "{note}");
+    }
+
+    #[test]
+    fn sizes_can_be_in_inches() {
+        let inches = CheckQuestion::parse(
+            "--stations 6 --centre-distance 2in --crank-radius 1in+-0.001in --slot-width 1:17/64in,2:1/4\" --uncertainty 0.002in",
+        );
+        let millimetres = CheckQuestion::parse(
+            "--stations 6 --centre-distance 50.8 --crank-radius 25.4+-0.0254 --slot-width 1:6.746875,2:6.35 --uncertainty 0.0508",
+        );
+        let [inches, millimetres] = [inches, millimetres].map(|question| question.expect("sizes").measured);
+        for (one, other) in inches.sizes().iter().zip(millimetres.sizes()) {
+            assert_eq!(one.size, other.size);
+            assert!((one.value - other.value).abs() < 1e-12 && (one.uncertainty - other.uncertainty).abs() < 1e-12);
+        }
+        assert_eq!(inches.sizes().len(), 4);
     }
 }

@@ -373,7 +373,7 @@ mod tests {
             assert!(error.to_string().starts_with("--crank-radius"), "{error}");
         }
         let question = WheelQuestion::parse("--crank-radius 1-1/2in --play 1/64in").expect("inches");
-        assert_eq!((question.crank_radius, question.play), (Some(38.1), Some(25.4 / 64.0)));
+        assert_eq!((question.crank_radius, question.play), (Some(1.5 * 25.4), Some(25.4 / 64.0)));
     }
 
     #[test]

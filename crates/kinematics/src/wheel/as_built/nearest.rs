@@ -172,6 +172,7 @@ impl MeasuredWheel {
             return None;
         }
         let without = (0..count).map(|index| (index, self.fit_without(index, fitted.0)));
+        let without = without.filter(|(_, (_, sum))| sum.is_finite());
         let best = without.min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
         (fitted.1 > limit(count) || fitted.1 - best.1.1 > most).then_some(best)
     }
