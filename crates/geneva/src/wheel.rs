@@ -62,9 +62,11 @@ pub(crate) enum WheelAction {
 Examples:
   geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
   geneva wheel check --stations 4 --crank-radius 25+-0.02 --centre-distance 35.4 --slot-width 1:6.1,2:6.0 --pin-diameter 6
+  geneva wheel check --stations 6 --centre-distance 2in --crank-radius 1in --pin-diameter 1/4in --uncertainty 0.002in
   geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
 
-Give what you have measured. What is missing is taken from the nearest right wheel.")]
+Give what you have measured. What is missing is taken from the nearest right wheel. Lengths are in millimetres, or in inches with \
+their unit: 0.5in, 1/8in, 1-1/2in.")]
     Check(Box<CheckArguments>),
 }
 
