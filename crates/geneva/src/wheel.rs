@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
-#[command(args_conflicts_with_subcommands = true)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct WheelArguments {
     /// What is done instead with a wheel that exists.
     #[command(subcommand)]
@@ -130,7 +130,10 @@ fn option(argument: &Argument) -> Arg {
     let Argument { name, unit, place, help, .. } = *argument;
     let option = Arg::new(name).long(name).value_name(unit).help(help);
     match place {
-        ArgumentSlot::Stations(_) => option.value_parser(typed::stations).allow_negative_numbers(true),
+        ArgumentSlot::Stations(_) => option
+            .value_parser(typed::stations)
+            .allow_negative_numbers(true)
+            .required_unless_present_any(["index-time", "dwell-time", "dwell-angle"]),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
         ArgumentSlot::Kind(_) => {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
