@@ -447,7 +447,7 @@ mod tests {
 
     #[test]
     fn drawings_say_what_is_made_of_what_and_how_large() {
-        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
+        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron --pin-mount dowel";
         let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
         let page = design.drawings_html().expect("a page");
         for words in
@@ -457,5 +457,23 @@ mod tests {
         }
         assert_eq!(page.matches("<svg ").count(), design.drawings().expect("sheets").len());
         assert!(design.drawings_svg().expect("a drawing").contains("viewBox=\"0 0 "));
+    }
+
+    #[test]
+    fn drawings_for_a_process_tell_its_yield_and_cut_sheet_makes_two_pieces() {
+        let page = |more: &str| {
+            let text = format!("--stations 6 --crank-radius 25 --wheel-shaft 5 --driver-shaft 5 --thickness 3 {more}");
+            let design = WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel");
+            let solids = design.step().expect("solids").matches("MANIFOLD_SOLID_BREP").count();
+            (design.drawings_html().expect("a page"), solids)
+        };
+        let (laser, solids) = page("--process laser --wheel-material acrylic --pin-material acrylic");
+        assert!(laser.contains("assemblies") && laser.contains(">Process laser: it holds ±0.127"), "{laser}");
+        assert!(!laser.contains("Hardness") && !laser.contains("in one piece with"));
+        assert_eq!(solids, 4, "wheel, disc, plate and pin");
+        let (printed, solids) = page("--process fdm");
+        assert!(printed.contains("in one piece with") && solids == 2);
+        let (routed, solids) = page("--process router --driver-pieces one-piece");
+        assert!(routed.contains("in one piece with") && solids == 2);
     }
 }

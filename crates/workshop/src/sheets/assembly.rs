@@ -24,14 +24,14 @@ impl<'a> Placed<'a> {
         Self { part, outer: part.outer.transform(place.turn, place.at), at: place.at }
     }
 
-    /// The place at which a ray from its axis leaves it last.
+    /// Its place that is farthest in a direction.
     fn edge(&self, towards: f64) -> Point {
         let aim = direction(towards);
         let points = polylines(Pen::Thick, &self.outer).flat_map(|(_, points)| points);
         points
             .max_by(|a, b| {
-                let cosine = |p: &Point| (p - self.at).normalize().dot(&aim);
-                cosine(a).total_cmp(&cosine(b))
+                let along = |p: &Point| p.dot(&aim);
+                along(a).total_cmp(&along(b))
             })
             .unwrap_or(self.at)
     }

@@ -5,6 +5,7 @@ use super::dimension::{Measured, PrintedDimension};
 use super::length::mm;
 use super::limits::{Chain, LimitOrigin, Limits, general_tolerance, whole_micrometres};
 use crate::parts::{Layer, Mounting, Part, Pattern, PinMount, axial_play};
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
 use geneva_kinematics::wheel::{SharedTolerance, Sizes};
 
@@ -89,9 +90,12 @@ impl Making<'_> {
 
     /// The thickness as a row: that of the sheet, or with general tolerances.
     pub(super) fn thickness(&self, part: &Part) -> Row {
-        let size = |behind| PrintedDimension::new(Measured::Thickness, "t = ", part.thickness, behind);
+        let of = |before, behind| PrintedDimension::new(Measured::Thickness, before, part.thickness, behind);
+        let size = |behind| of("t = ", behind);
         Row::Size(match part.layer {
-            Layer::LockingDisc if part.is_joined => size(" above the plate").limited(self.general(part.thickness)),
+            Layer::LockingDisc if part.is_joined => {
+                of("above the plate t = ", "").limited(self.general(part.thickness))
+            }
             _ if self.is_of_sheet() => size(", that of the sheet"),
             _ => size("").limited(self.general(part.thickness)),
         })
@@ -146,11 +150,13 @@ impl Making<'_> {
             Layer::RingPlate => "Ring plate",
             Layer::TestPiece => "Test piece",
             Layer::Plate | Layer::Centres | Layer::Pockets if !self.is_one_piece() => "Driver plate",
-            _ => match (self.sizes.locking_disc.is_some(), self.has_solid_pins()) {
-                (true, true) => "Driver plate, in one piece with locking disc and pins",
-                (true, false) => "Driver plate, in one piece with the locking disc",
-                (false, true) => "Driver plate, in one piece with the pins",
-                (false, false) => "Driver plate",
+            _ => match (self.sizes.locking_disc.is_some(), self.has_solid_pins(), self.sizes.wheel.pins()) {
+                (true, true, 1) => "Driver plate, in one piece with locking disc and pin",
+                (true, true, _) => "Driver plate, in one piece with locking disc and pins",
+                (true, false, _) => "Driver plate, in one piece with the locking disc",
+                (false, true, 1) => "Driver plate, in one piece with the pin",
+                (false, true, _) => "Driver plate, in one piece with the pins",
+                (false, false, _) => "Driver plate",
             },
         }
     }

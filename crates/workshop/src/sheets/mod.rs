@@ -10,6 +10,8 @@ mod making;
 mod page;
 mod paper;
 mod part_views;
+#[cfg(test)]
+mod process_tests;
 mod sheet;
 #[cfg(test)]
 mod tests;

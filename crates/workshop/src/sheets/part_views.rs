@@ -221,7 +221,8 @@ impl Making<'_> {
                 _ if self.has_solid_pins() => {
                     let height = part.thickness + self.axial_play();
                     let limits = self.held(Limits::class(DISC, diameter), [f64::INFINITY, chain.width]);
-                    let height = PrintedDimension::new(Measured::PinLength, "h = ", height, " above the plate");
+                    let height = PrintedDimension::new(Measured::PinLength, "above the plate h = ", height, "")
+                        .limited(self.general(height));
                     vec![Row::Size(size(Measured::Pin).limited(limits)), Row::Size(height)]
                 }
                 PinMount::Screw(_, ScrewHole::Tapped) => vec![Row::Size(size(Measured::PinHole))],
@@ -288,6 +289,7 @@ impl Making<'_> {
         let line = |k: usize| Edge::Line { from: corners[k], to: corners[(k + 1) % 8] };
         side.outer = Loop { edges: (0..8).map(line).collect() };
         side.marks = Vec::new();
+        side.holes = Vec::new();
         let mut view = View::new(&side, 0.0);
         let diameter = 2.0 * radius;
         let classes = self.chain.pin_classes(diameter);
