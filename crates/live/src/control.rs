@@ -7,6 +7,9 @@ use crate::turned::{ToleranceRow, TurnedParts};
 /// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
 pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
 
+/// How the parts of a figure stand with its settings.
+pub(crate) type TurnParts = fn(&Settings) -> Result<TurnedParts, String>;
+
 /// A figure that a reader moves.
 #[derive(Debug)]
 pub struct Live {
@@ -33,7 +36,7 @@ pub struct Live {
     /// Files that can be taken away.
     pub files: &'static [LiveFile],
     /// How its parts stand, if they turn without a new drawing.
-    pub turned: Option<fn(&Settings) -> Result<TurnedParts, String>>,
+    pub turned: Option<TurnParts>,
     /// By how much sizes may be wrong, if it tells.
     pub tolerances: Option<ToleranceTable>,
     /// The number that is the time from beat to beat in milliseconds, if the figure can be heard.
