@@ -71,6 +71,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "values",
             "workshop",
             "live",
+            "live-files",
             "press",
             "chapters",
         ],

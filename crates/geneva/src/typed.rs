@@ -35,26 +35,26 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     above_zero(text, "number")
 }
 
-/// A length in millimetres, above zero: the unit of all lengths of a wheel. It can be typed in inches, `2.5in`.
+/// A length in millimetres, above zero: the unit of all lengths of a wheel. It can be typed in inches, `2.5in` or `1-1/2in`.
 pub(crate) fn millimetres(text: &str) -> Result<f64, String> {
     let (number, unit) = in_millimetres(text);
-    above_zero(number, LENGTH).map(|length| length * unit)
+    above_zero(&number, LENGTH).map(|length| length * unit)
 }
 
 /// A length in millimetres that is zero or more, or in inches.
 pub(crate) fn millimetres_or_zero(text: &str) -> Result<f64, String> {
     let (number, unit) = in_millimetres(text);
-    zero_or_more(number).map(|length| length * unit)
+    zero_or_more(&number).map(|length| length * unit)
 }
 
 /// A length in millimetres of either sign, or in inches.
 pub(crate) fn signed_millimetres(text: &str) -> Result<f64, String> {
     let (typed, unit) = in_millimetres(text);
     let most = COMPUTABLE.end();
-    let length = number(typed).ok_or_else(|| {
+    let length = number(&typed).ok_or_else(|| {
         format!("not a number; give a {LENGTH} from −{most:e} to {most:e}, with a decimal point, not a comma")
     })?;
-    if length == 0.0 { Ok(length) } else { computable(typed, length).map(|length| length * unit) }
+    if length == 0.0 { Ok(length) } else { computable(&typed, length).map(|length| length * unit) }
 }
 
 /// What a length is, in messages.

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
-#[command(args_conflicts_with_subcommands = true)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct WheelArguments {
     /// What is done instead with a wheel that exists.
     #[command(subcommand)]
@@ -62,9 +62,11 @@ pub(crate) enum WheelAction {
 Examples:
   geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
   geneva wheel check --stations 4 --crank-radius 25+-0.02 --centre-distance 35.4 --slot-width 1:6.1,2:6.0 --pin-diameter 6
+  geneva wheel check --stations 6 --centre-distance 2in --crank-radius 1in --pin-diameter 1/4in --uncertainty 0.002in
   geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
 
-Give what you have measured. What is missing is taken from the nearest right wheel.")]
+Give what you have measured. What is missing is taken from the nearest right wheel. Lengths are in millimetres, or in inches with \
+their unit: 0.5in, 1/8in, 1-1/2in.")]
     Check(Box<CheckArguments>),
 }
 
@@ -128,7 +130,10 @@ fn option(argument: &Argument) -> Arg {
     let Argument { name, unit, place, help, .. } = *argument;
     let option = Arg::new(name).long(name).value_name(unit).help(help);
     match place {
-        ArgumentSlot::Stations(_) => option.value_parser(typed::stations).allow_negative_numbers(true),
+        ArgumentSlot::Stations(_) => option
+            .value_parser(typed::stations)
+            .allow_negative_numbers(true)
+            .required_unless_present_any(["index-time", "dwell-time", "dwell-angle"]),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
         ArgumentSlot::Kind(_) => {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))

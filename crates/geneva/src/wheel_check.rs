@@ -21,7 +21,7 @@ pub(crate) struct CheckArguments {
     /// The measured sizes.
     #[command(flatten)]
     pub sizes: MeasuredSizes,
-    /// Standard uncertainty, in millimetres, of sizes without one of their own [default: 0.05, that of a calliper]
+    /// Standard uncertainty of sizes without one of their own [default: 0.05, that of a calliper]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub uncertainty: Option<f64>,
     /// Take the sizes from a drawing in DXF, with a part on each layer; what is typed besides counts, too

@@ -3,7 +3,8 @@
 //! The wheel's axis is the centre that most of its arcs share: its rim is there. Hollow arcs with their centres farther out than the rim are
 //! locking arcs; of the others those that go half round are ends of slots, whose walls are the lines beside them. Without any, slots are
 //! pairs of lines. Rounded or chamfered mouths are passed over. The disc is about the centre of the arc that goes
-//! farthest round, and its other arcs are crescents. Pins are circles, about the middle of the plate's largest circle.
+//! farthest round, and its other arcs are crescents. Pins are circles, about the middle of the plate's largest circle. One that is much
+//! smaller than a slot is wide is the hole of a screw: the pin's diameter is then unknown.
 
 use crate::dxf_reader::{Drawing, DrawingError};
 use crate::parts::Layer;
@@ -26,7 +27,7 @@ pub struct LayerNames {
     pub disc: String,
     /// The driver's plate.
     pub plate: String,
-    /// The pins, or the holes for them.
+    /// The pins. Of circles about one centre the largest is the pin.
     pub pins: String,
 }
 
@@ -68,6 +69,35 @@ struct DrawnSlot {
     width: f64,
 }
 
+/// A circle smaller than this part of a slot's width is no pin but the hole of a screw: our choice.
+const LEAST_PIN: f64 = 0.7;
+
+/// A wall that ends no farther from the mouth's corner than this part of the slot's width has a sharp corner: our choice.
+const SHARP: f64 = 0.01;
+
+/// What a drawing says of a wheel.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+/// use geneva_workshop::{Drawing, LayerNames, Mounting, PartLayout, dxf, parts};
+///
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
+/// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
+/// let drawn = Drawing::read(&dxf(&list.parts, PartLayout::Assembled))?.measure(&LayerNames::default(), 0.01)?;
+/// assert!(drawn.screw_hole.is_none() && !drawn.has_mouths);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnWheel {
+    /// The sizes, each with its uncertainty.
+    pub measured: MeasuredWheel,
+    /// Diameter, in millimetres, of the circles in the pins' places where these are holes of screws and no pins: the pins' diameter is
+    /// then not measured.
+    pub screw_hole: Option<f64>,
+    /// Whether the mouths of slots are chamfered, rounded or widened. The sizes have sharp corners instead.
+    pub has_mouths: bool,
+}
+
 /// The end of a slot goes round by at least so much, in radians; a rounded corner by less.
 const LEAST_END: f64 = 0.75 * PI;
 
@@ -101,7 +131,7 @@ impl Drawing {
     /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
     /// let list = parts(&sizes, 5.0, &Mounting::default())?; // thickness in mm
     /// let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled))?;
-    /// let nearest = drawing.measure(&LayerNames::default(), 0.01)?.nearest()?;
+    /// let nearest = drawing.measure(&LayerNames::default(), 0.01)?.measured.nearest()?;
     /// assert!(nearest.culprit.is_none() && (nearest.crank_radius - 50.0).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -109,7 +139,7 @@ impl Drawing {
     /// # Errors
     ///
     /// [`DrawingError::Missing`] for a layer without the wheel's rim or slots, and [`DrawingError::Sizes`] for what no wheel has.
-    pub fn measure(&self, layers: &LayerNames, uncertainty: f64) -> Result<MeasuredWheel, DrawingError> {
+    pub fn measure(&self, layers: &LayerNames, uncertainty: f64) -> Result<DrawnWheel, DrawingError> {
         let missing = |layer: &str, missing| DrawingError::Missing { layer: layer.to_owned(), missing };
         let arcs = self.arcs(&layers.wheel);
         let size = arcs.iter().map(|arc| arc.radius).fold(0.0, f64::max);
@@ -135,7 +165,9 @@ impl Drawing {
             slots = self.square_slots(&layers.wheel, axis, rim);
         }
         slots.sort_by(|one, other| one.direction.total_cmp(&other.direction));
-        let pins: Vec<DrawnArc> = self.arcs(&layers.pins).into_iter().filter(is_circle).collect();
+        let plate = self.arcs(&layers.plate).into_iter().filter(is_circle);
+        let driver = plate.max_by(|one, other| one.radius.total_cmp(&other.radius)).map(|circle| circle.centre);
+        let pins = self.pins(&layers.pins, driver, SAME * size);
         let wheel = Wheel::with_pins(slots.len() as u32, pins.len().max(1) as u32)
             .map_err(|error| DrawingError::Sizes(format!("slots on layer {}: {error}", layers.wheel)))?;
         let mut measured = MeasuredWheel::new(wheel);
@@ -160,14 +192,18 @@ impl Drawing {
             add(MeasuredSize::ArcRadius(Some(number)), arc.radius, uncertainty)?;
             add(MeasuredSize::ArcCentre(Some(number)), (arc.centre - axis).norm(), uncertainty)?;
         }
-        let plate = self.arcs(&layers.plate).into_iter().filter(is_circle);
-        let driver = plate.max_by(|one, other| one.radius.total_cmp(&other.radius)).map(|circle| circle.centre);
+        let mut screw_hole = None;
         if let Some(driver) = driver.filter(|_| !pins.is_empty()) {
             let mean = |of: fn(&DrawnArc, Point) -> f64| {
                 pins.iter().map(|pin| of(pin, driver)).sum::<f64>() / pins.len() as f64
             };
             add(MeasuredSize::CrankRadius, mean(|pin, driver| (pin.centre - driver).norm()), uncertainty)?;
-            add(MeasuredSize::PinDiameter, 2.0 * mean(|pin, _| pin.radius), uncertainty)?;
+            let diameter = 2.0 * mean(|pin, _| pin.radius);
+            if diameter < LEAST_PIN * median(&slots.iter().map(|slot| slot.width).collect::<Vec<_>>()) {
+                screw_hole = Some(diameter);
+            } else {
+                add(MeasuredSize::PinDiameter, diameter, uncertainty)?;
+            }
         }
         let disc = self.arcs(&layers.disc);
         if let Some(middle) = shared_centre(&disc, size, |arc| if is_circle(arc) { 0.0 } else { arc.sweep }) {
@@ -182,7 +218,39 @@ impl Drawing {
                 add(MeasuredSize::CentreDistance, (driver - axis).norm(), uncertainty)?;
             }
         }
-        Ok(measured)
+        let has_mouths = slots.iter().any(|slot| !self.has_sharp_mouth(&layers.wheel, axis, rim, slot));
+        Ok(DrawnWheel { measured, screw_hole, has_mouths })
+    }
+
+    /// The pins: of circles about one centre the largest, and none about the driver's axis.
+    fn pins(&self, layer: &str, driver: Option<Point>, same: f64) -> Vec<DrawnArc> {
+        let mut pins: Vec<DrawnArc> = Vec::new();
+        let is_pin = |circle: &DrawnArc| driver.is_none_or(|driver| (circle.centre - driver).norm() >= same);
+        for circle in self.arcs(layer).into_iter().filter(is_circle).filter(is_pin) {
+            match pins.iter_mut().find(|pin| (pin.centre - circle.centre).norm() < same) {
+                Some(pin) => pin.radius = pin.radius.max(circle.radius),
+                None => pins.push(circle),
+            }
+        }
+        pins
+    }
+
+    /// Whether both walls of a slot go out to the rim.
+    fn has_sharp_mouth(&self, layer: &str, axis: Point, rim: f64, slot: &DrawnSlot) -> bool {
+        let (sin, cos) = libm::sincos(slot.direction);
+        let (along, half) = (Point::new(cos, sin), slot.width / 2.0);
+        let mouth = along * (rim * rim - half * half).max(0.0).sqrt();
+        let near = SHARP * slot.width;
+        [-half, half].into_iter().all(|beside| {
+            let corner = axis + mouth + Point::new(-along.y, along.x) * beside;
+            self.on(layer).any(|edge| match *edge {
+                Edge::Line { from, to } => {
+                    let is_wall = along.perp(&(to - from).normalize()).abs() < 0.05;
+                    is_wall && (from - corner).norm().min((to - corner).norm()) < near
+                }
+                Edge::Arc { .. } => false,
+            })
+        })
     }
 
     /// Slots between two lines that point away from the axis, with square ends. The end told is that of a round one that stops the

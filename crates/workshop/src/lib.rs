@@ -24,7 +24,7 @@ mod svg;
 mod three_mf;
 
 pub use drawing::PartLayout;
-pub use drawn_wheel::LayerNames;
+pub use drawn_wheel::{DrawnWheel, LayerNames};
 pub use dxf::dxf;
 pub use dxf_reader::{Drawing, DrawingError, DrawnEdge};
 pub use mesh::{Mesh, meshes};

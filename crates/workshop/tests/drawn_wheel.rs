@@ -5,7 +5,9 @@
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
-use geneva_workshop::{Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, dxf, parts};
+use geneva_workshop::{
+    Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, PinMount, ScrewHole, Thread, dxf, parts,
+};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -26,7 +28,9 @@ fn our_own_drawings_give_back_the_sizes() {
             let mounting = Mounting { wheel_hub: is_mounted.then_some(hub), ..Mounting::default() };
             let list = parts(&sizes, 5.0, &mounting).unwrap();
             let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
-            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+            let drawn = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+            assert!(!drawn.has_mouths && drawn.screw_hole.is_none(), "{stations} {pins} {layout:?}");
+            let measured = drawn.measured;
             let disc = sizes.locking_disc.unwrap();
             let right = |size| match size {
                 MeasuredSize::CentreDistance | MeasuredSize::ArcCentre(_) => sizes.centre_distance,
@@ -136,7 +140,7 @@ fn the_wrong_size_of_an_outline_is_named_and_the_jam_is_that_of_the_outline() {
             }
         };
         let text = polylines(&built, &layers, 6.0 * random.next_unit(), k % 3 == 0);
-        let measured = Drawing::read(&text).unwrap().measure(&layers, 0.01).unwrap();
+        let measured = Drawing::read(&text).unwrap().measure(&layers, 0.01).unwrap().measured;
         let nearest = measured.nearest().unwrap();
         let (told, drawn) = (measured.as_built(&nearest).turn().unwrap(), built.turn().unwrap());
         // Slots have other numbers in a drawing that is turned; a jam has none of its own.
@@ -194,8 +198,9 @@ fn mouths_and_square_ends_are_read_too() {
         let sizes = Sizes::new(Wheel::new(6).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap();
         let list = parts(&sizes, 5.0, &Mounting::default()).unwrap();
         let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
-        let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
-        let nearest = measured.nearest().unwrap();
+        let drawn = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+        assert!(drawn.has_mouths, "{mouth:?}");
+        let (measured, nearest) = (&drawn.measured, drawn.measured.nearest().unwrap());
         assert!(nearest.culprit.is_none() && measured.wheel().stations() == 6, "{mouth:?} {nearest:?}");
         assert_eq!(measured.sizes().len(), 5 * 6 + 7, "{mouth:?}");
     }
@@ -234,9 +239,56 @@ fn mouths_and_square_ends_are_read_too() {
         }
     }
     text += "0\nENDSEC\n0\nEOF\n";
-    let measured = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap();
+    let measured = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap().measured;
     let nearest = measured.nearest().unwrap();
     assert_eq!(measured.wheel().stations(), 5);
     assert!((nearest.slot_width - sizes.slot_width).abs() < 1e-6 && (nearest.slot_end - sizes.slot_end).abs() < 1e-6);
     assert!(nearest.culprit.is_none(), "{nearest:?}");
+}
+
+#[test]
+fn the_hole_of_a_screw_is_no_pin_and_of_two_circles_about_one_centre_the_larger_is() {
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.8)), ..Choices::default() };
+    let sizes = Sizes::new(Wheel::new(4).unwrap(), Scale::CrankRadius(25.0), &choices).unwrap();
+    let layers = LayerNames { pins: "Bushes".into(), ..LayerNames::default() };
+    let drawn = polylines(&AsBuiltWheel::from(&sizes), &LayerNames::default(), 0.0, false);
+    let circle = |diameter: f64| {
+        let (x, y) = (17.0 + sizes.centre_distance - sizes.crank_radius, -41.0);
+        format!("0\nCIRCLE\n8\nBushes\n10\n{x}\n20\n{y}\n40\n{}\n", diameter / 2.0)
+    };
+    let pin_of = |circles: &str| {
+        let text = drawn.replace("0\nENDSEC\n0\nEOF", &format!("{circles}0\nENDSEC\n0\nEOF"));
+        let drawn = Drawing::read(&text).unwrap().measure(&layers, 0.01).unwrap();
+        let size = |size| drawn.measured.sizes().iter().find(|of| of.size == size).map(|of| of.value);
+        let nearest = drawn.measured.nearest().unwrap();
+        assert!(nearest.culprit.is_none(), "{nearest:?}");
+        assert!(size(MeasuredSize::CrankRadius).is_none_or(|radius| (radius - 25.0).abs() < 1e-9));
+        (size(MeasuredSize::PinDiameter), drawn.screw_hole, nearest.pin_diameter)
+    };
+    // A hole of 3.4 mm where slots are 6.8 mm wide.
+    let (pin, hole, assumed) = pin_of(&circle(3.4));
+    assert!(pin.is_none() && (hole.unwrap() - 3.4).abs() < 1e-12 && (5.8..6.8).contains(&assumed), "{assumed}");
+    for circles in [circle(3.4) + &circle(6.0), circle(6.0) + &circle(3.4), circle(6.0)] {
+        let (pin, hole, _) = pin_of(&circles);
+        assert!((pin.unwrap() - 6.0).abs() < 1e-12 && hole.is_none(), "{pin:?} {hole:?}");
+    }
+    let (pin, hole, assumed) = pin_of("");
+    assert!(pin.is_none() && hole.is_none() && (5.8..6.8).contains(&assumed), "{assumed}");
+}
+
+#[test]
+fn a_pin_on_a_screw_in_our_own_drawing_is_not_its_hole() {
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::from_slot(0.8)), ..Choices::default() };
+    let sizes = Sizes::new(Wheel::new(4).unwrap(), Scale::CrankRadius(25.0), &choices).unwrap();
+    for hole in [ScrewHole::Clearance, ScrewHole::Tapped, ScrewHole::NutTrap] {
+        let mounting = Mounting { pins: PinMount::Screw(Thread::M3, hole), ..Mounting::default() };
+        let list = parts(&sizes, 5.0, &mounting).unwrap();
+        for layout in [PartLayout::Apart, PartLayout::Assembled] {
+            let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
+            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap().measured;
+            let pins = measured.sizes().iter().filter(|of| of.size == MeasuredSize::PinDiameter);
+            assert!(pins.clone().all(|of| (of.value - 6.0).abs() < 1e-9), "{hole:?} {:?}", pins.collect::<Vec<_>>());
+            assert!(measured.nearest().unwrap().culprit.is_none(), "{hole:?} {layout:?}");
+        }
+    }
 }

@@ -1,94 +1,18 @@
 //! A wheel that exists, by its measured sizes: which right wheel is nearest, which size contradicts the others, does it turn, and what
 //! to change first.
 
-use crate::number_format::{as_typed, count, number};
+use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
+use super::question::length;
+use crate::number_format::{as_typed, count, number, to_digits};
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::wheel::as_built::{
-    AsBuiltWheel, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredError, MeasuredSize,
-    MeasuredWheel, NearestWheel, SizeChange,
+    AsBuiltWheel, BuiltBlow, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredSize,
+    MeasuredWheel, NearestWheel, SizeChange, StationTurn,
 };
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
 use std::f64::consts::PI;
-
-/// An argument of the question that is a measured size: its name, its unit, what it is, and by what a typed number is multiplied.
-#[derive(Clone, Copy, Debug)]
-pub struct CheckArgument {
-    /// Its name as it is typed, without hyphens before it.
-    pub name: &'static str,
-    /// What its value is called, and its unit.
-    pub value: &'static str,
-    /// What it is.
-    pub help: &'static str,
-    /// Which size it is, of all slots or arcs; with a number, of one of them.
-    size: fn(Option<usize>) -> MeasuredSize,
-    scale: f64,
-}
-
-/// The arguments that are measured sizes. Each value may carry its uncertainty, `6.1+-0.05`; those of slots and arcs may be of single
-/// ones, `1:6.1,2:6.0`.
-pub const CHECK_ARGUMENTS: [CheckArgument; 13] = [
-    argument("centre-distance", "MM", "Distance between the two axes", |_| MeasuredSize::CentreDistance, 1.0),
-    argument(
-        "crank-radius",
-        "MM",
-        "Distance from the driver's axis to the pin's centre",
-        |_| MeasuredSize::CrankRadius,
-        1.0,
-    ),
-    argument("pin-diameter", "MM", "Diameter of the pins", |_| MeasuredSize::PinDiameter, 1.0),
-    argument("outside-diameter", "MM", "Outside diameter of the wheel", |_| MeasuredSize::TipRadius, 0.5),
-    argument(
-        "tip-radius",
-        "MM",
-        "Radius of the wheel's rim: half the outside diameter",
-        |_| MeasuredSize::TipRadius,
-        1.0,
-    ),
-    argument("slot-width", "MM", "Width of the slots, or of single slots", MeasuredSize::SlotWidth, 1.0),
-    argument(
-        "slot-end",
-        "MM",
-        "Distance from the wheel's axis to the centre of the slots' round ends",
-        MeasuredSize::SlotEnd,
-        1.0,
-    ),
-    argument(
-        "slot-direction",
-        "DEG",
-        "How far single slots are counter-clockwise of their right direction",
-        |number| MeasuredSize::SlotDirection(number.unwrap_or_default()),
-        PI / 180.0,
-    ),
-    argument("locking-arc-radius", "MM", "Radius of the locking arcs", MeasuredSize::ArcRadius, 1.0),
-    argument(
-        "locking-arc-centre",
-        "MM",
-        "Distance from the wheel's axis to the centres of the locking arcs",
-        MeasuredSize::ArcCentre,
-        1.0,
-    ),
-    argument("locking-disc-radius", "MM", "Radius of the locking disc", |_| MeasuredSize::DiscRadius, 1.0),
-    argument(
-        "crescent-centre",
-        "MM",
-        "Distance from the driver's axis to the centre of the cut in the disc",
-        |_| MeasuredSize::CrescentCentre,
-        1.0,
-    ),
-    argument("crescent-radius", "MM", "Radius of the cut in the disc", |_| MeasuredSize::CrescentRadius, 1.0),
-];
-
-const fn argument(
-    name: &'static str,
-    value: &'static str,
-    help: &'static str,
-    size: fn(Option<usize>) -> MeasuredSize,
-    scale: f64,
-) -> CheckArgument {
-    CheckArgument { name, value, help, size, scale }
-}
 
 /// What is asked of a wheel that exists.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,6 +21,10 @@ pub struct CheckQuestion {
     pub measured: MeasuredWheel,
     /// Speed of the driver in turns per minute; with it, blows are told in mm/s.
     pub rpm: Option<f64>,
+    /// Diameter, in millimetres, of the holes of screws that a drawing has in place of the pins.
+    pub screw_hole: Option<f64>,
+    /// Whether a drawing has chamfered, rounded or widened mouths.
+    pub has_mouths: bool,
 }
 
 /// The standard uncertainty of a size without one, in millimetres: that of a calliper, our choice.
@@ -124,7 +52,7 @@ impl CheckQuestion {
         let stations = whole("stations")?
             .ok_or_else(|| refused!("--stations is missing; count the slots of the wheel and give their number"))?;
         let mut question = Self::new(stations, whole("pins")?.unwrap_or(1))?;
-        let uncertainty = value("uncertainty").map(|text| crate::number("uncertainty", text)).transpose()?;
+        let uncertainty = value("uncertainty").map(|text| length("uncertainty", text)).transpose()?;
         for (name, text) in &given {
             if !["stations", "pins", "uncertainty", "rpm"].contains(name) {
                 question.add(name, text, uncertainty.unwrap_or(UNCERTAINTY))?;
@@ -143,7 +71,8 @@ impl CheckQuestion {
     ///
     /// Numbers of stations and pins that no wheel has.
     pub fn new(stations: u32, pins: u32) -> Result<Self, Error> {
-        Ok(Self { measured: MeasuredWheel::new(Wheel::with_pins(stations, pins)?), rpm: None })
+        let measured = MeasuredWheel::new(Wheel::with_pins(stations, pins)?);
+        Ok(Self { measured, rpm: None, screw_hole: None, has_mouths: false })
     }
 
     /// A wheel of which a drawing in DXF has the sizes, each with this standard uncertainty in millimetres.
@@ -154,10 +83,11 @@ impl CheckQuestion {
     pub fn of_drawing(text: &str, layers: &LayerNames, uncertainty: f64) -> Result<Self, Error> {
         let in_words = |error: DrawingError| Error::Argument(error.to_string());
         let drawing = Drawing::read(text).map_err(in_words)?;
-        Ok(Self { measured: drawing.measure(layers, uncertainty).map_err(in_words)?, rpm: None })
+        let drawn = drawing.measure(layers, uncertainty).map_err(in_words)?;
+        Ok(Self { measured: drawn.measured, rpm: None, screw_hole: drawn.screw_hole, has_mouths: drawn.has_mouths })
     }
 
-    /// Adds a size as it is typed, `6.1`, `6.1+-0.02` or `1:6.1,2:6.0`; one without an uncertainty has this one, in millimetres.
+    /// Adds a size as it is typed, `6.1`, `6.1+-0.02`, `1/4in` or `1:6.1,2:6.0`; one without an uncertainty has this one, in millimetres.
     ///
     /// # Errors
     ///
@@ -191,8 +121,8 @@ impl CheckQuestion {
             ),
             introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1.",
             sections: vec![
-                ("Verdict", verdict(&turn, &nearest, &mistakes, &changes)),
-                ("Nearest right wheel", right_sizes(&nearest)),
+                ("Verdict", verdict(&turn, &self.unmeasured(&nearest), &nearest, &mistakes, &changes)),
+                (right_heading(&nearest), right_sizes(&nearest)),
                 ("As it was made", self.as_made(&built, &turn)),
             ],
             list: Some(("measurements", items)),
@@ -204,11 +134,30 @@ impl CheckQuestion {
         }
     }
 
+    /// A remark on pin and slots that are taken from the nearest right wheel; empty if they were measured.
+    fn unmeasured(&self, nearest: &NearestWheel) -> String {
+        let is_slot = |size| matches!(size, MeasuredSize::SlotWidth(_));
+        let has_slot = self.measured.sizes().iter().any(|of| is_slot(of.size));
+        let [pin, slot] = [nearest.pin_diameter, nearest.slot_width].map(number);
+        match (self.is_pin_measured(), has_slot) {
+            (true, true) => String::new(),
+            (false, true) => format!("; this is with a pin of {pin} mm, which was not measured"),
+            (true, false) => format!("; this is with slots of {slot} mm, which were not measured"),
+            (false, false) => {
+                format!("; this is with a pin of {pin} mm and slots of {slot} mm, which were not measured")
+            }
+        }
+    }
+
+    fn is_pin_measured(&self) -> bool {
+        self.measured.sizes().iter().any(|of| of.size == MeasuredSize::PinDiameter)
+    }
+
     /// Play, errors and blows of the wheel as it was made.
     fn as_made(&self, built: &AsBuiltWheel, turn: &BuiltTurn) -> Vec<ReportField> {
-        let most = |of: fn(&geneva_kinematics::wheel::as_built::StationTurn) -> f64| {
-            turn.stations.iter().map(of).fold(0.0, f64::max)
-        };
+        let most = |of: fn(&StationTurn) -> f64| turn.stations.iter().map(of).fold(0.0, f64::max);
+        let lost = turn.stations.iter().filter_map(|station| station.entry).map(|entry| entry.lost_motion);
+        let lost = lost.fold(0.0, |one: f64, other| if other.abs() > one.abs() { other } else { one });
         let degrees = |key, value: f64| ReportField::in_unit(key, value.to_degrees(), "°");
         let crank = built.pins().iter().map(|pin| pin.crank_radius).fold(0.0, f64::max);
         let speed = self.rpm.map(|rpm| rpm * 2.0 * PI / 60.0 * crank);
@@ -227,8 +176,10 @@ impl CheckQuestion {
                 .line("", "the greatest in the dwell"),
             degrees("station_error_deg", most(|station| station.station_error.abs()))
                 .line("station error", "how far the worst station rests from its right place"),
-            degrees("lost_motion_deg", most(|station| station.entry.map_or(0.0, |entry| entry.lost_motion)))
-                .line("lost motion", "of the crank, from where a right pin enters to where the slot is met"),
+            degrees("lost_motion_deg", lost).line(
+                "lost motion",
+                "of the crank, from where a right pin enters to where the slot is met; below zero too early",
+            ),
             ReportField::new("blow_ratio", centred)
                 .line("blow", "over the pin's speed, with the wheel in the middle of its backlash"),
             ReportField::new("greatest_blow_ratio", turn.greatest_blow())
@@ -239,48 +190,6 @@ impl CheckQuestion {
             ReportField::new("can_miss", turn.can_miss()),
         ]
     }
-}
-
-impl CheckArgument {
-    /// Adds the measurements of a typed value.
-    fn add(&self, measured: &mut MeasuredWheel, text: &str, default: f64) -> Result<(), Error> {
-        for one in text.split(',') {
-            let (place, value) = one.split_once(':').map_or((None, one), |(place, value)| (Some(place), value));
-            let place = place.map(|place| crate::number::<usize>(self.name, place)).transpose()?;
-            let is_of_one = matches!((self.size)(None), MeasuredSize::SlotDirection(_));
-            let is_of_many = (self.size)(Some(0)).number().is_some();
-            if place == Some(0) || (place.is_some() && !is_of_many) || (place.is_none() && is_of_one) {
-                return Err(refused!(
-                    "--{} {text}: {}",
-                    self.name,
-                    if is_of_many {
-                        "slots and arcs are numbered from 1; give such as 1:6.1,2:6.0"
-                    } else {
-                        "there is one only; give a number"
-                    }
-                ));
-            }
-            let (value, uncertainty) = value
-                .split_once("+-")
-                .or_else(|| value.split_once('±'))
-                .map_or((value, None), |(value, uncertainty)| (value, Some(uncertainty)));
-            let value: f64 = crate::number(self.name, value.trim())?;
-            let uncertainty = uncertainty.map(|text| crate::number(self.name, text.trim())).transpose()?;
-            // An angle without an uncertainty of its own has that of a length at half the size of the unit circle: a degree's tenth.
-            let default = if is_of_one { DIRECTION_UNCERTAINTY } else { default };
-            let size = (self.size)(place.map(|place| place - 1));
-            let uncertainty = self.scale * uncertainty.unwrap_or(default);
-            measured.add(size, self.scale * value, uncertainty).map_err(measured_error)?;
-        }
-        Ok(())
-    }
-}
-
-/// The standard uncertainty of a direction without one, in degrees: our choice.
-const DIRECTION_UNCERTAINTY: f64 = 0.1;
-
-fn measured_error(error: MeasuredError) -> Error {
-    Error::Argument(error.to_string())
 }
 
 fn built_error(error: BuiltError) -> Error {
@@ -321,12 +230,52 @@ fn place(tightest: &Jam) -> String {
     if one == other { one } else { format!("{one} and {other}") }
 }
 
+/// The stations at which the pin comes in on the corner of a mouth.
+fn corners(turn: &BuiltTurn) -> impl Iterator<Item = (&StationTurn, BuiltBlow)> {
+    let entries = turn.stations.iter().filter_map(|station| Some((station, station.entry?)));
+    entries.filter(|(_, entry)| entry.contact == BuiltContact::PinAtMouth)
+}
+
+/// What the pin meets as it comes in, the wheel in the middle of its play.
+fn entry_words(turn: &BuiltTurn) -> String {
+    // Of blows that differ by rounding the first is taken.
+    fn harder<'a>(
+        one: (&'a StationTurn, BuiltBlow),
+        other: (&'a StationTurn, BuiltBlow),
+    ) -> (&'a StationTurn, BuiltBlow) {
+        if other.1.centred > one.1.centred + 1e-9 { other } else { one }
+    }
+    let all = || turn.stations.iter().filter_map(|station| Some((station, station.entry?)));
+    let Some((station, entry)) = corners(turn).reduce(harder).or_else(|| all().reduce(harder)) else {
+        return "the pin meets nothing".to_owned();
+    };
+    let met = match entry.contact {
+        BuiltContact::PinAtMouth => {
+            let further = corners(turn).count() - 1;
+            let also =
+                if further == 0 { String::new() } else { format!(", and so at {}", count(further, "further slot")) };
+            format!("the pin lands on the corner of the mouth of slot {}{also}", station.slot + 1)
+        }
+        BuiltContact::PinAtBottom => format!("the pin meets the end of slot {}", station.slot + 1),
+        _ => format!("the pin meets a wall inside slot {}", station.slot + 1),
+    };
+    let late = entry.lost_motion.to_degrees();
+    let sense = if late < 0.0 { "before" } else { "after" };
+    format!(
+        "{met}, {}° of the crank {sense} a right pin would enter, with {} of its speed",
+        to_digits(late.abs(), 2),
+        to_digits(entry.centred, 2)
+    )
+}
+
 fn verdict(
     turn: &BuiltTurn,
+    unmeasured: &str,
     nearest: &NearestWheel,
     mistakes: &[KnownMistake],
     changes: &[SizeChange],
 ) -> Vec<ReportField> {
+    let lands = corners(turn).next().is_some();
     let turns = match &turn.jam {
         Some(jam) => format!(
             "no: {} mm are missing at a crank angle of {}°, pin {} and slot {}: {}",
@@ -339,13 +288,12 @@ fn verdict(
         None if turn.can_miss() => {
             "yes, but the wheel can stand so in the dwell that a pin meets its rim beside the slot".to_owned()
         }
+        None if lands => "yes, but the pin doesn't enter freely: it pushes the corner of a mouth aside".to_owned(),
         None => "yes, every station".to_owned(),
     };
     // What the other sizes ask for instead.
     let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
-    let first = nearest.culprit.iter().map(|culprit| culprit_words(culprit, &nearest.suspects));
-    let further = nearest.further_culprits.iter().map(|culprit| culprit_words(culprit, &[]));
-    let culprits: Vec<String> = first.chain(further).collect();
+    let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
     let without = match &nearest.refusal {
         Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {error}"),
         None => "none: all measured sizes fit one right wheel".to_owned(),
@@ -354,12 +302,20 @@ fn verdict(
     let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
     let first = first_change(nearest, changes);
     vec![
-        ReportField::new("turns", turn.jam.is_none()).words("turns", turns),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size)))
-            .words("contradiction", if culprits.is_empty() { without } else { culprits.join(". Besides, ") }),
+        ReportField::new("turns", turn.jam.is_none()).words("turns", turns + unmeasured),
+        ReportField::new("lands_on_corner", lands).words("entry", entry_words(turn)),
+        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
+            "contradiction",
+            if culprits.is_empty() { without } else { culprits.join(". Besides, ") + &rest_words(nearest) },
+        ),
         ReportField::in_unit(
             "culprit_expected",
             expected.map(|(value, _)| value),
+            expected.map_or("", |(_, unit)| unit),
+        ),
+        ReportField::in_unit(
+            "culprit_expected_uncertainty",
+            nearest.culprit.and_then(|culprit| Some(typed(culprit.size, culprit.expected_uncertainty?).0)),
             expected.map_or("", |(_, unit)| unit),
         ),
         ReportField::new("wrong_formulas", FieldValue::List(names)).words(
@@ -371,24 +327,44 @@ fn verdict(
     ]
 }
 
-fn culprit_words(culprit: &Culprit, suspects: &[MeasuredSize]) -> String {
-    let rest = if culprit.rest_agrees { "all others agree" } else { "but these contradict each other, too" };
-    let others: Vec<String> = suspects.iter().map(|size| named(*size)).collect();
-    let or = if others.is_empty() { String::new() } else { format!("; it could also be {}", others.join(", ")) };
+/// All sizes that contradict the others, the worst first.
+fn culprits(nearest: &NearestWheel) -> impl Iterator<Item = &Culprit> {
+    nearest.culprit.iter().chain(&nearest.further_culprits)
+}
+
+fn culprit_words(culprit: &Culprit) -> String {
+    let (expected, unit) = typed(culprit.size, culprit.expected);
+    let uncertainty = culprit
+        .expected_uncertainty
+        .map_or_else(String::new, |uncertainty| format!(" ± {}", to_digits(typed(culprit.size, uncertainty).0, 1)));
     format!(
-        "{} {}: the others ask for {}, {} of its uncertainties away; {rest}{or}",
+        "{} {}: the others ask for {}{uncertainty} {unit}, {} of its uncertainties away",
         named(culprit.size),
         with_unit(culprit.size, culprit.measured),
-        with_unit(culprit.size, culprit.expected),
-        number(culprit.uncertainties.abs())
+        number(expected),
+        to_digits(culprit.uncertainties.abs(), 2)
     )
+}
+
+/// What is said of the sizes that don't contradict.
+fn rest_words(nearest: &NearestWheel) -> String {
+    let agrees = nearest.culprit.is_some_and(|culprit| culprit.rest_agrees);
+    let rest = if agrees { "; all others agree" } else { "; and the others contradict each other, too" };
+    let suspects: Vec<String> = nearest.suspects.iter().map(|size| named(*size)).collect();
+    let first = nearest.culprit.map_or_else(String::new, |culprit| named(culprit.size));
+    if suspects.is_empty() {
+        rest.to_owned()
+    } else {
+        format!("{rest}. Instead of the {first} it could be the {}", suspects.join(" or the "))
+    }
 }
 
 /// What to change first: the size that contradicts the others, or else the least change with which the wheel turns.
 fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
-    let by_culprit = nearest
-        .culprit
-        .map(|culprit| format!("make {} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)));
+    let right: Vec<String> = culprits(nearest)
+        .map(|culprit| format!("{} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)))
+        .collect();
+    let by_culprit = (!right.is_empty()).then(|| format!("make {}", right.join(", then ")));
     let by_change = changes.first().map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
         format!("make {} {} mm {sense}, and a little more for play", named(change.size), number(change.by.abs()))
@@ -396,6 +372,15 @@ fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String
     match (by_culprit, by_change) {
         (Some(culprit), Some(change)) => Some(format!("{culprit}; or, to make it turn at all, {change}")),
         (one, other) => one.or(other),
+    }
+}
+
+/// Which right wheel is shown.
+fn right_heading(nearest: &NearestWheel) -> &'static str {
+    if nearest.culprit.is_some() {
+        "Nearest right wheel, without the sizes that contradict it"
+    } else {
+        "Nearest right wheel"
     }
 }
 
@@ -419,18 +404,20 @@ fn item(residual: &geneva_kinematics::wheel::as_built::Residual) -> Item {
     let of = residual.measured;
     let ((value, unit), (right, _)) = (typed(of.size, of.value), typed(of.size, residual.right));
     let (uncertainty, _) = typed(of.size, of.uncertainty);
+    // Of an uncertainty two digits count, and of a difference what is more than rounding.
+    let shown: f64 = format!("{uncertainty:.1e}").parse().unwrap_or(uncertainty);
+    let difference = if residual.normalized.abs() < LEAST_DIFFERENCE { 0.0 } else { residual.normalized };
     let heading = of.size.name();
     let numbered = of.size.number().map(|number| number + 1);
     let which = numbered.map_or_else(String::new, |number| format!(", number {number}"));
     Item {
         heading,
         fields: vec![
-            ReportField::in_unit("measured", value, unit)
-                .line("measured", format!("± {}{which}", as_typed(uncertainty))),
+            ReportField::in_unit("measured", value, unit).line("measured", format!("± {}{which}", as_typed(shown))),
             ReportField::in_unit("right", right, unit).line("right", "in the nearest right wheel"),
-            ReportField::new("residual", residual.normalized)
+            ReportField::new("residual", difference)
                 .line("difference", "in uncertainties")
-                .rounded(Rounding::Significant(3)),
+                .rounded(Rounding::Significant(2)),
         ],
         row: DataRow(vec![
             ("size", heading.into()),
@@ -439,23 +426,41 @@ fn item(residual: &geneva_kinematics::wheel::as_built::Residual) -> Item {
             ("measured", value.into()),
             ("uncertainty", uncertainty.into()),
             ("right", right.into()),
-            ("residual", residual.normalized.into()),
+            ("residual", difference.into()),
         ]),
     }
 }
+
+/// Differences in uncertainties that are rounding.
+const LEAST_DIFFERENCE: f64 = 1e-9;
 
 fn note(question: &CheckQuestion, nearest: &NearestWheel) -> String {
     let few = (nearest.residuals.len() < 3).then_some(
         "With so few sizes little can contradict; measure crank radius, centre distance and outside diameter.",
     );
+    let hole = question.screw_hole.filter(|_| !question.is_pin_measured()).map(|hole| {
+        format!(
+            "The circle of {} mm in the pin's place is much smaller than the slots are wide, so it counts as the hole of a screw, and \
+             the pin is not measured. Give --pin-diameter.",
+            number(hole)
+        )
+    });
+    let mouths = if question.has_mouths {
+        "The drawing has slots with chamfered, rounded or widened mouths, but their corners count as sharp here."
+    } else {
+        "The corners of the slots count as sharp."
+    };
+    let model = "A chamfer, a radius or a lead-in only takes material away, so a wheel that turns still turns with it, and the blows are \
+                 softer. The bores count as without play; play there moves the axes as an error of the centre distance does.";
     let speed = question.rpm.is_none().then_some("For blows in mm/s, add --rpm R.");
-    few.into_iter().chain(speed).collect::<Vec<_>>().join(" ")
+    let fixed = few.into_iter().chain([mouths, model]).chain(speed);
+    hole.into_iter().chain(fixed.map(str::to_owned)).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
 mod tests {
     use super::CheckQuestion;
-    use crate::{FieldValue, MechanismReport};
+    use crate::{FieldValue, MechanismReport, ReportField};
 
     fn report(question: &str) -> MechanismReport {
         CheckQuestion::parse(question).and_then(|question| question.answer()).expect("an answer")
@@ -495,7 +500,7 @@ mod tests {
             "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
              --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
         );
-        let words = &report.sections[0].1[1].line.as_ref().expect("a line").meaning;
+        let words = words(&report, "culprit");
         assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
     }
 
@@ -523,5 +528,61 @@ mod tests {
         assert!(refused("--stations 6 --crank-radius -25").contains("above zero"));
         assert!(refused("--stations 6 --radius 25").contains("--outside-diameter"));
         assert!(refused("--stations 6 --crank-radius 25 --rpm 0").contains("above zero"));
+    }
+
+    fn words(report: &MechanismReport, key: &str) -> String {
+        report.field(key).and_then(|field| field.line.as_ref()).expect("a line").meaning.to_string()
+    }
+
+    #[test]
+    fn every_wrong_size_is_named_the_worst_first_with_the_numbers_of_the_right_wheel() {
+        let measured = "--stations 6 --centre-distance 50.4 --crank-radius 25.0 --outside-diameter 87.1 --pin-diameter 6.0 \
+                        --slot-width 1:6.1,2:6.1,3:6.1,4:6.3,5:6.1,6:6.1 --locking-disc-radius 15.2 --locking-arc-radius 15.4";
+        let report = report(measured);
+        let contradiction = words(&report, "culprit");
+        assert_eq!(
+            contradiction,
+            "centre distance 50.40 mm: the others ask for 50.15 ± 0.03 mm, 5.0 of its uncertainties away. Besides, slot width 4 6.300 \
+             mm: the others ask for 6.100 ± 0.02 mm, 4.0 of its uncertainties away; all others agree"
+        );
+        assert_eq!(text(&report, "change_first"), "make centre distance 50.15 mm, then slot width 4 6.100 mm");
+        let shown = report.field("centre_distance_mm").and_then(ReportField::number).expect("a size");
+        assert_eq!(report.field("culprit_expected").and_then(ReportField::number), Some(shown));
+        assert!(report.sections[1].0.contains("without the sizes that contradict"));
+        // Too far apart, the pin comes in on a corner.
+        assert_eq!(report.field("lands_on_corner").map(|field| &field.value), Some(&FieldValue::Flag(true)));
+        assert!(words(&report, "turns").contains("corner"), "{}", words(&report, "turns"));
+        let entry = words(&report, "lands_on_corner");
+        assert!(entry.contains("lands on the corner") && entry.contains("before a right pin would enter"), "{entry}");
+    }
+
+    #[test]
+    fn what_is_not_measured_or_not_counted_is_said() {
+        let of_three = report("--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.72");
+        assert!(words(&of_three, "turns").contains("were not measured"), "{}", words(&of_three, "turns"));
+        assert!(!words(&report(RIGHT), "turns").contains("not measured"));
+        assert!(of_three.note.contains("corners of the slots count as sharp") && of_three.note.contains("bores"));
+        let question = CheckQuestion::parse(RIGHT).expect("sizes");
+        let mut with_hole = CheckQuestion { screw_hole: Some(3.4), has_mouths: true, ..question };
+        assert!(!with_hole.answer().expect("an answer").note.contains("screw"), "the pin was typed");
+        with_hole.measured = CheckQuestion::parse("--stations 6 --crank-radius 25").expect("sizes").measured;
+        let note = with_hole.answer().expect("an answer").note;
+        assert!(note.contains("3.400 mm") && note.contains("--pin-diameter") && note.contains("chamfered"), "{note}");
+    }
+
+    #[test]
+    fn sizes_can_be_in_inches() {
+        let inches = CheckQuestion::parse(
+            "--stations 6 --centre-distance 2in --crank-radius 1in+-0.001in --slot-width 1:17/64in,2:1/4\" --uncertainty 0.002in",
+        );
+        let millimetres = CheckQuestion::parse(
+            "--stations 6 --centre-distance 50.8 --crank-radius 25.4+-0.0254 --slot-width 1:6.746875,2:6.35 --uncertainty 0.0508",
+        );
+        let [inches, millimetres] = [inches, millimetres].map(|question| question.expect("sizes").measured);
+        for (one, other) in inches.sizes().iter().zip(millimetres.sizes()) {
+            assert_eq!(one.size, other.size);
+            assert!((one.value - other.value).abs() < 1e-12 && (one.uncertainty - other.uncertainty).abs() < 1e-12);
+        }
+        assert_eq!(inches.sizes().len(), 4);
     }
 }

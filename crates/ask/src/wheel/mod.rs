@@ -2,6 +2,7 @@
 
 mod arguments;
 mod check;
+mod check_arguments;
 mod design;
 mod drive;
 mod files;
@@ -23,7 +24,8 @@ mod speeds;
 mod times;
 
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, NamedChoice, WRONG_SIZES, arguments};
-pub use check::{CHECK_ARGUMENTS, CheckArgument, CheckQuestion, UNCERTAINTY};
+pub use check::{CheckQuestion, UNCERTAINTY};
+pub use check_arguments::{CHECK_ARGUMENTS, CheckArgument};
 pub use design::WheelDesign;
 pub use files::{MadeOf, SHAPE_FILES, ShapeFile};
 pub use kind::{AnyWheel, WheelKind};

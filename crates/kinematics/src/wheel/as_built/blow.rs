@@ -17,8 +17,10 @@ pub struct BuiltBlow {
     /// The greatest with the wheel at rest anywhere that disc and pins let it be, dimensionless.
     pub greatest: f64,
     /// Crank angle by which the pin turns from where its circle would touch a right slot until it meets a wheel in the middle of
-    /// its play, in radians: the lost motion.
+    /// its play, in radians: the lost motion; below zero the pin meets the wheel too early.
     pub lost_motion: f64,
+    /// What the pin meets there: a wall, or with [`BuiltContact::PinAtMouth`] the corner of a mouth, where it should pass freely.
+    pub contact: BuiltContact,
 }
 
 /// Crank angles at which the entry is looked at, halvings between two of them, and places at which the wheel rests.
@@ -36,6 +38,13 @@ struct Instant {
     pin: [f64; 2],
 }
 
+/// How a pin meets the wheel.
+struct Meeting {
+    /// The speed with which pin and face close in on each other, over the pin's speed.
+    speed: f64,
+    contact: BuiltContact,
+}
+
 impl Assembled<'_> {
     /// Crank angles between which the pin of an event comes in, in radians.
     fn entry_range(&self, event: i64) -> Option<[f64; 2]> {
@@ -47,9 +56,8 @@ impl Assembled<'_> {
         (cosine.abs() < 1.0).then(|| [pin.direction_error - libm::acos(cosine), pin.direction_error])
     }
 
-    /// Where the pin of an event stops the wheel backwards (side 1) or forwards (side 0): the wheel angle in radians, and the speed
-    /// with which pin and face close in on each other, over the pin's speed.
-    fn meeting(&self, event: i64, theta: f64, side: usize) -> Option<(f64, f64)> {
+    /// How the pin of an event meets a wheel that it stops backwards (side 1) or forwards (side 0).
+    fn meeting(&self, event: i64, theta: f64, side: usize) -> Option<Meeting> {
         let place = self.pin_place(event, theta);
         let (room, contact) = place.rooms[side]?;
         let number = self.slot_of(event);
@@ -69,14 +77,14 @@ impl Assembled<'_> {
         let (sin, cos) = libm::sincos(theta - pin.direction_error);
         let turned = Turn::from_radians(wheel + self.built.slots()[number].direction_error);
         let velocity = Vector2::new(turned.cos * sin + turned.sin * cos, turned.cos * cos - turned.sin * sin);
-        Some((wheel, -velocity.dot(&normal)))
+        Some(Meeting { speed: (-velocity.dot(&normal)).max(0.0), contact })
     }
 
     pub(super) fn entry_blow(&self, event: i64) -> Option<BuiltBlow> {
         let [from, to] = self.entry_range(event)?;
         let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(PLACES);
         let instants: Vec<Instant> = (0..=PLACES).map(|k| self.instant(event, at(k))).collect();
-        let (late, centred) = self.centred_entry(event, at)?;
+        let (late, Meeting { speed: centred, contact }) = self.centred_entry(event, at)?;
         let [(first, least), (last, most)] = [1.0, -1.0].map(|sign| self.farthest_rest(event, from, sign));
         let mut met =
             vec![self.first_meeting(event, least, first, &instants), self.first_meeting(event, most, last, &instants)];
@@ -86,7 +94,7 @@ impl Assembled<'_> {
             met.push(can_be.and_then(|since| self.first_meeting(event, wheel, since.crank_angle, &instants)));
         }
         let greatest = met.into_iter().flatten().map(|(_, speed)| speed).fold(centred, f64::max);
-        Some(BuiltBlow { centred, greatest, lost_motion: late - self.tangent() })
+        Some(BuiltBlow { centred, greatest, lost_motion: late - self.tangent(), contact })
     }
 
     /// From when on and where the wheel rests farthest forwards (sign −1) or backwards (sign 1) until the pin would enter a right
@@ -143,7 +151,7 @@ impl Assembled<'_> {
             if side == 0 { wheel <= limit } else { wheel >= limit }
         };
         let [_, angle] = bisect_times(HALVINGS, [before, instants[met].crank_angle], is_free);
-        self.meeting(event, angle, side).map(|(_, speed)| (angle, speed.max(0.0)))
+        self.meeting(event, angle, side).map(|met| (angle, met.speed))
     }
 
     /// The crank angle at which a pin moves along a right slot of a wheel that rests where it should, in radians.
@@ -151,8 +159,8 @@ impl Assembled<'_> {
         self.half_pitch - std::f64::consts::FRAC_PI_2
     }
 
-    /// The crank angle at which the pin meets a wheel in the middle of its play, in radians, and the speed.
-    fn centred_entry(&self, event: i64, at: impl Fn(u32) -> f64) -> Option<(f64, f64)> {
+    /// The crank angle at which the pin meets a wheel in the middle of its play, in radians, and how.
+    fn centred_entry(&self, event: i64, at: impl Fn(u32) -> f64) -> Option<(f64, Meeting)> {
         let wheel = self.free(event, -self.pin_pitch / 2.0).middle();
         let side = |angle: f64| {
             let pin = [0, 1].map(|side| self.pin_limit(event, angle, side));
@@ -161,7 +169,6 @@ impl Assembled<'_> {
         let first = (0..=PLACES).find(|k| side(at(*k)).is_some())?;
         let [_, angle] =
             bisect_times(HALVINGS, [at(first.saturating_sub(1)), at(first)], |angle| side(angle).is_none());
-        let (_, speed) = self.meeting(event, angle, side(angle)?)?;
-        Some((angle, speed.max(0.0)))
+        Some((angle, self.meeting(event, angle, side(angle)?)?))
     }
 }

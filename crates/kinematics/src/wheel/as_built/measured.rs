@@ -143,6 +143,12 @@ impl MeasuredWheel {
         others
     }
 
+    /// The wheel with these of its measurements only, by their places.
+    pub(super) fn only(&self, places: &[usize]) -> Self {
+        let sizes = places.iter().filter_map(|place| self.sizes.get(*place)).copied().collect();
+        Self { wheel: self.wheel, sizes }
+    }
+
     /// The mean of what is measured of a size or of one like it, of whatever number; none if nothing is.
     pub(super) fn mean(&self, is_it: impl Fn(MeasuredSize) -> bool) -> Option<f64> {
         let values: Vec<f64> = self.sizes.iter().filter(|of| is_it(of.size)).map(|of| of.value).collect();

@@ -19,6 +19,7 @@ mod parts;
 mod process;
 mod random;
 mod remedies;
+mod right_wheel;
 mod test_piece;
 mod turn;
 

@@ -2,7 +2,7 @@
 
 use super::super::assembly::sized;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, BuiltContact};
 use geneva_kinematics::wheel::{Choices, Play, Sizes};
 
 fn wheels() -> Vec<Sizes> {
@@ -37,6 +37,7 @@ fn a_wheel_made_as_drawn_turns_with_the_play_and_the_blow_of_the_drawn_one() {
             assert!((entry.greatest - knock.drifted).abs() < 0.01 * knock.drifted, "{name} {entry:?} {knock:?}");
             let late = sizes.entry(0.0).unwrap().crank_angle + sizes.wheel.engagement_half_angle();
             assert!((entry.lost_motion - late).abs() < 1e-9, "{name} {entry:?} {late}");
+            assert_eq!(entry.contact, BuiltContact::PinOnWall, "{name}");
         }
     }
 }

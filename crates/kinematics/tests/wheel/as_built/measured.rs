@@ -164,3 +164,72 @@ fn sizes_of_which_no_wheel_can_be_made_are_told_to_be_so() {
     assert!(nearest.culprit.is_none());
     assert!(nearest.refusal.is_some_and(|error| error.to_string().contains("horns")), "{:?}", nearest.refusal);
 }
+
+#[test]
+fn every_size_beyond_the_limit_is_named_and_the_nearest_wheel_is_what_the_others_ask_for() {
+    let mut measured = MeasuredWheel::new(Wheel::new(6).unwrap());
+    let sizes = [
+        (MeasuredSize::CentreDistance, 50.4, 0.05),
+        (MeasuredSize::CrankRadius, 25.0, 0.05),
+        (MeasuredSize::TipRadius, 43.55, 0.025),
+        (MeasuredSize::PinDiameter, 6.0, 0.05),
+        (MeasuredSize::DiscRadius, 15.2, 0.05),
+        (MeasuredSize::ArcRadius(None), 15.4, 0.05),
+    ];
+    let slots = [6.1, 6.1, 6.1, 6.3, 6.1, 6.1].into_iter().enumerate();
+    let slots = slots.map(|(k, width)| (MeasuredSize::SlotWidth(Some(k)), width, 0.05));
+    for (size, value, uncertainty) in sizes.into_iter().chain(slots) {
+        measured.add(size, value, uncertainty).unwrap();
+    }
+    let nearest = measured.nearest().unwrap();
+    let (first, further) = (nearest.culprit.unwrap(), &nearest.further_culprits[..]);
+    let [second] = further else { panic!("{further:?}") };
+    assert_eq!([first.size, second.size], [MeasuredSize::CentreDistance, MeasuredSize::SlotWidth(Some(3))]);
+    assert!(first.rest_agrees && first.uncertainties > second.uncertainties && second.uncertainties > 3.5);
+    // The centre distance by crank radius, and by the rim with slots of 6.1 mm: their weighted mean.
+    let (half, sine) = (3.05_f64, 0.5);
+    let along = (43.55_f64 * 43.55 - half * half).sqrt();
+    let by_crank = (25.0 / sine, 0.05 / sine);
+    let by_rim = (along / 30_f64.to_radians().cos(), 0.025 * 43.55 / along / 30_f64.to_radians().cos());
+    let weights = [by_crank, by_rim].map(|(_, uncertainty)| uncertainty.powi(-2));
+    let mean = (by_crank.0 * weights[0] + by_rim.0 * weights[1]) / (weights[0] + weights[1]);
+    assert!((first.expected - mean).abs() < 2e-3, "{} {mean}", first.expected);
+    let uncertainty = (weights[0] + weights[1]).powf(-0.5);
+    assert!((first.expected_uncertainty.unwrap() - uncertainty).abs() < 0.02 * uncertainty, "{first:?} {uncertainty}");
+    assert!(
+        (second.expected - 6.1).abs() < 2e-3
+            && (second.expected_uncertainty.unwrap() - 0.05 / 5_f64.sqrt()).abs() < 1e-3
+    );
+    assert_eq!((nearest.centre_distance, nearest.slot_width), (first.expected, second.expected));
+    for residual in &nearest.residuals {
+        let normalized = (residual.measured.value - residual.right) / residual.measured.uncertainty;
+        assert_eq!(residual.normalized, normalized);
+    }
+}
+
+#[test]
+fn of_two_wrong_sizes_both_are_named() {
+    let mut random = SplitMix64::new(33);
+    let (mut both, mut more) = (0, 0);
+    for k in 0..60 {
+        let sizes = design(k, &mut random);
+        let stations = u64::from(sizes.wheel.stations());
+        let right = measure(&sizes, &mut random, None);
+        let number = (random.next_u64() % stations) as usize;
+        let wrong = [
+            [MeasuredSize::CentreDistance, MeasuredSize::CrankRadius, MeasuredSize::TipRadius][k as usize % 3],
+            [MeasuredSize::SlotWidth(Some(number)), MeasuredSize::SlotEnd(Some(number))][k as usize % 2],
+        ];
+        let mut measured = MeasuredWheel::new(sizes.wheel);
+        for of in right.sizes() {
+            let off = if wrong.contains(&of.size) { 0.4 + 0.4 * random.next_unit() } else { 0.0 };
+            measured.add(of.size, of.value + off, of.uncertainty).unwrap();
+        }
+        let nearest = measured.nearest().unwrap();
+        let named: Vec<MeasuredSize> =
+            nearest.culprit.iter().chain(&nearest.further_culprits).map(|of| of.size).collect();
+        both += u32::from(wrong.iter().all(|size| named.contains(size)));
+        more += u32::from(named.len() > 2);
+    }
+    assert!(both >= 57 && more <= 3, "{both} {more}");
+}

@@ -1,5 +1,6 @@
 //! Wheels that other people made, with what was found of them by other programs: an own sweep of polygons over the turn.
 
+use super::points::Outlines;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, BuiltContact, BuiltCrescent, MeasuredSize, MeasuredWheel};
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 use std::f64::consts::PI;
@@ -69,4 +70,39 @@ fn the_outline_of_a_circuit_board_is_a_right_wheel() {
     let nearest = measured.nearest().unwrap();
     assert!(nearest.culprit.is_none() && (nearest.crank_radius - 9.0).abs() < 0.01, "{nearest:?}");
     assert!(measured.as_built(&nearest).turn().unwrap().jam.is_none());
+}
+
+#[test]
+fn a_pin_that_lands_on_the_corner_of_a_mouth_is_told_to_and_pushes_the_wheel_aside() {
+    // Axes 0.2 mm too far apart, and a gap of 0.05 mm between pin and wall.
+    for (stations, by) in [(6, 0.2), (6, 0.4), (4, 0.2), (8, 0.3)] {
+        let sizes = drawn(stations, 25.0, 6.0, 0.1, None);
+        let mut built = AsBuiltWheel::from(&sizes);
+        built.centre_distance += by;
+        let turn = built.turn().unwrap();
+        let entry = turn.stations[0].entry.unwrap();
+        assert_eq!(entry.contact, BuiltContact::PinAtMouth, "{stations} {by} {entry:?}");
+        assert!(turn.jam.is_none() && entry.lost_motion < 0.0, "{stations} {by} {turn:?}");
+        // The pin comes in by small steps, and the wheel gives way by no more than it must.
+        let outlines = Outlines::new(&built);
+        let half = PI / f64::from(stations);
+        let tangent = half - PI / 2.0;
+        let (mut wheel, mut first) = (-half, None);
+        let (mut theta, step, turned) = (tangent - 0.25, 0.001, 0.0002);
+        while theta < tangent + 0.3 {
+            let is_free = |wheel: f64| outlines.depth(0, theta, wheel) < 2e-3;
+            let way = |k: i32| [0.0, 1.0, -1.0].map(|sign| wheel + sign * turned * f64::from(k));
+            let next = (0..60).flat_map(way).find(|wheel| is_free(*wheel));
+            let next = next.unwrap_or_else(|| panic!("{stations} {by}: stuck at {theta}, {wheel}"));
+            if first.is_none() && next != wheel {
+                first = Some(theta);
+            }
+            (wheel, theta) = (next, theta + step);
+        }
+        let met = first.unwrap() - tangent;
+        assert!((met - entry.lost_motion).abs() < 0.015, "{stations} {by}: {met} {entry:?}");
+        // Inside the slot both turn together.
+        let free = built.free_angles(0, theta).unwrap();
+        assert!((wheel - free.middle()).abs() < free.width(), "{stations} {by}: {wheel} {free:?}");
+    }
 }
