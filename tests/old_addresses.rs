@@ -63,6 +63,28 @@ const GONE: &[(&str, &[&str])] = &[
     ),
 ];
 
+/// Places of earlier editions on pages that are there, each of which still leads to what has taken its place.
+const KEPT: &[(&str, &[&str])] = &[(
+    "making",
+    &[
+        "what-you-need-and-what-you-get",
+        "the-moment-of-inertia-of-a-disc",
+        "from-the-need-to-the-drawing",
+        "1-stations-and-pins-from-index-and-dwell",
+        "2-size",
+        "3-pin-slot-and-play",
+        "4-horn-locking-disc-and-crescent",
+        "5-loads",
+        "6-clearance-over-the-whole-turn",
+        "7-backlash-the-blow-at-entry-and-tolerances",
+        "8-the-drawing-number-by-number",
+        "when-not-to-use-a-geneva-wheel",
+        "more-stations-or-another-kind",
+        "exercises",
+        "the-tests-behind-this-chapter",
+    ],
+)];
+
 /// The places of records on a page that is gone: claims of a section of the ledger, and slips.
 fn records(page: &str) -> Vec<String> {
     let slips = |is_there: &dyn Fn(Consequence) -> bool| {
@@ -117,6 +139,15 @@ fn every_place_on_a_page_that_is_gone_leads_to_one_that_is_there() {
     }
     assert!(places > 900, "only {places} places");
     assert!(!is_there("method.html#no-such-place") && !is_there("no-such-page.html"));
+}
+
+#[test]
+fn every_place_that_a_page_once_had_is_there() {
+    for (page, places) in KEPT {
+        for place in *places {
+            assert!(is_there(&format!("{page}.html#{place}")), "{page}.html#{place}");
+        }
+    }
 }
 
 #[test]

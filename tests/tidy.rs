@@ -34,6 +34,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("fields", &[]),
     ("ask", &["fields", "kinematics", "dynamics", "figures", "workshop"]),
     ("live", &["kinematics", "dynamics", "mimic", "case1973", "figures", "ask"]),
+    ("live-design", &["live"]),
+    ("live-files", &["ask", "live"]),
     ("press", &["evidence", "fields", "host"]),
     (
         "chapters",
@@ -69,6 +71,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "values",
             "workshop",
             "live",
+            "live-files",
             "press",
             "chapters",
         ],

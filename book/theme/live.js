@@ -8,7 +8,10 @@
     const attributes = new Set(('aria-labelledby class cx cy d data-letter dx dy fill fill-opacity fill-rule font-family font-size ' +
         'font-style id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
         'text-anchor viewBox width x x1 x2 xmlns y y1 y2').split(' '));
-    const { load, ask } = genevaThread('data/live-module.js');
+    // A module by the name of its file; each is loaded once, when it is first needed. Meshes may take longer than a drawing.
+    const modules = {}, slow = 20000;
+    const module = (name, limit) => modules[name] ??= genevaThread(`data/${name}-module.js`, limit);
+    const moduleOf = figure => module(figure.dataset.liveModule);
 
     // The drawing as an element of this page.
     const drawn = svg => {
@@ -24,6 +27,7 @@
     };
 
     const begin = figure => {
+        const { load, ask } = moduleOf(figure);
         const form = figure.querySelector('form');
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
@@ -273,7 +277,7 @@
         const save = async file => {
             let answer;
             try {
-                answer = JSON.parse(await ask(question(`.${file}`)));
+                answer = JSON.parse(await module('live-files', slow).ask(question(`.${file}`)));
             } catch (error) {
                 answer = { error: `The file cannot be made: ${error.message}.` };
             }
@@ -593,13 +597,16 @@
     };
 
     const figures = document.querySelectorAll('[data-live]');
-    const near = new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && load().catch(() => {}), {
-        rootMargin: '800px',
-    });
+    const near = new IntersectionObserver(entries => entries.forEach(({ isIntersecting, target }) => {
+        isIntersecting && moduleOf(target).load().catch(() => {});
+    }), { rootMargin: '800px' });
     figures.forEach(figure => {
         begin(figure);
         near.observe(figure);
     });
     // For tests, and for readers who want to ask from the console.
-    globalThis.genevaLive = ask;
+    globalThis.genevaLive = question => {
+        const asked = [...figures].find(({ dataset }) => dataset.live === question.split(/[.?]/)[0]) ?? figures[0];
+        return moduleOf(asked).ask(question);
+    };
 })();

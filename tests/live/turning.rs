@@ -3,7 +3,10 @@
 
 use super::{browser, of, open, typed};
 use crate::browser::devtools::Medium;
+use geneva_ask::wheel::{SHAPE_FILES, WheelDesign, WheelQuestion};
+use geneva_live::NUMBERS_FILE;
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 
 const NAME: &str = "design";
 
@@ -152,18 +155,28 @@ fn each_file_is_there_and_the_command_follows_the_setting() {
     of(&mut browser, NAME, &typed("stations", "8"));
     let command = of(&mut browser, NAME, "f.querySelector('.command').textContent");
     assert!(command.as_str().is_some_and(|command| command.starts_with("geneva wheel --stations 8 ")), "{command}");
+    let loaded = "performance.getEntriesByType('resource').filter(({ name }) => name.includes('live-files')).length";
+    assert_eq!(of(&mut browser, NAME, loaded), json!(0), "what makes files is loaded before the first one");
     let saved = of(
         &mut browser,
         NAME,
         "await (async () => { const saved = [], own = HTMLAnchorElement.prototype.click; let blob; const make = URL.createObjectURL; \
          URL.createObjectURL = of => { blob = of; return make(of) }; HTMLAnchorElement.prototype.click = function () { \
-         saved.push([this.download, blob.size]) }; const files = [...f.querySelectorAll('[data-file]')]; for (const [at, file] of \
+         saved.push([this.download, blob]) }; const files = [...f.querySelectorAll('[data-file]')]; for (const [at, file] of \
          files.entries()) { file.click(); await until(() => saved.length > at) } HTMLAnchorElement.prototype.click = own; \
-         URL.createObjectURL = make; return saved })()",
+         URL.createObjectURL = make; return Promise.all(saved.map(async ([name, blob]) => [name, [...new Uint8Array(await \
+         crypto.subtle.digest('SHA-256', await blob.arrayBuffer()))]])) })()",
     );
-    let live = geneva_live::by_name(NAME).expect("a figure");
-    let settings = geneva_live::LiveArguments::parse("stations=8").expect("arguments");
-    let right =
-        live.files.iter().map(|file| json!([file.name, live.file(file.name, &settings).expect("a file").len()]));
+    // The bytes are those of the command that the figure shows.
+    let question = command.as_str().and_then(|command| command.strip_prefix("geneva wheel ")).expect("a command");
+    let design = WheelDesign::new(WheelQuestion::parse(question).expect(question)).expect(question);
+    let answer = design.answer().expect(question);
+    let file = |name: &str| match SHAPE_FILES.iter().find(|file| file.name == name) {
+        Some(file) => (file.make)(&design).expect(name),
+        None if name == NUMBERS_FILE => answer.table().into_bytes(),
+        None => answer.plain_sheet().into_bytes(),
+    };
+    let names = geneva_live::by_name(NAME).expect("a figure").files.iter().map(|file| file.name);
+    let right = names.map(|name| json!([name, Sha256::digest(file(name)).as_slice()]));
     assert_eq!(saved, Value::Array(right.collect()));
 }

@@ -103,7 +103,7 @@ fn what_the_table_of_mountings_adds_is_in_the_parts() {
     let table = chapter.split("| To get | Add, for example |").nth(1).and_then(|rest| rest.split("\n\n").next());
     let options = table.expect("a table").split('`').skip(1).step_by(2);
     let mut tried = 0;
-    let bare = "wheel --stations 6 --crank-radius 50 --wheel-shaft 12 --driver-shaft 10 --format dxf";
+    let bare = "wheel --stations 6 --crank-radius 50 --wheel-shaft 12 --driver-shaft 10 --thickness 8 --format step";
     let without = stdout(&bare.split(' ').collect::<Vec<_>>(), 0);
     for option in options {
         let screws = if option.starts_with("--driver-hub") { " --hub-screw M4" } else { "" };

@@ -163,7 +163,8 @@ fn the_command_that_the_figure_shows_makes_the_same_numbers_and_the_same_files()
         let command = moved.command.expect("a command");
         let question = command.strip_prefix("geneva wheel ").expect("a wheel");
         let design = WheelDesign::new(WheelQuestion::parse(question).expect(question)).expect(question);
-        let file = |name: &str| live.file(name, &settings).expect(name);
+        let made = |name: &str| geneva_live_files::file(live.name, name, &settings);
+        let file = |name: &str| made(name).expect(name);
         // What is shown to be typed is what the test types, but for axes in their place.
         let is_needed = |word: &str| !["centre-error 0", "centre-error -0"].contains(&word.trim());
         let words = |text: &str| -> BTreeSet<String> {
@@ -175,11 +176,11 @@ fn the_command_that_the_figure_shows_makes_the_same_numbers_and_the_same_files()
         assert!(file("sheet.txt") == answer.plain_sheet().into_bytes(), "sheet: {question}");
         if seed < WITH_FILES {
             for shape in SHAPE_FILES {
-                let made = (shape.make)(&design);
+                let of_command = (shape.make)(&design);
                 // A mounting that can't be made is refused by both.
-                assert_eq!(live.file(shape.name, &settings).is_ok(), made.is_ok(), "{}: {question}", shape.name);
-                let Ok(made) = made else { continue };
-                assert!(file(shape.name) == made, "{}: {question}", shape.name);
+                assert_eq!(made(shape.name).is_ok(), of_command.is_ok(), "{}: {question}", shape.name);
+                let Ok(of_command) = of_command else { continue };
+                assert!(file(shape.name) == of_command, "{}: {question}", shape.name);
                 compared += 1;
             }
         }

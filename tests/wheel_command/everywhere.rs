@@ -73,7 +73,8 @@ fn every_number_of_an_instant_is_in_the_series_and_in_the_object() {
 #[test]
 fn the_figure_that_a_reader_moves_and_its_file_say_the_numbers_of_the_answer() {
     let live = geneva_live::by_name("design").expect("a figure");
-    let (moved, file) = (live.answer(&LiveArguments::default()), live.file("numbers.csv", &LiveArguments::default()));
+    let none = LiveArguments::default();
+    let (moved, file) = (live.answer(&none), geneva_live_files::file(live.name, "numbers.csv", &none));
     let file = String::from_utf8(file.expect("a file")).expect("text");
     let (moved, answer) = (moved.expect("an answer"), answer());
     // A quantity of a list in one file is there under its own name.

@@ -263,7 +263,12 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
     let given = given(live.name)?;
     let fixed = given.only(|name| live.given.contains(&name)).to_query();
     let hand = if live.turned.is_some() { " data-hand=\"turned\"" } else { "" };
-    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}{hand}", live.name, escape(&fixed)))
+    Ok(format!(
+        " data-live=\"{}\" data-live-module=\"{}\" data-given=\"{}\"{drag}{hand}",
+        live.name,
+        live.module,
+        escape(&fixed)
+    ))
 }
 
 /// One control with its label, its number and its unit.

@@ -1,6 +1,6 @@
 //! The programs that answer this book's pages, compiled for WebAssembly: the figures that move, and the proofreader.
 
-use geneva_press::book::PageModule;
+use geneva_press::book::{LaterModule, PageModule};
 
 /// All modules.
 pub(crate) const MODULES: &[PageModule] = &[
@@ -11,6 +11,10 @@ pub(crate) const MODULES: &[PageModule] = &[
         folder: "live",
         script: include_str!("../../../book/theme/live.js"),
         style: include_str!("../../../book/theme/live.css"),
+        later: &[
+            LaterModule { name: "live-design", package: "geneva-live-design", folder: "live-design" },
+            LaterModule { name: "live-files", package: "geneva-live-files", folder: "live-files" },
+        ],
     },
     PageModule {
         attributes: &["data-proofread"],
@@ -19,5 +23,6 @@ pub(crate) const MODULES: &[PageModule] = &[
         folder: "proofread-page",
         script: include_str!("../../../book/theme/proofread.js"),
         style: include_str!("../../../book/theme/proofread.css"),
+        later: &[],
     },
 ];

@@ -43,13 +43,13 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("table", "wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --process mill --out my-wheel"),
     (
         "printed",
-        "wheel --stations 4 --crank-radius 25 --pin-diameter 6 --process fdm --pin-screw M3 --wheel-hub-circle 20 \
+        "wheel --stations 4 --crank-radius 25 --process fdm --pin-screw M3 --wheel-hub-circle 20 \
          --hub-holes 4 --hub-screw M3 --out printed",
     ),
-    ("checked", "wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1"),
+    ("checked", "wheel check --stations 6 --centre-distance 50.45 --crank-radius 25 --outside-diameter 87.1"),
     (
         "replaced",
-        "wheel --stations 6 --outside-diameter 86.9 --locking-arc-radius 13.7 --pin-diameter 7.5 --out new-wheel",
+        "wheel --stations 6 --outside-diameter 86.9 --locking-arc-radius 13.72 --pin-diameter 7.5 --out new-wheel",
     ),
     // With other mouths of the slots.
     ("worked-rounded", worked!("25", "60", "--mouth-radius 2")),

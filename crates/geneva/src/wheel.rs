@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of `geneva wheel`.
 #[derive(Args, Debug)]
-#[command(args_conflicts_with_subcommands = true)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct WheelArguments {
     /// What is done instead with a wheel that exists.
     #[command(subcommand)]
@@ -130,7 +130,10 @@ fn option(argument: &Argument) -> Arg {
     let Argument { name, unit, place, help, .. } = *argument;
     let option = Arg::new(name).long(name).value_name(unit).help(help);
     match place {
-        ArgumentSlot::Stations(_) => option.value_parser(typed::stations).allow_negative_numbers(true),
+        ArgumentSlot::Stations(_) => option
+            .value_parser(typed::stations)
+            .allow_negative_numbers(true)
+            .required_unless_present_any(["index-time", "dwell-time", "dwell-angle"]),
         ArgumentSlot::Pins(_) => option.value_parser(typed::pins).allow_negative_numbers(true),
         ArgumentSlot::Kind(_) => {
             option.value_parser(typed::value_named(&WheelKind::ALL, WheelKind::name, WheelKind::meaning))
@@ -314,6 +317,13 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if format == CommandFormat::Svg && !is_external {
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
         reject_any(wanted, acts_on(ActsOn::Size), why)?;
+    }
+    if is_shape(format) && format != CommandFormat::Parts {
+        let why = format!(
+            "on --format {}, whose lines are the outlines; leave it out, or choose --format parts",
+            format.name()
+        );
+        reject_any(wanted, is_named(&["kerf"]), &why)?;
     }
     if format == CommandFormat::Fields {
         let why =

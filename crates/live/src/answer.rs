@@ -126,30 +126,8 @@ impl LiveReply {
 }
 
 /// A JSON object with one text.
-pub(crate) fn object(name: &str, text: &str) -> String {
+pub fn text_object(name: &str, text: &str) -> String {
     format!("{{{}:{}}}", string(name), string(text))
-}
-
-/// A file as a JSON object: its text, or bytes that are no text in base64.
-pub(crate) fn file_object(file: Vec<u8>) -> String {
-    match String::from_utf8(file) {
-        Ok(text) => object("file", &text),
-        Err(bytes) => object("base64", &base64(bytes.as_bytes())),
-    }
-}
-
-/// Bytes as RFC 4648, section 4, has them.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let bits = three.iter().fold(0_u32, |bits, byte| bits << 8 | u32::from(*byte)) << (8 * (3 - three.len()));
-        for digit in 0..4 {
-            let at = (bits >> (18 - 6 * digit) & 63) as usize;
-            text.push(if digit <= three.len() { char::from(DIGITS[at]) } else { '=' });
-        }
-    }
-    text
 }
 
 /// A JSON array of values that are JSON.
@@ -225,18 +203,6 @@ impl LiveNumber {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn bytes_that_are_no_text_are_in_base64() {
-        // The examples of RFC 4648, section 10.
-        let examples =
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
-        for (bytes, text) in examples {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
-        assert_eq!(file_object(vec![0xff, 0xfe, 0xfd]), "{\"base64\":\"//79\"}");
-        assert_eq!(file_object(b"0".to_vec()), "{\"file\":\"0\"}");
-    }
 
     #[test]
     fn numbers_are_read_with_a_true_minus_and_no_negative_zero() {

@@ -12,6 +12,8 @@ pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
 pub struct Live {
     /// Its one name, in lower-case letters.
     pub name: &'static str,
+    /// The module that answers it in a page, by the name of its file.
+    pub module: &'static str,
     /// The name of the drawing with which it stands still.
     pub figure: &'static str,
     /// What to try, and what to see.
@@ -246,15 +248,13 @@ pub struct PointerDrag {
     pub sense: f64,
 }
 
-/// A file that is made of a setting.
+/// A file that is made of a setting. `geneva-live-files` makes it, in a module that a page loads for the first one.
 #[derive(Clone, Copy, Debug)]
 pub struct LiveFile {
     /// Its name with its ending.
     pub name: &'static str,
     /// What it is.
     pub label: &'static str,
-    /// Makes it; it gets the name, too.
-    pub make: fn(&Settings, &str) -> Result<Vec<u8>, String>,
 }
 
 /// A table of how wrong sizes may be, among the controls by which a reader makes them wrong.
@@ -269,7 +269,7 @@ pub struct ToleranceTable {
 /// The arguments of a figure, each known to it.
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
-    live: &'a Live,
+    controls: &'a [Control],
     arguments: &'a LiveArguments,
 }
 
@@ -287,22 +287,6 @@ impl Live {
         } else {
             Err("these numbers are too large or too small to compute with: give others".to_owned())
         }
-    }
-
-    /// The file with this name, made with these arguments.
-    ///
-    /// # Errors
-    ///
-    /// As for [`answer`](Self::answer), and for a name of none of its files.
-    pub fn file(&self, name: &str, arguments: &LiveArguments) -> Result<Vec<u8>, String> {
-        let file = self.files.iter().find(|file| file.name == name);
-        let file = file.ok_or_else(|| {
-            let names: Vec<_> = self.files.iter().map(|file| file.name).collect();
-            let known =
-                if names.is_empty() { "there is none".to_owned() } else { format!("there are {}", names.join(", ")) };
-            format!("no file `{}` of `{}`: {known}", quoted(name), self.name)
-        })?;
-        (file.make)(&self.settings(arguments)?, file.name)
     }
 
     /// How the parts of the figure stand with these arguments; none if none of them turns without a new drawing.
@@ -324,16 +308,21 @@ impl Live {
     }
 
     fn settings<'a>(&'a self, arguments: &'a LiveArguments) -> Result<Settings<'a>, String> {
-        let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
+        Settings::new(self.controls, self.given, arguments)
+    }
+}
+
+impl<'a> Settings<'a> {
+    /// The arguments of a figure with these controls, to which its page gives what has these names.
+    pub fn new(controls: &'a [Control], given: &[&str], arguments: &'a LiveArguments) -> Result<Self, String> {
+        let names = || controls.iter().map(|control| control.name).chain(given.iter().copied());
         if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
             let names = names().collect::<Vec<_>>().join(", ");
             return Err(format!("no argument `{}`: there are {names}", quoted(unknown)));
         }
-        Ok(Settings { live: self, arguments })
+        Ok(Self { controls, arguments })
     }
-}
 
-impl Settings<'_> {
     /// The value of a control, in its unit.
     pub fn value(&self, name: &str) -> Result<f64, String> {
         let control = self.control(name)?;
@@ -372,6 +361,6 @@ impl Settings<'_> {
     }
 
     fn control(&self, name: &str) -> Result<&Control, String> {
-        self.live.controls.iter().find(|control| control.name == name).ok_or_else(|| format!("no control `{name}`"))
+        self.controls.iter().find(|control| control.name == name).ok_or_else(|| format!("no control `{name}`"))
     }
 }

@@ -1,6 +1,7 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply};
+use crate::arguments::LiveArguments;
 use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
@@ -14,8 +15,10 @@ use geneva_figures::stations;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
+/// The designer of wheels.
 pub const LIVE: Live = Live {
     name: "design",
+    module: "live-design",
     figure: "wheel-dimensions",
     hint: "Choose the number of stations and the size. Pin, play and shafts adjust themselves until you set them by \
            hand. Make the pin thicker until it no longer fits. Double the speed: without friction the force of the pin \
@@ -152,21 +155,22 @@ const CONTROLS: [Control; ALL] = {
 
 /// The files from which a wheel is made, its sheet and its numbers.
 const FILES: [LiveFile; SHAPE_FILES.len() + 2] = {
-    let numbers = LiveFile { name: "numbers.csv", label: "All numbers (CSV)", make: numbers_file };
+    let numbers = LiveFile { name: NUMBERS_FILE, label: "All numbers (CSV)" };
     let mut files = [numbers; SHAPE_FILES.len() + 2];
-    files[SHAPE_FILES.len()] = LiveFile { name: "sheet.txt", label: "Sheet with all numbers (text)", make: sheet_file };
+    files[SHAPE_FILES.len()] = LiveFile { name: SHEET_FILE, label: "Sheet with all numbers (text)" };
     let mut at = 0;
     while at < SHAPE_FILES.len() {
-        files[at] = LiveFile { name: SHAPE_FILES[at].name, label: SHAPE_FILES[at].label, make: shape_file };
+        files[at] = LiveFile { name: SHAPE_FILES[at].name, label: SHAPE_FILES[at].label };
         at += 1;
     }
     files
 };
 
-fn shape_file(settings: &Settings, name: &str) -> Result<Vec<u8>, String> {
-    let file = SHAPE_FILES.iter().find(|file| file.name == name).ok_or("no such file")?;
-    (file.make)(&design_for_a_file(settings)?).map_err(words)
-}
+/// The file with all numbers of the answer, a row for each.
+pub const NUMBERS_FILE: &str = "numbers.csv";
+
+/// The file with the answer for reading.
+pub const SHEET_FILE: &str = "sheet.txt";
 
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
@@ -287,16 +291,21 @@ fn design(settings: &Settings) -> Result<WheelDesign, String> {
     WheelDesign::new(question(settings, SOON)?).map_err(words)
 }
 
-/// The wheel of these settings for a file, which may take as long as the command's.
-fn design_for_a_file(settings: &Settings) -> Result<WheelDesign, String> {
-    WheelDesign::new(question(settings, SearchEffort::default())?).map_err(words)
+/// The wheel of the designer's arguments, for a file, which may take as long as the command's.
+///
+/// # Errors
+///
+/// What is wrong with the arguments, and what to give.
+pub fn wheel_for_a_file(arguments: &LiveArguments) -> Result<WheelDesign, String> {
+    let settings = Settings::new(&CONTROLS, &[], arguments)?;
+    WheelDesign::new(question(&settings, SearchEffort::default())?).map_err(words)
 }
 
 /// A wheel without a size, which the controls always give.
 const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius or a centre distance";
 
-/// An error without the arguments that only the command line has.
-fn words(error: Error) -> String {
+/// An error of a wheel in words, without the arguments that only the command line has.
+pub fn words(error: Error) -> String {
     match error {
         Error::Sizes { error, .. } => error.to_string(),
         Error::Kinematics(error) => error.to_string(),
@@ -309,16 +318,6 @@ fn words(error: Error) -> String {
 /// Decimals of a number that is known to a tolerance, four at most.
 fn decimals(tolerance: f64) -> usize {
     [0.000_05, 0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 4 - wider)
-}
-
-/// All numbers of the answer, a row for each.
-fn numbers_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
-    design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.table().into_bytes())
-}
-
-/// The answer for reading.
-fn sheet_file(settings: &Settings, _: &str) -> Result<Vec<u8>, String> {
-    design_for_a_file(settings)?.answer().map_err(words).map(|answer| answer.plain_sheet().into_bytes())
 }
 
 /// How the parts stand at the crank angle.

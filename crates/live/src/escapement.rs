@@ -17,6 +17,7 @@ const MOST_ENGAGEMENTS: usize = 5_000;
 
 pub const LIVE: Live = Live {
     name: "escapement",
+    module: "live",
     figure: "live-escapement",
     hint: "Reduce the friction bit by bit: the start takes more and more engagements, and without friction there is no \
            steady speed. Add friction until the mechanism may jam. Press “twice the torque”: the mechanism runs √2 times \

@@ -1,8 +1,8 @@
 //! What WebAssembly exports: memory for a question, and the answer.
 //!
 //! A page asks for room by [`room`], writes its question there in UTF-8, calls [`ask`], and reads so many bytes of UTF-8
-//! at [`answer`]. Question and answer are those of [`answer`](crate::answer). Two crates have these exports, each in a module
-//! of its own: the figures that a reader moves, and the proofreader.
+//! at [`answer`]. Question and answer are those of `module_answer` of the crate. Several crates have these exports, each in a module
+//! of its own: the figures that a reader moves, the designer of wheels, its files, and the proofreader.
 #![allow(unsafe_code, reason = "the attribute that exports a name; nothing here is an unsafe operation")]
 
 use std::cell::RefCell;
@@ -26,7 +26,7 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> usize {
     let question = QUESTION.with_borrow(|question| String::from_utf8_lossy(question).into_owned());
-    let text = crate::answer(&question);
+    let text = crate::module_answer(&question);
     ANSWER.with_borrow_mut(|answer| {
         *answer = text;
         answer.len()

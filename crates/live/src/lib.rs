@@ -5,60 +5,68 @@
 //! `geneva-ask`, `geneva-case1973` or the mechanism's own crate, and writes down what they give. It holds no number that a
 //! source prints; where a figure needs one, it comes with the question.
 //!
-//! Compiled for WebAssembly it is what a page loads ([`exports`](self) is the interface there); compiled for the machine at
-//! hand it is what the book's still figures and the tests call. Both give the same characters.
+//! Compiled for WebAssembly it is what a page loads ([`exports`](self) is the interface there), but for the designer of wheels:
+//! `geneva-live-design` and `geneva-live-files` are modules of their own. Compiled for the machine at hand it is what the book's still
+//! figures and the tests call. Both give the same characters.
 
 mod answer;
 mod arguments;
 mod control;
 mod design;
 mod escapement;
-#[cfg(target_family = "wasm")]
+#[cfg(all(target_family = "wasm", feature = "exports"))]
 mod exports;
 mod mistake;
 mod pin;
 mod polygon;
+mod question;
 mod turned;
 mod watch;
 mod wheel;
 
-pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
+pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box, text_object};
 pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
+pub use design::{LIVE as DESIGN, NUMBERS_FILE, SHEET_FILE, wheel_for_a_file, words as refusal};
+pub use question::LiveQuestion;
 pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 
 /// All figures that a reader moves, in the order of the book.
-pub const LIVE: [&Live; 6] =
-    [&pin::LIVE, &wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
+pub const LIVE: [&Live; 6] = [&pin::LIVE, &wheel::LIVE, &DESIGN, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
+
+/// The figures that this crate answers when it is a module: all but the designer of wheels, which would be half of it.
+#[cfg(all(target_family = "wasm", feature = "exports"))]
+const OWN: [&Live; 5] = [&pin::LIVE, &wheel::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
+
+#[cfg(all(target_family = "wasm", feature = "exports"))]
+fn module_answer(question: &str) -> String {
+    answer_among(&OWN, question)
+}
 
 /// The figure of this name.
 pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question
-/// `name.wheel.dxf?arguments` asks for the file with that name, and the answer holds it as `file` or, if it is no text, as `base64`;
-/// `name.turned` asks for `turned` alone, and `name.tolerances` for the rows of tolerances. A question that cannot be answered gets `error`:
-/// what is wrong, and what to give.
+/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.turned?arguments`
+/// asks for `turned` alone, and `name.tolerances` for the rows of tolerances. A question that cannot be answered gets `error`:
+/// what is wrong, and what to give. Files are made by `geneva-live-files`.
 pub fn answer(question: &str) -> String {
-    match asked(question) {
+    answer_among(&LIVE, question)
+}
+
+/// The answer to a question to one of these figures: see [`answer()`]. A module that has fewer figures is smaller.
+pub fn answer_among(figures: &[&Live], question: &str) -> String {
+    match asked(figures, question) {
         Ok(answer) => answer,
-        Err(message) => answer::object("error", &message),
+        Err(message) => text_object("error", &message),
     }
 }
 
-/// Bytes of a question that are read at most.
-const MOST_BYTES: usize = 1 << 16;
-
-fn asked(question: &str) -> Result<String, String> {
-    if question.len() > MOST_BYTES {
-        return Err(format!("the question has {} bytes: give {MOST_BYTES} at most", question.len()));
-    }
-    let (name, arguments) = question.split_once('?').unwrap_or((question, ""));
-    let arguments = LiveArguments::parse(arguments)?;
-    let (name, part) = name.split_once('.').map_or((name, None), |(name, part)| (name, Some(part)));
-    let live = by_name(name).ok_or_else(|| {
-        let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();
+fn asked(figures: &[&Live], question: &str) -> Result<String, String> {
+    let LiveQuestion { name, part, arguments } = LiveQuestion::parse(question)?;
+    let live = figures.iter().find(|live| live.name == name).ok_or_else(|| {
+        let names: Vec<_> = figures.iter().map(|live| live.name).collect();
         format!("no figure `{}`: there are {}", arguments::quoted(name), names.join(", "))
     })?;
     match part {
@@ -69,18 +77,7 @@ fn asked(question: &str) -> Result<String, String> {
             let rows = live.tolerance_rows(&arguments)?;
             Ok(answer::array(rows.iter().map(ToleranceRow::to_json)))
         }
-        Some(file) => live.file(file, &arguments).map(answer::file_object),
+        Some(part) => Err(format!("no part `{}` of a figure: there are turned, tolerances", arguments::quoted(part))),
         None => live.answer(&arguments).map(|answer| answer.to_json()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_question_has_so_many_bytes_at_most() {
-        let of = |bytes: usize| answer(&"x".repeat(bytes));
-        assert!(of(MOST_BYTES).contains("no figure") && of(MOST_BYTES + 1).contains("65537 bytes: give 65536"));
     }
 }

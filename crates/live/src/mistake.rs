@@ -14,6 +14,7 @@ const AT_ONCE: usize = 2;
 
 pub const LIVE: Live = Live {
     name: "mistake",
+    module: "live",
     figure: "live-mistake",
     hint: "Move the reset angle away from 90°: the marks for three pins leave the line to one side, and the marks for \
            six pins to the other. Only at 90° do nearly all marks for four pins stay on the line. Back at 90°, set \

@@ -26,6 +26,7 @@ const WORDS: [(&str, &str); 3] = [
 
 pub const LIVE: Live = Live {
     name: "pin",
+    module: "live",
     figure: "live-pin",
     hint: "Type the numbers of your own problem: crank radius, centre distance or number of slots, crank angle and speed. \
            Each pair of boxes says the same in two ways, and you fill in one of them.",

@@ -21,6 +21,7 @@ const WORDS: [(&str, &str); 6] = [
 
 pub const LIVE: Live = Live {
     name: "polygon",
+    module: "live",
     figure: "live-polygon",
     hint: "Type the numbers of your own problem: two lengths, a speed, and one of the angles. Or set the factor of φ̇ vᵣₑₗ to \
            1 or 3: the polygon stays open, except where the Coriolis acceleration is zero.",

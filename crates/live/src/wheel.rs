@@ -8,6 +8,7 @@ use geneva_kinematics::wheel::{MisplacedWheel, Wheel};
 
 pub const LIVE: Live = Live {
     name: "wheel",
+    module: "live",
     figure: "live-wheel",
     hint: "Move the axes apart by one per cent: the wheel's velocity no longer begins at zero, and the pin enters with \
            a blow. At the right distance the blow is gone.",

@@ -204,6 +204,19 @@ pub struct PageModule {
     pub script: &'static str,
     /// How they look.
     pub style: &'static str,
+    /// Programs that the controls load when a reader first asks for what they do.
+    pub later: &'static [LaterModule],
+}
+
+/// A program that controls load later than their own, because few readers need it.
+#[derive(Clone, Copy, Debug)]
+pub struct LaterModule {
+    /// The name of its file, `NAME-module.js`.
+    pub name: &'static str,
+    /// The package that is compiled.
+    pub package: &'static str,
+    /// Its folder among the crates.
+    pub folder: &'static str,
 }
 
 /// The crate that has a book's ledger, as `LEDGER`, a `static` at its root. It is compiled for WebAssembly, so it may depend on the

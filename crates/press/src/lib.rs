@@ -60,6 +60,7 @@ pub mod works;
 
 // What these need.
 mod base64;
+mod base85;
 pub mod chain;
 pub mod formula;
 pub mod html;

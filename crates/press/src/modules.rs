@@ -1,7 +1,7 @@
 //! The modules that answer the pages: compiled for WebAssembly, packed as text in a script.
 
-use crate::base64::base64;
-use crate::book::{Book, PageModule};
+use crate::base85::base85;
+use crate::book::{Book, LaterModule, PageModule};
 use crate::cache::{Shelf, digest};
 use crate::data::{FOLDER, PageFile};
 use miniz_oxide::deflate::compress_to_vec;
@@ -47,10 +47,13 @@ pub(crate) fn load_into_pages(
         if asking.peek().is_none() {
             continue;
         }
-        match compiled(module, root) {
-            Ok(compiled) => {
+        match compiled_with_later(module, root) {
+            Ok((compiled, later)) => {
                 asking.for_each(|page| **page = with_scripts(module, page));
                 files.extend(scripts(module, &compiled, shelf)?);
+                for (of, compiled) in module.later.iter().zip(&later) {
+                    files.push(module_file(of.name, compiled, shelf)?);
+                }
             }
             Err(why) => eprintln!("What `{}` makes live stands still in this book: {why}", module.package),
         }
@@ -63,12 +66,17 @@ fn style_path(module: &PageModule) -> String {
 }
 
 fn scripts(module: &PageModule, compiled: &[u8], shelf: &Shelf) -> anyhow::Result<[PageFile; 3]> {
-    let packed = packed(compiled, shelf)?;
     Ok([
         PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
         PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
-        PageFile::text_file(&format!("{}-module.js", module.name), format!("genevaModule('{packed}');\n")),
+        module_file(module.name, compiled, shelf)?,
     ])
+}
+
+/// The script that holds a module as text.
+fn module_file(name: &str, compiled: &[u8], shelf: &Shelf) -> anyhow::Result<PageFile> {
+    let packed = packed(compiled, shelf)?;
+    Ok(PageFile::text_file(&format!("{name}-module.js"), format!("genevaModule('{packed}');\n")))
 }
 
 /// A page with what it must load; the module comes later, when it is needed.
@@ -82,18 +90,24 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
 
 /// A module as text.
 pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> anyhow::Result<String> {
-    shelf.text("module", &[&digest(module)], || Ok(base64(&compress_to_vec(module, LEVEL))))
+    shelf.text("module", &[&digest(module)], || Ok(base85(&compress_to_vec(module, LEVEL))))
 }
 
-/// The compiled module.
-fn compiled(module: &PageModule, root: &Path) -> Result<Vec<u8>, String> {
-    if !root.join("crates").join(module.folder).join("Cargo.toml").is_file() {
+/// A compiled module, and those that its controls load later.
+fn compiled_with_later(module: &PageModule, root: &Path) -> Result<(Vec<u8>, Vec<Vec<u8>>), String> {
+    let own = compiled(module.package, module.folder, root)?;
+    let later = module.later.iter().map(|LaterModule { package, folder, .. }| compiled(package, folder, root));
+    Ok((own, later.collect::<Result<_, _>>()?))
+}
+
+/// The compiled module of a package in this folder among the crates.
+fn compiled(package: &str, folder: &str, root: &Path) -> Result<Vec<u8>, String> {
+    if !root.join("crates").join(folder).join("Cargo.toml").is_file() {
         return Err(format!("{} does not hold their program", root.display()));
     }
     let target = target_directory(root, root);
-    let of =
-        Compilation { workspace: root, folder: root, package: Some(module.package), target: &target, profile: PROFILE };
-    of.module(module.package)
+    let of = Compilation { workspace: root, folder: root, package: Some(package), target: &target, profile: PROFILE };
+    of.module(package)
 }
 
 /// The target directory of a workspace, for Cargo called from the folder `from`.
@@ -183,7 +197,7 @@ mod tests {
     fn a_folder_without_the_program_gets_still_figures_and_a_reason() {
         let folder = tempfile::TempDir::new().expect("a folder");
         for module in BOOK.modules {
-            let why = compiled(module, folder.path()).expect_err("nothing to compile");
+            let why = compiled_with_later(module, folder.path()).expect_err("nothing to compile");
             assert!(why.contains("does not hold their program"), "{why}");
             let mut page = format!("<p {}=\"\"></p>", module.asking());
             let still = page.clone();

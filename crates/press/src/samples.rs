@@ -140,6 +140,7 @@ pub(crate) static BOOK: Book = Book {
         folder: "live",
         script: "",
         style: "",
+        later: &[],
     }],
     examples: Examples { package: "sample", crates: &[] },
     ..Book::new(IMPRINT, &LEDGER, PAGES)

@@ -4,13 +4,31 @@
 globalThis.genevaThread ??= (source, limit = 5000) => {
     let module, thread, abort, queue = Promise.resolve();
 
+    // Bytes of text in which five characters stand for four bytes (ZeroMQ RFC 32); missing ones at the end count as the last digit.
+    const digits = '0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#';
+    const bytesOf = text => {
+        const values = new Uint8Array(128).fill(84);
+        [...digits].forEach((digit, value) => { values[digit.charCodeAt(0)] = value; });
+        const bytes = new Uint8Array(Math.floor(text.length * 4 / 5));
+        for (let at = 0, to = 0; at < text.length; at += 5, to += 4) {
+            let value = 0;
+            for (let k = 0; k < 5; k += 1) {
+                value = 85 * value + (at + k < text.length ? values[text.charCodeAt(at + k)] : 84);
+            }
+            for (let k = 0; k < 4; k += 1) {
+                bytes[to + k] = value >>> 24 - 8 * k;
+            }
+        }
+        return bytes;
+    };
+
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
     const load = () => module ??= source.call ? source() : new Promise((done, failed) => {
         const script = document.createElement('script');
         globalThis.genevaModule = text => document.currentScript.take(text);
         script.take = async text => {
             try {
-                const unpacked = new Blob([Uint8Array.from(atob(text), sign => sign.charCodeAt(0))]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+                const unpacked = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
                 done(await WebAssembly.compile(await new Response(unpacked).arrayBuffer()));
             } catch (error) {
                 failed(error);

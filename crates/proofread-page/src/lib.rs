@@ -20,6 +20,9 @@ pub use fact::Fact;
 pub use question::{MOST_BYTES, NamePolicyChoice, PageQuestion, too_long_message};
 pub use words::name_of_format;
 
+#[cfg(target_family = "wasm")]
+use answer as module_answer;
+
 /// The answer to a question as a JSON object: see [`PageAnswer::to_json`] and, for the question, [`PageQuestion::parse`].
 ///
 /// A question that cannot be answered gets `error`: what is wrong, and what to give.

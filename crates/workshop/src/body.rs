@@ -102,7 +102,7 @@ impl Body {
             let below = k.checked_sub(1).and_then(|k| levels.get(k)).unwrap_or(&none);
             caps_between(&lines, *height, below, levels.get(k).unwrap_or(&none), &mut caps);
         }
-        let name = if joined.is_empty() { part.layer.words() } else { "driver" };
+        let name = if joined.is_empty() { part.words() } else { "driver" };
         let extent = crate::drawing::extent(part);
         Ok(Self { name, lines, walls, caps, places: part.places.clone(), extent })
     }

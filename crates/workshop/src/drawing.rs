@@ -72,8 +72,14 @@ pub(crate) fn edges(parts: &[Part], layout: PartLayout) -> Vec<(Layer, Edge)> {
     };
     match layout {
         PartLayout::Apart => {
+            let bush = parts.iter().find(|part| part.is_bush());
             for (part, at) in side_by_side(parts) {
                 lines(part, true).iter().for_each(|(layer, edges)| add(*layer, edges, 0.0, at));
+                // The pin is as thick as its bush, whatever the hole of its screw.
+                let screws = part.holes.iter().filter(|hole| hole.purpose == HolePurpose::PinScrew);
+                for (hole, bush) in screws.flat_map(|hole| bush.map(|bush| (hole, bush))) {
+                    add(Layer::Pins, &bush.outer.edges, 0.0, at + hole.centre);
+                }
             }
         }
         PartLayout::Assembled => {
@@ -93,7 +99,9 @@ pub(crate) fn edges(parts: &[Part], layout: PartLayout) -> Vec<(Layer, Edge)> {
 fn lines(part: &Part, with_pins: bool) -> Vec<(Layer, Vec<Edge>)> {
     let of = |layer, of: &Loop| (layer, of.edges.clone());
     let layer = |hole: &Hole| if hole.purpose == HolePurpose::Pin { Layer::Pins } else { part.layer };
-    let holes = || part.holes.iter().filter(move |hole| with_pins || hole.purpose != HolePurpose::Pin);
+    // On the layer of pins each circle is as thick as a pin; the hole of a bush is seen in the plate.
+    let is_drawn = move |hole: &&Hole| (with_pins || hole.purpose != HolePurpose::Pin) && !part.is_bush();
+    let holes = || part.holes.iter().filter(is_drawn);
     let outer = std::iter::once(of(part.layer, &part.outer));
     let through = holes().map(|hole| of(layer(hole), &hole.outline));
     let pockets = holes().filter_map(|hole| Some(of(Layer::Pockets, &hole.widening.as_ref()?.outline)));

@@ -33,7 +33,10 @@ pub use parts::{
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts, test_piece,
 };
 pub use scad::scad;
-pub use sheets::{DrawingScale, Measured, Paper, PrintedDimension, Sheet, SheetText, sheets, sheets_html, sheets_svg};
+pub use sheets::{
+    DrawingScale, LimitOrigin, Measured, Paper, PrintedDimension, Sheet, SheetLimits, SheetMaterial, SheetText, sheets,
+    sheets_html, sheets_svg,
+};
 pub use step::step;
 pub use stl::stl;
 pub use svg::svg_parts;

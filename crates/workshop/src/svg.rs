@@ -1,7 +1,7 @@
 //! The parts side by side as an SVG file to cut: true to scale, a colour for each operation.
 
 use crate::drawing::{extent, marks, side_by_side};
-use crate::geometry::Point;
+use crate::geometry::{Point, point_along};
 use crate::offset::offset;
 use crate::parts::{MountingError, Part};
 use geneva_kinematics::wheel::{Edge, Loop};
@@ -53,19 +53,23 @@ pub fn svg_parts(parts: &[Part], kerf: f64) -> Result<String, MountingError> {
     let reach = placed.iter().map(|(part, at)| extent(part).map(|x| x + at.x));
     let [left, right] = reach.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [from, to]| [a.min(from), b.max(to)]);
     let (left, width) = (left - MARGIN, right - left + 2.0 * MARGIN);
+    let size = reach_of(&placed);
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"{left} {top} {width} \
-         {height}\">\n<title>Parts to cut, in millimetres: red is cut, blue is engraved</title>",
+         {height}\">\n<title>Parts to cut, in millimetres: red is cut, blue is engraved. All red lines together \
+         are {across:.1} mm wide and {up:.1} mm high</title>",
+        across = size.x + kerf,
+        up = size.y + kerf,
         width = number(width),
         height = number(2.0 * half),
         left = number(left),
         top = number(-half),
     );
     for (part, at) in placed {
-        let words = part.layer.words();
+        let words = part.words();
         let _ = writeln!(
             text,
             "<g id=\"{}\" fill=\"none\" stroke-width=\"{LINE}\">\n<title>{words}, {} of it</title>",
@@ -86,6 +90,24 @@ pub fn svg_parts(parts: &[Part], kerf: f64) -> Result<String, MountingError> {
     }
     Ok(text + "</svg>\n")
 }
+
+/// How wide and high the outer lines of parts are together, in millimetres.
+///
+/// The title says it, by which the scale is checked: a bar to measure would be one more line that a machine cuts.
+fn reach_of(placed: &[(&Part, Point)]) -> Point {
+    let points = placed.iter().flat_map(|(part, at)| {
+        let along =
+            |edge: &Edge| (0..=STEPS).map(|k| f64::from(k) / f64::from(STEPS)).map(|k| point_along(edge, k)).collect();
+        part.outer.edges.iter().flat_map(move |edge| -> Vec<Point> { along(edge) }).map(move |p| p + at)
+    });
+    let corners = points.fold(None, |corners: Option<[Point; 2]>, p| {
+        Some(corners.map_or([p; 2], |[least, greatest]| [least.inf(&p), greatest.sup(&p)]))
+    });
+    corners.map_or(Point::zeros(), |[least, greatest]| greatest - least)
+}
+
+/// Steps along an edge: of a circle, a tenth of a thousandth of its radius is lost at most.
+const STEPS: u32 = 256;
 
 /// A number with as many digits as a machine has use for: millionths of a millimetre.
 fn number(x: f64) -> String {
@@ -194,6 +216,18 @@ mod tests {
         let view: Vec<&str> = root.attribute("viewBox").unwrap().split(' ').collect();
         assert_eq!(sizes, [view[2], view[3]], "one unit is one millimetre");
         let groups: Vec<Node> = root.children().filter(|node| node.has_tag_name("g")).collect();
+        // As a machine's program measures them: all that is cut.
+        let cut = root.descendants().filter(|node| node.attribute("stroke") == Some(CUT));
+        let points: Vec<Point> = cut
+            .flat_map(|node| edges(node.attribute("d").unwrap()))
+            .flat_map(|edge| (0..=512).map(move |k| point_along(&edge, f64::from(k) / 512.0)))
+            .collect();
+        let across = |of: fn(&Point) -> f64| {
+            let all = || points.iter().map(of);
+            all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+        };
+        let said = format!("{:.1} mm wide and {:.1} mm high", across(|p| p.x), across(|p| p.y));
+        assert!(text.contains(&said), "{said}");
         let names: Vec<_> = groups.iter().filter_map(|group| group.attribute("id")).collect();
         assert_eq!(names, ["wheel", "locking-disc", "driver-plate", "base-plate"]);
         let placed = side_by_side(&list);

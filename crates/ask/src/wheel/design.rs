@@ -4,6 +4,7 @@ use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::{asked_mouth, check_mouth, mouth_argument};
+use super::pin_load::weaknesses;
 use super::question::{WheelQuestion, given};
 use super::recommended::recommended_crank_radius;
 use super::times::SAME;
@@ -198,7 +199,8 @@ impl WheelDesign {
         let chosen = self.question.play.is_none();
         let loose = sizes.looser_than_fit().filter(|_| chosen && self.question.process.is_none());
         let is_usual = |warning: &Warning| {
-            chosen && self.question.process.is_some() && matches!(warning, Warning::LargePlay { .. })
+            let is_large = matches!(warning, Warning::LargePlay { .. } | Warning::LargeBacklash { .. });
+            chosen && self.question.process.is_some() && is_large
         };
         let of_sizes = sizes.warnings().into_iter().filter(|warning| !is_usual(warning)).chain(loose);
         let of_sizes = of_sizes.map(|warning| warning.to_string());
@@ -217,7 +219,11 @@ impl WheelDesign {
                 "with more than {MOST_MADE} stations, slots, horns and plays are too fine to be made: take this as geometry"
             )
         });
-        Ok(placed.map(str::to_owned).into_iter().chain(of_sizes).chain(many).collect())
+        let weak = match &self.wheel {
+            AnyWheel::External(wheel) => weaknesses(self, wheel)?,
+            AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
+        };
+        Ok(placed.map(str::to_owned).into_iter().chain(of_sizes).chain(weak).chain(many).collect())
     }
 
     /// Where driver and wheel come nearest over a whole turn, and the tolerance of the distance in millimetres; none without
@@ -336,11 +342,12 @@ fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, Error> {
 }
 
 /// Arguments that say the same: of each of these, one is given.
-const SAY_THE_SAME: [&[&str]; 4] = [
+const SAY_THE_SAME: [&[&str]; 5] = [
     &["crank-radius", "centre-distance", "wheel-radius", "outside-diameter"],
     &["rpm", "rad-s", "index-time", "dwell-time"],
     &["inertia", "total-inertia", "table-mass"],
     &["horn", "locking-arc-radius"],
+    &["play", "slot-width"],
 ];
 
 /// Refuses two arguments that say the same.
@@ -385,18 +392,34 @@ pub(super) fn choices(question: &WheelQuestion) -> Choices {
 }
 
 pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let choices = choices(question);
-    let (locking, bore) = (question.locking_play, question.bore_play);
-    if locking.or(bore).is_none() && (question.process.is_none() || question.play.is_some()) {
+    let mut choices = choices(question);
+    let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
+    let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
+    if locking.or(bore).or(slot).is_none() && !is_of_process {
         return Sizes::new(wheel, scale, &choices);
     }
-    // The other plays are those that it has without, or those of the process.
-    let others =
-        Sizes::new(wheel, scale, &Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices })?;
+    // What is not given is as it is without, or as the process has it.
+    let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
+    let others = Sizes::new(wheel, scale, &bare)?;
+    if question.process.is_some() && question.pin_diameter.is_none() {
+        choices.pin_diameter = stock_pin(others.pin_diameter);
+    }
+    let pin = choices.pin_diameter.unwrap_or(others.pin_diameter);
     let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
-    let play = of_process.map_or(others.play, |numbers| numbers.play());
+    let mut play = of_process.map_or(others.play, |numbers| numbers.play());
+    if let Some(width) = slot {
+        play = Play::from_slot(width - pin);
+    }
     let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
     Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
+}
+
+/// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.
+const STOCK_PINS: [f64; 16] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0];
+
+/// The thickest pin that is sold and no thicker than this one, in millimetres, if there is one.
+fn stock_pin(diameter: f64) -> Option<f64> {
+    STOCK_PINS.into_iter().rev().find(|pin| *pin <= diameter)
 }
 
 /// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.

@@ -3,13 +3,15 @@
 use super::design::{WheelDesign, choices, process_numbers, with_arguments as with_choices};
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting::with_arguments;
+use super::process::assemblies_that_turn;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::wheel::as_built::{Process, Yield};
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
-    Mounting, Part, PartLayout, PartList, Sheet, SheetText, dxf, internal_parts, parts, scad, sheets, sheets_html,
-    sheets_svg, step, stl, svg_parts, test_piece, three_mf,
+    Mounting, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf, internal_parts, parts,
+    scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts, test_piece, three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -19,6 +21,9 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// Most corners of all outlines of a mesh, which has four triangles for each: more take more memory and time than a printer
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
+
+/// Metals have a modulus of at least this, in Pa, and plastics and wood far less: our choice.
+const METAL: f64 = 40e9;
 
 /// A file from which a wheel is made.
 #[derive(Clone, Copy, Debug)]
@@ -137,7 +142,8 @@ impl WheelDesign {
         Ok(dxf(&self.listed("dxf")?.parts, PartLayout::Apart))
     }
 
-    /// Drawings of all parts for a workshop, a sheet for each, with limits from standards and from the tolerance chains.
+    /// Drawings for a workshop, of all parts in place and a sheet for each, with limits from standards, from the tolerance chains
+    /// and from the process.
     ///
     /// # Errors
     ///
@@ -145,15 +151,15 @@ impl WheelDesign {
     pub fn drawings(&self) -> Result<Vec<Sheet>, Error> {
         let sizes = self.sized("drawings")?;
         let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
-        let [pin_material, wheel_material] = self.materials.map(|material| material.name.replace('-', " "));
-        let text = SheetText {
-            project: &self.project(),
-            wheel_material: &wheel_material,
-            pin_material: &pin_material,
-            hardness: None,
-        };
-        let shared = self.shared_tolerance()?.flatten();
-        sheets(sizes, thickness, &mounting, shared, &text).map_err(|error| with_arguments(error, &self.question))
+        let names = self.materials.map(|material| material.name.replace('-', " "));
+        let hardness = self.materials.map(|material| (material.modulus >= METAL).then_some("not specified"));
+        let [pin_material, wheel_material] =
+            [0, 1].map(|k| SheetMaterial { name: names[k].as_str(), hardness: hardness[k] });
+        let text = SheetText { project: &self.project(), wheel_material, pin_material };
+        let process = process_numbers(&self.question, sizes.centre_distance)?;
+        let yield_share = process.map(|numbers| assemblies_that_turn(sizes, &numbers)).transpose()?.map(Yield::share);
+        let limits = SheetLimits { shared: self.shared_tolerance()?.flatten(), process, yield_share };
+        sheets(sizes, thickness, &mounting, &limits, &text).map_err(|error| with_arguments(error, &self.question))
     }
 
     /// The [drawings](Self::drawings) one below the other, true to scale.
@@ -288,8 +294,11 @@ impl WheelDesign {
     }
 
     fn mounting(&self) -> Result<Mounting, Error> {
+        // What is cut out of a sheet has one height.
+        let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
         Ok(Mounting {
             axial_play: self.axial_play().or(self.question.axial_play),
+            is_stacked: self.question.mounting.stacked.unwrap_or(is_of_sheet),
             ..self.question.mounting.mounting()?
         })
     }
@@ -309,9 +318,16 @@ impl WheelDesign {
         self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
-    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    /// How much wider holes become than drawn in the process, in millimetres; below zero narrower.
+    fn hole_growth(&self) -> Result<f64, Error> {
+        let numbers = self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?;
+        Ok(numbers.flatten().map_or(0.0, |numbers| numbers.hole_growth.value))
+    }
+
+    /// The parts for a file of meshes, with holes as wide as the process wants them drawn, and how far its chords leave their arcs.
     fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
-        let parts = self.listed(ending)?.parts;
+        let wider = -self.hole_growth()?;
+        let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect::<Vec<_>>();
         self.thickness(ending)?;
         let of = |play: f64, centres: f64| (play, tolerance(play, centres));
         let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {
@@ -431,13 +447,33 @@ mod tests {
 
     #[test]
     fn drawings_say_what_is_made_of_what_and_how_large() {
-        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron";
+        let text = "--stations 6 --crank-radius 40 --play 0.3 --wheel-material cast-iron --pin-mount dowel";
         let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
         let page = design.drawings_html().expect("a page");
-        for words in ["Geneva wheel, 6 stations, crank radius 40 mm", ">cast iron<", ">steel<", "1 of 4", "@page"] {
+        for words in
+            ["Geneva wheel, 6 stations, crank radius 40 mm", ">cast iron<", ">steel<", "2 of 4", "@page", ">Assembly<"]
+        {
             assert!(page.contains(words), "{words}");
         }
         assert_eq!(page.matches("<svg ").count(), design.drawings().expect("sheets").len());
         assert!(design.drawings_svg().expect("a drawing").contains("viewBox=\"0 0 "));
+    }
+
+    #[test]
+    fn drawings_for_a_process_tell_its_yield_and_cut_sheet_makes_two_pieces() {
+        let page = |more: &str| {
+            let text = format!("--stations 6 --crank-radius 25 --wheel-shaft 5 --driver-shaft 5 --thickness 3 {more}");
+            let design = WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel");
+            let solids = design.step().expect("solids").matches("MANIFOLD_SOLID_BREP").count();
+            (design.drawings_html().expect("a page"), solids)
+        };
+        let (laser, solids) = page("--process laser --wheel-material acrylic --pin-material acrylic");
+        assert!(laser.contains("assemblies") && laser.contains(">Process laser: it holds ±0.127"), "{laser}");
+        assert!(!laser.contains("Hardness") && !laser.contains("in one piece with"));
+        assert_eq!(solids, 4, "wheel, disc, plate and pin");
+        let (printed, solids) = page("--process fdm");
+        assert!(printed.contains("in one piece with") && solids == 2);
+        let (routed, solids) = page("--process router --driver-pieces one-piece");
+        assert!(routed.contains("in one piece with") && solids == 2);
     }
 }

@@ -42,7 +42,8 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     } else {
         "on the wheel"
     };
-    let mean = if loads.as_ref().is_some_and(|loads| loads.mean_crank_torque() > 0.0) {
+    let mean_torque = loads.as_ref().map(|loads| loads.mean_crank_torque());
+    let mean = if mean_torque.is_some_and(|mean| mean > 0.0) {
         "over a turn of the driver; this is what friction takes"
     } else {
         "frictionless: no friction is given"
@@ -98,12 +99,16 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
         ReportField::in_unit("peak_crank_torque_at_deg", at(driving(crank)), "°"),
-        ReportField::in_unit("peak_power_w", loads.as_ref().map(|loads| loads.peak_power()), "W")
-            .line("peak power", "at the same angle")
-            .rounded(Rounding::Significant(3)),
+        ReportField::in_unit(
+            "peak_power_w",
+            driving(crank).zip(design.speed()).map(|(peak, speed)| peak.value * speed),
+            "W",
+        )
+        .line("peak power", "at the same angle")
+        .rounded(Rounding::Significant(3)),
         ReportField::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
             .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
-        ReportField::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
+        ReportField::in_unit("mean_crank_torque_nm", mean_torque, "N m")
             .line("mean crank torque", mean)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")

@@ -4,13 +4,14 @@ use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_dynamics::line_contact::{MATERIALS, Material};
+use geneva_kinematics::wheel::as_built::Process;
 
 const GIGA: f64 = 1e9;
 const MEGA: f64 = 1e6;
 /// Poisson's ratio that no common material exceeds.
 const MOST_POISSON: f64 = 0.5;
 
-/// The materials of pins and wheel: steel unless another is named, each number replaced by what is given for it.
+/// The materials of pins and wheel, each number replaced by what is given for it.
 ///
 /// # Errors
 ///
@@ -18,11 +19,31 @@ const MOST_POISSON: f64 = 0.5;
 pub(super) fn materials(question: &WheelQuestion) -> Result<[Material; 2], Error> {
     let pins = [question.pin_modulus, question.pin_poisson, question.pin_strength];
     let wheel = [question.wheel_modulus, question.wheel_poisson, question.wheel_strength];
-    Ok([own("pin", question.pin_material, pins)?, own("wheel", question.wheel_material, wheel)?])
+    let [of_pin, of_wheel] = usual(question);
+    Ok([
+        own("pin", question.pin_material.unwrap_or(of_pin), pins)?,
+        own("wheel", question.wheel_material.unwrap_or(of_wheel), wheel)?,
+    ])
 }
 
-fn own(part: &str, named: Option<Material>, [modulus, poisson, strength]: [Option<f64>; 3]) -> Result<Material, Error> {
-    let listed = named.unwrap_or(MATERIALS[0]);
+/// The materials of pins and wheel that are not named: steel, or what a process is made for. A printed pin is of one piece with its
+/// plate unless a dowel or a screw is in its place.
+fn usual(question: &WheelQuestion) -> [Material; 2] {
+    let named = |name: &str| MATERIALS.into_iter().find(|of| of.name == name).unwrap_or(MATERIALS[0]);
+    let steel = MATERIALS[0];
+    let mounting = &question.mounting;
+    let is_printed = mounting.pin_mount.is_none() && mounting.pin_screw.is_none();
+    let printed = |material| [if is_printed { material } else { steel }, material];
+    match question.process {
+        None | Some(Process::Ground | Process::Mill) => [steel; 2],
+        Some(Process::Router) => [steel, named("mdf")],
+        Some(Process::Laser) => [steel, named("acrylic")],
+        Some(Process::Resin) => printed(named("acrylic")),
+        Some(Process::Fdm) => printed(named("pla")),
+    }
+}
+
+fn own(part: &str, listed: Material, [modulus, poisson, strength]: [Option<f64>; 3]) -> Result<Material, Error> {
     if let Some(poisson) = poisson.filter(|poisson| *poisson > MOST_POISSON) {
         return Err(refused!(
             "--{part}-poisson {}: Poisson's ratio is from 0 to 0.5; give that of the material",

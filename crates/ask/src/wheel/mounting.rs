@@ -70,8 +70,8 @@ pub struct MountingQuestion {
     pub disc_dowel_circle: Option<f64>,
     /// How many of them (`--disc-dowels`); 2 unless it is given.
     pub disc_dowels: Option<u32>,
-    /// Whether locking disc and plate are two pieces (`--stacked`).
-    pub stacked: bool,
+    /// Whether locking disc and plate are two pieces (`--driver-pieces`); if it isn't given, they are with a process that cuts sheet.
+    pub stacked: Option<bool>,
     /// Thickness of a base plate (`--base-thickness`).
     pub base_thickness: Option<f64>,
     /// Thread of the screws at its corners (`--base-screw`).
@@ -102,7 +102,7 @@ impl MountingQuestion {
             driver_hub: self.hub(self.driver_hub_circle)?,
             pins: self.pins()?,
             disc_dowels: self.dowels()?,
-            is_stacked: self.stacked,
+            is_stacked: self.stacked.unwrap_or(false),
             base: self.base()?,
             axial_play: None,
         })
@@ -216,6 +216,7 @@ pub(super) fn with_arguments(error: MountingError, question: &WheelQuestion) -> 
 mod tests {
     use super::*;
     use crate::wheel::WheelDesign;
+    use geneva_workshop::Part;
 
     fn wheel(mounting: MountingQuestion) -> WheelQuestion {
         WheelQuestion {
@@ -244,8 +245,8 @@ mod tests {
         };
         let design = WheelDesign::new(wheel(asked)).expect("a wheel");
         let list = design.part_list().expect("parts").expect("an external wheel with a size").parts;
-        let names: Vec<&str> = list.iter().map(|part| part.layer.words()).collect();
-        assert_eq!(names, ["wheel", "locking disc", "driver plate", "base plate"]);
+        let names: Vec<&str> = list.iter().map(Part::words).collect();
+        assert_eq!(names, ["wheel", "locking disc", "driver plate", "bush", "base plate"]);
         assert_eq!(list[0].holes.len(), 1 + 4);
         for file in [design.step(), design.svg_parts(), design.stl(), design.scad(), design.dxf()] {
             assert!(file.expect("a file").len() > 1000);

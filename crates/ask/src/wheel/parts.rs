@@ -198,7 +198,9 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
     let has_disc = design.sizes.is_some_and(|sizes| sizes.locking_disc.is_some());
     let locking = match found {
         None => locking.words("disc and arc", "not found: the play is so small that the search would take too long"),
-        Some(None) if has_disc => locking.words("disc and arc", "no room is known for errors in all sizes at once"),
+        Some(None) if has_disc => {
+            locking.words("disc and arc", "in the worst case no room is known for errors in all sizes at once")
+        }
         Some(_) => locking.line("disc and arc", "disc radius larger, arc radius smaller, each at most"),
     };
     let at_rim = limits.zip(radius).map(|(limit, radius)| limit.direction * radius);

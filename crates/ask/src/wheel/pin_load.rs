@@ -1,6 +1,7 @@
 //! Strength of the pin, and what the wheel's bearings carry, as they are reported.
 
 use super::design::WheelDesign;
+use crate::number_format::number;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_limit};
 use geneva_dynamics::pin_strength::{Cantilever, PinLength, least_diameter_for_pressure, least_diameter_for_strength};
@@ -31,9 +32,7 @@ struct PinCheck {
 /// The fields of the pin, of the blow on it and of the bearings.
 pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
     let loads = design.loads(wheel)?;
-    let moment = loads.as_ref().map(|loads| loads.pin_moment().driving.value);
-    let running = check(design, moment.and_then(|moment| design.force(moment)))?;
-    let arm = check(design, design.question.arm_torque.and_then(|torque| design.force(torque)))?;
+    let [running, arm] = checks(design, wheel)?;
     let friction = loads.as_ref().map(|loads| loads.friction());
     let bearing = running.force.zip(friction).map(|(force, friction)| force * libm::hypot(friction.pin, 1.0));
     let sizes = design.sizes.as_ref();
@@ -48,7 +47,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let blows = blows(design);
     let limit = limit(design);
     let mpa = |key, value: Option<f64>| ReportField::in_unit(key, value, "MPa").rounded(Rounding::Significant(3));
-    let factor = |key, value| ReportField::new(key, value).rounded(Rounding::Significant(3));
+    let [pressure_factor, pin_factor] = factors(&running);
     let newtons = |key, value| ReportField::in_unit(key, value, "N");
     let mm = |key, value| ReportField::in_unit(key, value, "mm");
     let limit_meaning = match design.question.allowed_pressure {
@@ -62,20 +61,14 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let bending_meaning = "F (gap + thickness/2) / (π d³/32), where the plate holds it: the gap is the axial play";
     Ok(vec![
         mpa("pressure_limit_mpa", limit).line("pressure limit", limit_meaning).needing(Needs::SIZE),
-        factor("pressure_factor", running.pressure_factor)
-            .line("pressure factor", "pressure limit over peak contact pressure; the force may grow by its square")
-            .needing(FORCE)
-            .visible_in_live_figure(),
+        pressure_factor,
         mpa("pin_bending_stress_mpa", running.bending)
             .line("bending of the pin", format!("at the peak pin force: {bending_meaning}"))
             .needing(FORCE),
         mpa("pin_shear_stress_mpa", running.shear)
             .line("shear of the pin", "at the peak pin force: 4/3 F / (π d²/4), in its middle")
             .needing(FORCE),
-        factor("pin_factor", running.factor)
-            .line("strength factor", "of the pin: its strength over that bending, or over √3 × that shear (von Mises)")
-            .needing(FORCE)
-            .visible_in_live_figure(),
+        pin_factor,
         mm("least_pin_diameter_mm", running.least).line("least pin", least_meaning).needing(FORCE),
         newtons("arm_pin_force_n", arm.force)
             .line("arm torque", "its force on the pin in mid-index: torque / crank radius")
@@ -115,6 +108,51 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
     ])
+}
+
+/// What the loads of running do to the pin, and what the torque on the arm does.
+fn checks(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<[PinCheck; 2], Error> {
+    let moment = design.loads(wheel)?.map(|loads| loads.pin_moment().driving.value);
+    let running = check(design, moment.and_then(|moment| design.force(moment)))?;
+    let arm = check(design, design.question.arm_torque.and_then(|torque| design.force(torque)))?;
+    Ok([running, arm])
+}
+
+/// A warning for each load that pin or wheel can't bear.
+pub(super) fn weaknesses(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<String>, Error> {
+    let checks = checks(design, wheel)?;
+    let loads = ["the peak pin force", "the force of the arm's torque"];
+    let weak = |(load, check): (&str, &PinCheck)| {
+        let said = |part: &str, factor: Option<f64>| {
+            let factor = factor.filter(|factor| *factor < 1.0)?;
+            let least = check.least.map_or_else(String::new, |least| format!(" of {} mm at least", number(least)));
+            Some(format!(
+                "{part} bears only {} of {load}: choose a thicker pin{least}, or a larger wheel",
+                number(factor)
+            ))
+        };
+        [said("the pin", check.factor), said("the contact of pin and slot", check.pressure_factor)]
+    };
+    Ok(loads.into_iter().zip(&checks).flat_map(weak).flatten().collect())
+}
+
+fn factor(key: &'static str, value: Option<f64>) -> ReportField {
+    ReportField::new(key, value).rounded(Rounding::Significant(3))
+}
+
+/// The factors of the pin under the greatest force in N: all that a page shows of its strength.
+pub(super) fn live_fields(design: &WheelDesign, force: Option<f64>) -> Result<[ReportField; 2], Error> {
+    Ok(factors(&check(design, force)?))
+}
+
+fn factors(running: &PinCheck) -> [ReportField; 2] {
+    [
+        factor("pressure_factor", running.pressure_factor)
+            .line("pressure factor", "pressure limit over peak contact pressure; the force may grow by its square"),
+        factor("pin_factor", running.factor)
+            .line("strength factor", "of the pin: its strength over that bending, or over √3 × that shear (von Mises)"),
+    ]
+    .map(|field| field.needing(FORCE).visible_in_live_figure())
 }
 
 /// The greatest pressure in MPa that pin and wheel should have.

@@ -46,6 +46,8 @@ pub struct WheelQuestion {
     pub pin_diameter: Option<f64>,
     /// How much wider slots and locking arcs are than the parts that run in them.
     pub play: Option<f64>,
+    /// Width of the slots, which gives their play.
+    pub slot_width: Option<f64>,
     /// How much wider the locking arcs are than the locking disc, as a difference of diameters; as the play of the slots unless
     /// it is given.
     pub locking_play: Option<f64>,
@@ -166,7 +168,7 @@ impl WheelQuestion {
         self.rpm.map(DriverSpeed::Rpm).or(self.rad_s.map(DriverSpeed::RadiansPerSecond))
     }
 
-    /// Reads arguments as they are typed: `--stations 6 --rpm 60`.
+    /// Reads arguments as they are typed: `--stations 6 --rpm 60`. With `--out DIR`, a wheel without a size gets the recommended one.
     ///
     /// # Errors
     ///

@@ -43,7 +43,8 @@ impl WheelDesign {
         }
     }
 
-    /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times and loads.
+    /// The fields of the answer that pages show of a wheel of known kind: sizes, play, times, loads, and the factors of the pin. What no
+    /// page shows is not computed, since a page asks again with each move of a slider.
     ///
     /// The design's wheel is an argument so that a page for wheels of one kind loads no code for the others.
     ///
@@ -56,9 +57,10 @@ impl WheelDesign {
         fields.extend(parts::parts(self));
         fields.extend(parts::tolerances(self)?);
         fields.extend(cycle(self, wheel)?);
-        fields.extend(loads::fields(self, wheel)?);
-        fields.extend(pin_load::fields(self, wheel)?);
-        fields.extend(drive::fields(self, wheel)?);
+        let loads = loads::fields(self, wheel)?;
+        let force = loads.iter().find(|field| field.key == "peak_pin_force_n").and_then(ReportField::number);
+        fields.extend(loads);
+        fields.extend(pin_load::live_fields(self, force)?);
         Ok(fields)
     }
 
@@ -222,5 +224,8 @@ fn missing(design: &WheelDesign) -> String {
              driver's plate, fatigue and wear."
         )
     });
-    lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
+    let bores = design.sizes.filter(|sizes| sizes.wheel_shaft == 0.0 && sizes.plate_shaft == 0.0).map(|_| {
+        "For bores, add --wheel-shaft MM and --driver-shaft MM; without them the files have centre marks.".to_owned()
+    });
+    lengths.into_iter().chain(bores).chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

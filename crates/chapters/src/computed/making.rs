@@ -125,6 +125,7 @@ mod tests {
     use geneva_ask::ReportField;
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
     use geneva_dynamics::wheel_loads::WheelLoads;
+    use geneva_kinematics::wheel::as_built::TestPiece;
     use geneva_kinematics::wheel::{EntryContact, Play, Warning};
     use geneva_live::LiveArguments;
 
@@ -245,9 +246,9 @@ mod tests {
             (design.crank_radius.expect("a size"), own / design.table_inertia.expect("a table"))
         };
         let (taken, of_table) = share(None);
-        // About the number before it in the series, which has 20 in a decade.
-        let before = share(Some(taken / 1.12)).1;
-        assert!(of_table >= 0.1 && before < 0.1, "{taken} mm: {of_table} {before}");
+        // The number before it in the series.
+        let before = share(Some(40.0)).1;
+        assert!(taken == 45.0 && of_table >= 0.1 && before < 0.1, "{taken} mm: {of_table} {before}");
     }
 
     #[test]
@@ -258,6 +259,9 @@ mod tests {
         let keeps =
             sizes.shared_tolerance().is_some_and(|limit| limit.locking > error / 2.0 && limit.crank > error / 2.0);
         assert!(share > 0.9 && !keeps, "{share}");
+        // Its test piece goes up by a twentieth of a millimetre.
+        let plays = TestPiece::new(sizes.pin_diameter).expect("a pin").plays;
+        assert!(plays.iter().zip(1..).all(|(play, number)| (play - 0.05 * f64::from(number)).abs() < 1e-9));
         assert!(asked("printed", "dwell_backlash_deg") > 10.0 * asked("worked", "dwell_backlash_deg"));
     }
 

@@ -90,6 +90,19 @@ pub enum MountingError {
         /// Diameter of the pin, in millimetres.
         pin: f64,
     },
+    /// A bush between screw and pin without a wall.
+    #[error(
+        "the screw {screw} needs a pin as thick as the screw or of at least {least} mm, which leaves a wall to its bush, not of {pin} \
+         mm; choose a thinner screw, or a thicker pin"
+    )]
+    ThinBush {
+        /// The screw's thread.
+        screw: &'static str,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+        /// What it is at least with a bush, in millimetres.
+        least: f64,
+    },
     /// A hole that comes out of its part, or runs into another hole.
     #[error("{part}: {hole} runs into {other} by {by:.3} mm; {remedy}")]
     BreaksOut {

@@ -14,6 +14,8 @@ pub enum HolePurpose {
     Bore,
     /// The hole of a pin.
     Pin,
+    /// The hole of the screw that holds a pin, in the plate and in the pin's bush.
+    PinScrew,
     /// A hole of the pattern that holds a part on its hub.
     Hub,
     /// A hole of the pattern that holds locking disc and plate together.
@@ -32,6 +34,7 @@ impl HolePurpose {
         match self {
             Self::Bore => "the bore",
             Self::Pin => "the pin's hole",
+            Self::PinScrew => "the hole of the pin's screw",
             Self::Hub => "a hole of the hub",
             Self::DiscDowel => "a hole between disc and plate",
             Self::Fixing => "a fixing hole",

@@ -2,7 +2,7 @@
 
 use super::error::MountingError;
 use super::holes::{Hole, HolePurpose, bore};
-use super::list::{PartList, pin_fastener, place};
+use super::list::{PartList, pin_fastener, pin_hole, place, screw_holes};
 use super::mounting::{Mounting, PinMount};
 use super::part::{Layer, Part, Place};
 use super::walls::thin_walls;
@@ -79,7 +79,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
     plate.holes.extend(bore(plate.layer.words(), shaft, mounting.driver_fit, PI)?);
     let middle = Point::new(sizes.crank_radius, 0.0);
     let fastener = pin_fastener(sizes.pin_diameter, mounting.pins)?;
-    plate.holes.push(Hole::fastened(HolePurpose::Pin, middle, fastener, 0.0));
+    plate.holes.push(Hole::fastened(pin_hole(fastener), middle, fastener, 0.0));
     plate.marks.push(middle);
 
     let patterns = [(mounting.wheel_hub, &mut closed), (mounting.driver_hub, &mut plate)];
@@ -91,18 +91,19 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
     }
 
     let mut all = vec![ring, closed, segment, plate];
-    if !matches!(mounting.pins, PinMount::Screw(..)) {
+    if let Some(holes) = screw_holes(sizes.pin_diameter, mounting.pins)? {
         let is_joined = is_joined && mounting.pins == PinMount::Solid;
-        let through = if is_joined { 0.0 } else { thickness };
+        let through = if is_joined || !holes.is_empty() { 0.0 } else { thickness };
         let place = Place { at: driver.at - middle, bottom: driver.bottom - through, ..driver };
         all.push(Part {
             thickness: thickness + through,
+            holes,
             marks: Vec::new(),
             engraved: Vec::new(),
             is_joined,
             ..plain(Layer::Pins, Loop::circle(Point::zeros(), sizes.pin_radius(), false), place)
         });
     }
-    let thin_walls = all.iter().map(thin_walls).collect::<Result<Vec<_>, _>>()?.concat();
+    let thin_walls = all.iter().filter(|part| part.is_cut()).map(thin_walls).collect::<Result<Vec<_>, _>>()?.concat();
     Ok(PartList { parts: all, thin_walls })
 }

@@ -91,7 +91,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     let directions = (0..pins).map(|k| 2.0 * between * f64::from(k));
     let middles: Vec<(f64, Point)> = directions.map(|angle| (angle, direction(angle) * sizes.crank_radius)).collect();
     let fastener = pin_fastener(sizes.pin_diameter, mounting.pins)?;
-    plate.holes.extend(middles.iter().map(|(angle, at)| Hole::fastened(HolePurpose::Pin, *at, fastener, *angle)));
+    plate.holes.extend(middles.iter().map(|(angle, at)| Hole::fastened(pin_hole(fastener), *at, fastener, *angle)));
     plate.marks.extend(middles.iter().map(|(_, at)| *at));
 
     if let Some(pattern) = mounting.wheel_hub {
@@ -109,12 +109,10 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     let mut all = vec![wheel];
     all.extend(disc);
     all.push(plate);
-    if !matches!(mounting.pins, PinMount::Screw(..)) {
-        all.push(pin(sizes, thickness, mounting, &middles, driver));
-    }
+    all.extend(pin(sizes, thickness, mounting, &middles, driver)?);
     let top = -2.0 * play - thickness;
     all.extend(mounting.base.map(|base| base_plate(sizes, base, thickness, top)).transpose()?);
-    let thin_walls = all.iter().map(thin_walls).collect::<Result<Vec<_>, _>>()?.concat();
+    let thin_walls = all.iter().filter(|part| part.is_cut()).map(thin_walls).collect::<Result<Vec<_>, _>>()?.concat();
     Ok(PartList { parts: all, thin_walls })
 }
 
@@ -123,26 +121,60 @@ pub(crate) fn axial_play(sizes: &Sizes, mounting: &Mounting) -> f64 {
     mounting.axial_play.unwrap_or(sizes.play.slot)
 }
 
-/// A pin: a dowel through the plate, or what stands on the plate in one piece with it.
-fn pin(sizes: &Sizes, thickness: f64, mounting: &Mounting, middles: &[(f64, Point)], driver: Place) -> Part {
+/// A pin: a dowel through the plate, what stands on the plate in one piece with it, or a bush on a screw; none where the screw
+/// itself is the pin.
+fn pin(
+    sizes: &Sizes,
+    thickness: f64,
+    mounting: &Mounting,
+    middles: &[(f64, Point)],
+    driver: Place,
+) -> Result<Option<Part>, MountingError> {
+    let Some(holes) = screw_holes(sizes.pin_diameter, mounting.pins)? else { return Ok(None) };
     let is_joined = mounting.pins == PinMount::Solid && !mounting.disc_is_apart();
     let play = axial_play(sizes, mounting);
-    let through = if is_joined { 0.0 } else { thickness };
+    let through = if is_joined || !holes.is_empty() { 0.0 } else { thickness };
+    // The head of a bush's screw runs as far above the wheel as the plate is below it.
+    let above = if holes.is_empty() { 0.0 } else { play };
     let places = middles.iter().map(|(_, middle)| Place {
         at: driver.at + turned(*middle, driver.turn),
         bottom: -play - through,
         ..driver
     });
-    Part {
+    Ok(Some(Part {
         layer: Layer::Pins,
         outer: Loop::circle(Point::zeros(), sizes.pin_radius(), false),
-        holes: Vec::new(),
+        holes,
         marks: Vec::new(),
-        thickness: thickness + play + through,
+        thickness: thickness + play + through + above,
         places: places.collect(),
         engraved: Vec::new(),
         is_joined,
+    }))
+}
+
+/// What a hole in the plate for this fastener of a pin is for.
+pub(super) fn pin_hole(fastener: Fastener) -> HolePurpose {
+    match fastener {
+        Fastener::Dowel(_) => HolePurpose::Pin,
+        Fastener::Screw(..) => HolePurpose::PinScrew,
     }
+}
+
+/// Least thickness of the wall of a bush, in millimetres: our choice.
+const BUSH_WALL: f64 = 0.5;
+
+/// The hole through a pin: that of a bush on a screw, which passes; none where the screw itself is the pin.
+pub(super) fn screw_holes(pin: f64, pins: PinMount) -> Result<Option<Vec<Hole>>, MountingError> {
+    let PinMount::Screw(thread, _) = pins else { return Ok(Some(Vec::new())) };
+    if (pin - thread.diameter()).abs() < 1e-9 {
+        return Ok(None);
+    }
+    let (inner, least) = (thread.clearance_hole(), thread.clearance_hole() + 2.0 * BUSH_WALL);
+    if pin < least {
+        return Err(MountingError::ThinBush { screw: thread.name(), pin, least });
+    }
+    Ok(Some(vec![Hole::round(HolePurpose::PinScrew, Point::zeros(), inner)]))
 }
 
 /// What goes through the pins' holes in the plate.

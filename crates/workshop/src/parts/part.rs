@@ -15,7 +15,7 @@ pub enum Layer {
     LockingSegment,
     /// The driver's plate, behind the wheel.
     Plate,
-    /// The pins, or the holes for them in the plate.
+    /// The pins, or the holes for them in the plate; where screws hold the pins, their holes are in the plate's layer.
     Pins,
     /// The plate that closes the ring of an internal wheel and carries its shaft.
     RingPlate,
@@ -115,9 +115,43 @@ impl Part {
         self.places.len()
     }
 
+    /// What it is called in a sentence: a pin with a hole for its screw is a bush.
+    pub fn words(&self) -> &'static str {
+        if self.is_bush() { "bush" } else { self.layer.words() }
+    }
+
+    /// Whether it is the bush on a pin's screw.
+    pub fn is_bush(&self) -> bool {
+        self.layer == Layer::Pins && !self.holes.is_empty()
+    }
+
     /// Its outline with the holes that go through it.
     pub fn face(&self) -> Face {
         Face { outer: self.outer.clone(), holes: self.holes.iter().map(|hole| hole.outline.clone()).collect() }
+    }
+
+    /// The part with its round holes wider by a length in millimetres, or narrower below zero: for a machine that makes them too
+    /// narrow or too wide by as much. A hole that would have no width stays as it is.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    /// use geneva_workshop::{Mounting, parts};
+    ///
+    /// let choices = Choices { wheel_shaft: Some(6.0), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// let wheel = parts(&sizes, 5.0, &Mounting::default()).expect("bare parts").parts.remove(0);
+    /// let bore = wheel.holes[0].diameter().expect("round");
+    /// let wider = wheel.with_wider_holes(0.2).holes[0].diameter().expect("round");
+    /// assert!((wider - bore - 0.2).abs() < 1e-12); // mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn with_wider_holes(mut self, by: f64) -> Self {
+        for hole in &mut self.holes {
+            if let Some(diameter) = hole.diameter().map(|diameter| diameter + by).filter(|diameter| *diameter > 0.0) {
+                hole.outline = Loop::circle(hole.centre, diameter / 2.0, true);
+            }
+        }
+        self
     }
 
     /// Its volume in cubic millimetres, less the pockets.

@@ -43,7 +43,7 @@ const OF_HOLE: f64 = 0.5;
 pub(crate) fn remedy(purpose: HolePurpose) -> &'static str {
     match purpose {
         HolePurpose::Bore => "choose a thinner shaft, or one without keyway",
-        HolePurpose::Pin => "choose a thinner screw for the pin, or one without a nut",
+        HolePurpose::Pin | HolePurpose::PinScrew => "choose a thinner screw for the pin, or one without a nut",
         HolePurpose::Hub => "choose another circle for the hub, fewer or thinner screws or dowels",
         HolePurpose::DiscDowel => "choose another circle for the dowels, fewer or thinner ones",
         HolePurpose::Fixing => "choose thinner screws for the base plate",
@@ -132,7 +132,8 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }
         let is_plain = hole.diameter().is_some() && hole.widening.is_none();
-        let is_of_sizes = is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin)
+        let is_of_sizes = is_plain
+            && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin | HolePurpose::PinScrew)
             || hole.purpose == HolePurpose::Inside;
         // A keyway or a flat is as wide as its straight line across.
         let across = hole.outline.edges.iter().filter_map(|edge| match edge {

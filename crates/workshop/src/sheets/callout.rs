@@ -2,6 +2,7 @@
 
 use super::dimension::PrintedDimension;
 use super::ink::{Ink, Pen, SMALL, TEXT, text_width};
+use super::limits::LimitOrigin;
 use crate::geometry::Point;
 
 /// A line of a callout.
@@ -12,7 +13,7 @@ pub(super) enum Row {
     /// A size with its limits.
     Size(PrintedDimension),
     /// A frame of ISO 1101 with the sign of position: its zone and its datums.
-    Position { zone: String, datums: &'static [&'static str], is_from_chain: bool },
+    Position { zone: String, datums: &'static [&'static str], origin: LimitOrigin },
     /// What the callout is about is a datum of this letter.
     Datum(&'static str),
 }
@@ -27,8 +28,18 @@ const BOX: f64 = 5.0;
 const SPACE: f64 = 1.0;
 /// Before the mark below.
 const MARK: f64 = 0.7;
-/// What marks limits that are from a chain.
-pub(super) const FROM_CHAIN: &str = "†";
+
+/// Width of the mark behind limits.
+fn mark_width(origin: LimitOrigin) -> f64 {
+    if origin.mark().is_empty() { 0.0 } else { MARK + text_width(origin.mark(), TEXT) }
+}
+
+/// Writes the mark behind limits, if they have one.
+fn draw_mark(ink: &mut Ink, origin: LimitOrigin, right: f64, base: f64) {
+    if !origin.mark().is_empty() {
+        ink.text(Point::new(right + MARK, base), TEXT, origin.mark());
+    }
+}
 
 impl Row {
     fn height(&self) -> f64 {
@@ -46,7 +57,7 @@ impl Row {
         match self {
             Self::Words(text) => text_width(text, TEXT),
             Self::Size(size) => {
-                let mark = if size.is_from_chain { MARK + text_width(FROM_CHAIN, TEXT) } else { 0.0 };
+                let mark = mark_width(size.origin);
                 let limits = match size.limit_words() {
                     None => 0.0,
                     Some(Ok(one)) => text_width(&one, TEXT),
@@ -54,8 +65,8 @@ impl Row {
                 };
                 text_width(&size.text, TEXT) + if limits > 0.0 { SPACE + limits } else { 0.0 } + mark
             }
-            Self::Position { zone, datums, is_from_chain } => {
-                let mark = if *is_from_chain { MARK + text_width(FROM_CHAIN, TEXT) } else { 0.0 };
+            Self::Position { zone, datums, origin } => {
+                let mark = mark_width(*origin);
                 BOX + text_width(zone, TEXT) + 2.0 + BOX * datums.len() as f64 + mark
             }
             Self::Datum(_) => 2.0 * BOX,
@@ -84,11 +95,9 @@ impl Row {
                         right += text_width(&upper, SMALL).max(text_width(&lower, SMALL));
                     }
                 }
-                if size.is_from_chain {
-                    ink.text(Point::new(right + MARK, base), TEXT, FROM_CHAIN);
-                }
+                draw_mark(ink, size.origin, right, base);
             }
-            Self::Position { zone, datums, is_from_chain } => {
+            Self::Position { zone, datums, origin } => {
                 let (upper, lower) = (top + (height - BOX) / 2.0, top + (height + BOX) / 2.0);
                 let mut cells = vec![BOX, text_width(zone, TEXT) + 2.0];
                 cells.extend(datums.iter().map(|_| BOX));
@@ -108,9 +117,7 @@ impl Row {
                     }
                     x += width;
                 }
-                if *is_from_chain {
-                    ink.text(Point::new(x + MARK, base), TEXT, FROM_CHAIN);
-                }
+                draw_mark(ink, *origin, x, base);
             }
             Self::Datum(letter) => {
                 let (upper, lower) = (top + (height - BOX) / 2.0, top + (height + BOX) / 2.0);

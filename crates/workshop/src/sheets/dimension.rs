@@ -1,7 +1,7 @@
 //! Sizes as they are written on a sheet.
 
 use super::length::mm;
-use super::limits::Limits;
+use super::limits::{LimitOrigin, Limits};
 use geneva_kinematics::wheel::ToleranceClass;
 
 /// What a dimension on a sheet measures.
@@ -93,8 +93,8 @@ pub struct PrintedDimension {
     pub limits: Option<[f64; 2]>,
     /// The class of ISO 286 with these limits.
     pub class: Option<ToleranceClass>,
-    /// Whether a tolerance chain makes the limits narrower than a class or the general tolerances.
-    pub is_from_chain: bool,
+    /// Where the limits come from.
+    pub origin: LimitOrigin,
     /// Text before the limits, as it is on the sheet.
     pub text: String,
 }
@@ -103,7 +103,7 @@ impl PrintedDimension {
     /// A dimension with what is written before and behind its size.
     pub(super) fn new(measured: Measured, before: &str, nominal: f64, behind: &str) -> Self {
         let text = format!("{before}{}{behind}", mm(nominal));
-        Self { measured, nominal, limits: None, class: None, is_from_chain: false, text }
+        Self { measured, nominal, limits: None, class: None, origin: LimitOrigin::Standard, text }
     }
 
     /// The dimension with limits; the class, if any, is written behind the size.
@@ -112,7 +112,7 @@ impl PrintedDimension {
             self.text = format!("{} {}", self.text, class.name());
         }
         self.limits = Some([limits.lower, limits.upper]);
-        (self.class, self.is_from_chain) = (limits.class, limits.is_from_chain);
+        (self.class, self.origin) = (limits.class, limits.origin);
         self
     }
 

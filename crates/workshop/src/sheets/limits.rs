@@ -18,6 +18,30 @@ const PRESSED: [ToleranceClass; 2] =
 /// The grade of what has a limit by no chain.
 const PLACE: ToleranceClass = ToleranceClass { letter: UpperJs, grade: 7 };
 
+/// Where the limits of a size come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LimitOrigin {
+    /// A class of ISO 286, or general tolerances.
+    Standard,
+    /// A tolerance chain, which leaves less than these.
+    Chain,
+    /// The greatest error of the process, which holds no less.
+    Process,
+    /// The greatest error of the process, though a tolerance chain leaves less.
+    ProcessBeyondChain,
+}
+
+impl LimitOrigin {
+    /// What marks such limits on a sheet.
+    pub(super) fn mark(self) -> &'static str {
+        match self {
+            Self::Standard | Self::Process => "",
+            Self::Chain => "†",
+            Self::ProcessBeyondChain => "‡",
+        }
+    }
+}
+
 /// Limits of a size with their sign, in millimetres, and where they come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Limits {
@@ -25,13 +49,12 @@ pub(super) struct Limits {
     pub upper: f64,
     /// The class with just these limits.
     pub class: Option<ToleranceClass>,
-    /// Whether a chain of tolerances makes them narrower.
-    pub is_from_chain: bool,
+    pub origin: LimitOrigin,
 }
 
 impl Limits {
     pub(super) fn new([lower, upper]: [f64; 2]) -> Self {
-        Self { lower, upper, class: None, is_from_chain: false }
+        Self { lower, upper, class: None, origin: LimitOrigin::Standard }
     }
 
     /// Limits of a class, or one-sided general ones for sizes that the standard's classes don't have.
@@ -62,7 +85,20 @@ impl Limits {
         if lower == self.lower && upper == self.upper {
             return self;
         }
-        Self { lower: lower.min(upper), upper, class: None, is_from_chain: true }
+        Self { lower: lower.min(upper), upper, class: None, origin: LimitOrigin::Chain }
+    }
+
+    /// The limits, or the greatest error of a process to either side if it holds no less; in whole micrometres. `chain` is what a
+    /// tolerance chain leaves below and above.
+    pub(super) fn held(self, error: Option<f64>, chain: [f64; 2]) -> Self {
+        let narrowed = self.within(chain);
+        let Some(error) = error.map(whole_micrometres) else { return narrowed };
+        if narrowed.upper - narrowed.lower >= 2.0 * error - 1e-9 {
+            return narrowed;
+        }
+        let is_beyond = chain.into_iter().any(|left| left < error - 1e-9);
+        let origin = if is_beyond { LimitOrigin::ProcessBeyondChain } else { LimitOrigin::Process };
+        Self { lower: -error, upper: error, class: None, origin }
     }
 
     /// How the limits are written behind a size: one text, or an upper and a lower one.
@@ -85,6 +121,11 @@ pub(super) fn to_micrometres(x: f64) -> f64 {
     } else {
         whole(x)
     }
+}
+
+/// A tolerance rounded up to micrometres, in millimetres.
+pub(super) fn whole_micrometres(x: f64) -> f64 {
+    libm::ceil(x * 1000.0 - 1e-6) / 1000.0
 }
 
 /// Greatest sizes and tolerances of lengths: ISO 2768-1, class m, in millimetres.
@@ -128,9 +169,23 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    pub(super) fn new(sizes: &Sizes, shared: Option<SharedTolerance>) -> Self {
-        Self::of_chains(sizes, shared).filter(|chain| chain.least() > 0.0).unwrap_or_else(|| Self::chosen(sizes))
+    /// The limits of the chains; where they leave nothing, what is usual, or nothing if a process says what is held.
+    pub(super) fn new(sizes: &Sizes, shared: Option<SharedTolerance>, has_process: bool) -> Self {
+        let otherwise = || if has_process { Self::NOTHING } else { Self::chosen(sizes) };
+        Self::of_chains(sizes, shared).filter(|chain| chain.least() > 0.0).unwrap_or_else(otherwise)
     }
+
+    const NOTHING: Self = Self {
+        axes: [0.0; 2],
+        bore: 0.0,
+        crank: 0.0,
+        width: 0.0,
+        slot_end: 0.0,
+        locking: 0.0,
+        slot_zone: 0.0,
+        arc_zone: 0.0,
+        is_known: false,
+    };
 
     /// What is usual where the chains leave nothing that can be written in micrometres.
     fn chosen(sizes: &Sizes) -> Self {

@@ -1,13 +1,17 @@
 //! Drawings for a workshop: a sheet for each part, with limits, true to scale in print.
 
+mod assembly;
 mod callout;
 mod dimension;
 mod ink;
 mod length;
 mod limits;
+mod making;
 mod page;
 mod paper;
 mod part_views;
+#[cfg(test)]
+mod process_tests;
 mod sheet;
 #[cfg(test)]
 mod tests;
@@ -16,7 +20,9 @@ mod title;
 mod view;
 
 pub use dimension::{Measured, PrintedDimension};
+pub use limits::LimitOrigin;
+pub use making::SheetLimits;
 pub use page::{sheets_html, sheets_svg};
 pub use paper::{DrawingScale, Paper};
 pub use sheet::{Sheet, sheets};
-pub use text::SheetText;
+pub use text::{SheetMaterial, SheetText};

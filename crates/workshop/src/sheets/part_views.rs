@@ -2,11 +2,13 @@
 
 use super::callout::{Row, Side};
 use super::dimension::{Measured, PrintedDimension};
-use super::length::{deviation, mm};
+use super::ink::Pen;
+use super::length::mm;
 use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
-use super::view::{Making, Target, View, on_circle, pocket_rows, thickness, zone};
+use super::making::Making;
+use super::view::{Target, View, on_circle, pocket_rows, polylines};
 use crate::geometry::{Point, direction, point_along};
-use crate::parts::{HolePurpose, Layer, Part, PinMount};
+use crate::parts::{Hole, HolePurpose, Layer, Part, PinMount, ScrewHole};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, ToleranceClass, ToleranceLetter};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -45,20 +47,20 @@ impl Making<'_> {
         let half = sizes.slot_width / 2.0;
         let corner = |x: f64| Point::new(x, sizes.wheel_radius - sizes.mouth_length());
         let slot = PrintedDimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
-            .limited(Limits::class(SLOT, sizes.slot_width).within([chain.width, f64::INFINITY]));
+            .limited(self.held(Limits::class(SLOT, sizes.slot_width), [chain.width, f64::INFINITY]));
         view.add(
             Target::Across([corner(-half), corner(half)]),
             Side::Right,
             vec![
                 Row::Size(slot),
-                Row::Position { zone: zone("", chain.slot_zone), datums: &["A"], is_from_chain: chain.is_known },
+                self.position("", chain.slot_zone, &["A"]),
                 Row::Words(format!("at exact {}°", mm(pitch.to_degrees()))),
                 Row::Datum("B"),
             ],
         );
         let end = PrintedDimension::new(Measured::SlotEnd, "", sizes.slot_end, "");
         let general = general_tolerance(sizes.slot_end);
-        let end = end.limited(Limits::new([-general, general]).within([general, chain.slot_end]));
+        let end = end.limited(self.held(Limits::new([-general, general]), [f64::INFINITY, chain.slot_end]));
         view.add(
             Target::Along([Point::zeros(), Point::new(0.0, sizes.slot_end)]),
             Side::Left,
@@ -67,7 +69,9 @@ impl Making<'_> {
         let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
         let radius =
             PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
-                .limited(Limits::of_radius(SLOT, sizes.locking_arc_radius).within([chain.locking, f64::INFINITY]));
+                .limited(
+                    self.held_radius(Limits::of_radius(SLOT, sizes.locking_arc_radius), [chain.locking, f64::INFINITY]),
+                );
         let centres =
             PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
         view.add(
@@ -75,28 +79,27 @@ impl Making<'_> {
             Side::Right,
             vec![
                 Row::Size(radius),
-                Row::Position { zone: zone("Ø", chain.arc_zone), datums: &["A", "B"], is_from_chain: chain.is_known },
+                self.position("Ø", chain.arc_zone, &["A", "B"]),
                 Row::Size(centres),
                 Row::Words("midway between slots".to_owned()),
             ],
         );
         let rim = rim_point(&view.part.outer, sizes.tip_radius, direction(LOWER_RIGHT));
         let rim_size = PrintedDimension::new(Measured::Rim, "Ø", 2.0 * sizes.tip_radius, "");
-        let mut rows = vec![Row::Size(rim_size.limited(Limits::class(RIM, 2.0 * sizes.tip_radius))), thickness(part)];
+        let mut rows = vec![
+            Row::Size(rim_size.limited(self.held(Limits::class(RIM, 2.0 * sizes.tip_radius), [f64::INFINITY; 2]))),
+            self.thickness(part),
+        ];
         if !view.has_bore() {
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
         self.add_mouth(&mut view);
         view.add_holes(self);
-        view.notes.push("Slot walls, locking arcs: Ra 1.6. Corners of mouths: 0.1 at most.".to_owned());
-        // The axes' whole share: on a base plate, bores and shafts take half of it.
-        view.notes.push(format!(
-            "Distance of the axes: {} ({} / {}).",
-            mm(sizes.centre_distance),
-            deviation(chain.axes[1]),
-            deviation(-chain.axes[0])
-        ));
+        view.notes.push(self.surface("Slot walls, locking arcs", 1.6));
+        if self.is_machined() {
+            view.notes.push("Corners of mouths: 0.1 at most.".to_owned());
+        }
         view
     }
 
@@ -126,8 +129,8 @@ impl Making<'_> {
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let rim = rim_point(&view.part.outer, disc.radius, direction(LOWER_RIGHT));
         let size = PrintedDimension::new(Measured::Disc, "Ø", 2.0 * disc.radius, "");
-        let limits = Limits::class(DISC, 2.0 * disc.radius).within([f64::INFINITY, 2.0 * self.chain.locking]);
-        let mut rows = vec![Row::Size(size.limited(limits)), thickness(part)];
+        let limits = self.held(Limits::class(DISC, 2.0 * disc.radius), [f64::INFINITY, 2.0 * self.chain.locking]);
+        let mut rows = vec![Row::Size(size.limited(limits)), self.thickness(part)];
         if !view.has_bore() {
             rows.insert(1, Row::Datum("A"));
         }
@@ -136,9 +139,10 @@ impl Making<'_> {
         let shift = crescent_shift(&disc);
         let wider = Limits::class(SLOT, 2.0 * cut.radius);
         let limits = Limits::new([2.0 * shift, 2.0 * shift + to_micrometres(wider.upper / 2.0)]);
+        let limits = self.held_radius(limits, [f64::INFINITY; 2]);
         let radius = PrintedDimension::new(Measured::Crescent, &format!("{many}R"), cut.radius, "").limited(limits);
         let to = cut_point(&disc);
-        let place = Row::Position { zone: zone("Ø", 2.0 * shift), datums: &["A"], is_from_chain: false };
+        let place = self.position_of_crescent(2.0 * shift);
         let mut rows = vec![Row::Size(radius), place];
         let centre = |before: &str| Row::Size(PrintedDimension::new(Measured::CrescentCentre, before, cut.centre, ""));
         let is_far = cut.centre > FAR * disc.radius;
@@ -164,8 +168,16 @@ impl Making<'_> {
             vec![Row::Size(opening), Row::Words("opening, for checking".to_owned())],
         );
         view.add_holes(self);
-        view.notes.push("Rim: Ra 1.6. Edges of the opening: 0.1 at most.".to_owned());
-        view.notes.push(format!("On the plate: crescent's centre in line with axis and pin to {}.", mm(shift)));
+        view.notes.push(self.surface("Rim", 1.6));
+        if self.is_machined() {
+            view.notes.push("Edges of the opening: 0.1 at most.".to_owned());
+        }
+        let to = self.limits.process.map_or(shift, |numbers| shift.max(numbers.error.value / 2.0));
+        view.notes.push(format!("On the plate: crescent's centre in line with axis and pin to {}.", mm(to)));
+        if !self.is_one_piece() && self.mounting.disc_dowels.is_none() && self.mounting.driver_hub.is_none() {
+            view.notes
+                .push("No dowels or screws are drawn: bond the disc to the plate, or drill both together.".to_owned());
+        }
         view
     }
 
@@ -175,35 +187,53 @@ impl Making<'_> {
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let mut view = View::new(part, UPRIGHT);
         let rim = direction(LOWER_RIGHT) * sizes.plate_radius;
-        let mut rows =
-            vec![Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")), thickness(part)];
+        let mut rows = vec![
+            Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")),
+            self.thickness(part),
+        ];
         if !view.has_bore() {
             rows[0] = Row::Size(
                 PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
-                    .limited(Limits::class(RIM, 2.0 * sizes.plate_radius)),
+                    .limited(self.held(Limits::class(RIM, 2.0 * sizes.plate_radius), [f64::INFINITY; 2])),
             );
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
         let crank = PrintedDimension::new(Measured::CrankRadius, "", sizes.crank_radius, "");
-        let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.crank, chain.crank]) };
+        let limits = self.held_place([chain.crank; 2]);
         view.add(
             Target::Along([Point::zeros(), Point::new(0.0, sizes.crank_radius)]),
             Side::Left,
             vec![Row::Size(crank.limited(limits))],
         );
-        let hole = view.part.holes.iter().find(|hole| hole.purpose == HolePurpose::Pin).cloned();
+        let hole = view
+            .part
+            .holes
+            .iter()
+            .find(|hole| matches!(hole.purpose, HolePurpose::Pin | HolePurpose::PinScrew))
+            .cloned();
         if let Some(hole) = hole
             && let Some(diameter) = hole.diameter()
         {
-            let size = PrintedDimension::new(Measured::PinHole, &format!("{many}Ø"), diameter, "");
-            let is_dowel = !matches!(self.mounting.pins, PinMount::Screw(..));
-            let size = if is_dowel {
-                size.limited(Limits::class(chain.pin_classes(diameter)[1], diameter))
-            } else {
-                size.limited(Limits::class(BORE, diameter))
+            let size = |measured| PrintedDimension::new(measured, &format!("{many}Ø"), diameter, "");
+            let free = [f64::INFINITY; 2];
+            let mut rows = match self.mounting.pins {
+                _ if self.has_solid_pins() => {
+                    let height = part.thickness + self.axial_play();
+                    let limits = self.held(Limits::class(DISC, diameter), [f64::INFINITY, chain.width]);
+                    let height = PrintedDimension::new(Measured::PinLength, "above the plate h = ", height, "")
+                        .limited(self.general(height));
+                    vec![Row::Size(size(Measured::Pin).limited(limits)), Row::Size(height)]
+                }
+                PinMount::Screw(_, ScrewHole::Tapped) => vec![Row::Size(size(Measured::PinHole))],
+                PinMount::Screw(..) => {
+                    vec![Row::Size(size(Measured::PinHole).limited(self.held(Limits::class(BORE, diameter), free)))]
+                }
+                PinMount::Solid | PinMount::Dowel => {
+                    let limits = Limits::class(chain.pin_classes(diameter)[1], diameter);
+                    vec![Row::Size(size(Measured::PinHole).limited(self.held(limits, free)))]
+                }
             };
-            let mut rows = vec![Row::Size(size)];
             if pins > 1 {
                 rows.push(Row::Words(format!("at {}°", mm(360.0 / f64::from(pins)))));
             }
@@ -213,11 +243,30 @@ impl Making<'_> {
         view.circles.push(sizes.crank_radius);
         view.add_holes(self);
         view.notes.push(match self.mounting.pins {
-            PinMount::Screw(thread, _) => {
-                format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter), thread.name())
+            _ if self.has_solid_pins() => self.surface("Pins", 1.6),
+            PinMount::Screw(thread, hole) => {
+                let tapped = if hole == ScrewHole::Tapped {
+                    format!("Holes of pins tapped {0}. ", thread.name())
+                } else {
+                    String::new()
+                };
+                let pins = if thread.diameter() == sizes.pin_diameter {
+                    format!("Pins: the shanks of screws {}.", thread.name())
+                } else {
+                    format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter), thread.name())
+                };
+                tapped + &pins
             }
-            _ => "Pins pressed or bonded in, square within 0.01 on 10.".to_owned(),
+            _ if self.is_machined() => "Pins pressed or bonded in, square within 0.01 on 10.".to_owned(),
+            _ => "Holes fitted to the pins; pins pressed or bonded in, square.".to_owned(),
         });
+        if self.is_one_piece()
+            && let Some(disc) = self.sizes.outline().disc
+        {
+            let disc = disc.outer.transform(UPRIGHT, Point::zeros());
+            view.lines.extend(polylines(Pen::Thick, &disc));
+            view.notes.push("The locking disc on it has a sheet of its own.".to_owned());
+        }
         view
     }
 
@@ -240,25 +289,40 @@ impl Making<'_> {
         let line = |k: usize| Edge::Line { from: corners[k], to: corners[(k + 1) % 8] };
         side.outer = Loop { edges: (0..8).map(line).collect() };
         side.marks = Vec::new();
+        side.holes = Vec::new();
         let mut view = View::new(&side, 0.0);
         let diameter = 2.0 * radius;
         let classes = self.chain.pin_classes(diameter);
-        let limits = Limits::class(classes[0], diameter).within([f64::INFINITY, self.chain.width.max(0.0)]);
+        let class = if part.is_bush() { DISC } else { classes[0] };
+        let limits = self.held(Limits::class(class, diameter), [f64::INFINITY, self.chain.width.max(0.0)]);
         let size = PrintedDimension::new(Measured::Pin, "Ø", diameter, "").limited(limits);
         view.add(Target::Along([p(cut, -radius), p(cut, radius)]), Side::Left, vec![Row::Size(size)]);
         let across = Target::Across([p(0.0, radius - cut), p(length, radius - cut)]);
-        view.add(across, Side::Right, vec![Row::Size(PrintedDimension::new(Measured::PinLength, "", length, ""))]);
+        let long = PrintedDimension::new(Measured::PinLength, "", length, "");
+        // A bush that is too short would let its screw's head hold the wheel.
+        let limits = if part.is_bush() { Limits { lower: 0.0, ..self.general(length) } } else { self.general(length) };
+        view.add(across, Side::Right, vec![Row::Size(long.limited(limits))]);
+        if let Some(inner) = part.holes.first().and_then(Hole::diameter) {
+            let half = inner / 2.0;
+            view.lines.extend([-half, half].map(|y| (Pen::Hidden, vec![p(0.0, y), p(length, y)])));
+            let size = PrintedDimension::new(Measured::PinHole, "Ø", inner, " through");
+            view.add(Target::Edge(p(0.0, -half)), Side::Left, vec![Row::Size(size)]);
+        }
         view.add(
             Target::Edge(p(length - cut / 2.0, cut / 2.0 - radius)),
             Side::Right,
             vec![Row::Words(format!("2× {} × 45°", mm(cut)))],
         );
-        view.notes.push("Surface of the pin: Ra 0.8.".to_owned());
-        view.notes.push(if classes[0].letter == ToleranceLetter::LowerM {
-            "A dowel as ISO 8734 of this diameter will do.".to_owned()
+        view.notes.push(self.surface(if part.is_bush() { "Outside" } else { "Surface of the pin" }, 0.8));
+        if part.is_bush() {
+            if let PinMount::Screw(thread, _) = self.mounting.pins {
+                view.notes.push(format!("For a screw {}; the bush stands on the plate.", thread.name()));
+            }
+        } else if classes[0].letter == ToleranceLetter::LowerM || !self.is_machined() {
+            view.notes.push("A dowel as ISO 8734 of this diameter will do.".to_owned());
         } else {
-            "The slots leave no room for dowels of class m6.".to_owned()
-        });
+            view.notes.push("The slots leave no room for dowels of class m6.".to_owned());
+        }
         view
     }
 
@@ -267,7 +331,7 @@ impl Making<'_> {
         let mut view = View::new(part, 0.0);
         let [least, greatest] = view.extent();
         let axes = PrintedDimension::new(Measured::AxisDistance, "", sizes.centre_distance, "");
-        let limits = Limits { is_from_chain: chain.is_known, ..Limits::new([-chain.axes[0], chain.axes[1]]) };
+        let limits = self.held_place(chain.axes);
         view.add(
             Target::Across([Point::zeros(), Point::new(sizes.centre_distance, 0.0)]),
             Side::Right,
@@ -287,13 +351,13 @@ impl Making<'_> {
         view.add(
             Target::Along([Point::new(0.0, least.y), Point::new(0.0, greatest.y)]),
             Side::Left,
-            vec![Row::Size(PrintedDimension::new(Measured::BaseWidth, "", width, "")), thickness(part)],
+            vec![Row::Size(PrintedDimension::new(Measured::BaseWidth, "", width, "")), self.thickness(part)],
         );
         let bores: Vec<_> = view.part.holes.iter().filter(|hole| hole.purpose == HolePurpose::Bore).cloned().collect();
         for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left }))
         {
             let Some(diameter) = hole.diameter() else { continue };
-            let limits = Limits::class(BORE, diameter).within([f64::INFINITY, chain.bore]);
+            let limits = self.held(Limits::class(BORE, diameter), [f64::INFINITY, chain.bore]);
             let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
             rows.extend(pocket_rows(hole));
             view.add(Target::Edge(on_circle(hole, side, -0.5)), side, rows);

@@ -1,17 +1,18 @@
 //! A sheet for each part: its view, callouts, notes and title block.
 
-use super::callout::{Callout, FROM_CHAIN, Side, draw_columns};
+use super::callout::{Callout, Side, draw_columns};
 use super::dimension::PrintedDimension;
 use super::ink::{Ink, Pen};
 use super::length::mm;
-use super::limits::Chain;
+use super::limits::{Chain, LimitOrigin, whole_micrometres};
+use super::making::{Making, SheetLimits};
 use super::paper::{DrawingScale, Paper};
 use super::text::SheetText;
 use super::title::{Title, frame};
-use super::view::{Feature, Making, Target, View};
+use super::view::{Feature, Target, View};
 use crate::geometry::Point;
 use crate::parts::{Layer, Mounting, MountingError, Part, parts};
-use geneva_kinematics::wheel::{Edge, Loop, SharedTolerance, Sizes};
+use geneva_kinematics::wheel::{Edge, Loop, Sizes};
 
 /// Between a part and the first dimension line, and between dimension lines, in millimetres on paper.
 const LANE: f64 = 8.0;
@@ -32,20 +33,18 @@ const OUTSIDE: f64 = 6.0;
 /// Below this, in millimetres, a limit is said to be fine: what good milling holds, our choice.
 const FINE: f64 = 0.01;
 
-/// A sheet with the drawing of one part.
+/// A sheet with the drawing of one part, or of all in place.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Sheet {
-    /// Which part it shows.
-    pub layer: Layer,
+    /// Which part it shows; none for all in place.
+    pub layer: Option<Layer>,
     /// Its paper.
     pub paper: Paper,
     /// Its scale.
     pub scale: DrawingScale,
     /// All dimensions on it.
     pub dimensions: Vec<PrintedDimension>,
-    /// The part as it is drawn, turned about its axis; a pin is drawn from its side.
-    pub part: Part,
     pub(super) ink: Ink,
     #[cfg_attr(not(test), expect(dead_code, reason = "the tests look at it"))]
     pub(super) has_room: bool,
@@ -63,7 +62,7 @@ impl Sheet {
 
     pub(super) fn markup(&self) -> String {
         let [width, height] = self.paper.size();
-        let words = self.layer.words();
+        let words = self.layer.map_or("assembly", Layer::words);
         format!(
             "<title>Drawing of the {words}</title>\n<path fill=\"#fff\" d=\"M0 0H{width}V{height}H0Z\"/>\n{}",
             self.ink.markup()
@@ -71,21 +70,24 @@ impl Sheet {
     }
 }
 
-/// The drawings of all parts of a wheel and its driver, a sheet for each, on paper of one size.
+/// The drawings of a wheel and its driver on paper of one size: all parts in place, and a sheet for each part.
 ///
-/// Sizes have limits of ISO 286, and narrower ones where the tolerance chains leave less: `shared` is what
-/// [`Sizes::shared_tolerance`] finds. Paper and scale are chosen so that each part fits: A4 where no part is drawn smaller
+/// Sizes have limits of ISO 286, and narrower ones where the tolerance chains leave less: what [`Sizes::shared_tolerance`] finds.
+/// Of a process that holds no less than its error, they have that. What is in one piece with the plate is said to be, and pins of one
+/// piece with it have no sheet. Paper and scale are chosen so that each part fits: A4 where no part is drawn smaller
 /// than it is, or where A3 would not help.
 ///
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-/// use geneva_workshop::{Mounting, SheetText, sheets};
+/// use geneva_workshop::{Layer, Mounting, SheetLimits, SheetMaterial, SheetText, sheets};
 ///
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(40.0), &Choices::default())?; // mm
-/// let text = SheetText { project: "Turret", wheel_material: "steel", pin_material: "steel", hardness: None };
-/// let sheets = sheets(&sizes, 8.0, &Mounting::default(), sizes.shared_tolerance(), &text).expect("bare parts");
-/// assert_eq!(sheets.len(), 4); // wheel, locking disc, plate, pin
-/// assert_eq!(sheets[0].scale.to_string(), "1:1");
+/// let steel = SheetMaterial { name: "steel", hardness: Some("58 HRC") };
+/// let text = SheetText { project: "Turret", wheel_material: steel, pin_material: steel };
+/// let limits = SheetLimits { shared: sizes.shared_tolerance(), ..SheetLimits::default() };
+/// let sheets = sheets(&sizes, 8.0, &Mounting::default(), &limits, &text).expect("bare parts");
+/// assert_eq!(sheets.len(), 4); // all in place, wheel, locking disc, and plate with its pin
+/// assert_eq!((sheets[1].layer, sheets[1].scale.to_string()), (Some(Layer::Wheel), "1:1".to_owned()));
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
 ///
@@ -96,26 +98,30 @@ pub fn sheets(
     sizes: &Sizes,
     thickness: f64,
     mounting: &Mounting,
-    shared: Option<SharedTolerance>,
+    limits: &SheetLimits,
     text: &SheetText<'_>,
 ) -> Result<Vec<Sheet>, MountingError> {
-    // A shop makes pins and disc apart from the plate.
-    let mounting = Mounting { is_stacked: true, ..*mounting };
-    let list = parts(sizes, thickness, &mounting)?.parts;
-    let making = Making { sizes, mounting: &mounting, chain: Chain::new(sizes, shared) };
-    let views: Vec<View> = list.iter().map(|part| making.view(part)).collect();
+    let list = parts(sizes, thickness, mounting)?.parts;
+    let chain = Chain::new(sizes, limits.shared, limits.process.is_some());
+    let making = Making { sizes, mounting, chain, limits: *limits };
+    let has_sheet = |part: &&Part| !(part.is_joined && part.layer == Layer::Pins);
+    let assembly = making.assembly(&list, text).map(|view| (None, view));
+    let each = list.iter().filter(has_sheet).map(|part| (Some(part), making.view(part)));
+    let (shown, views): (Vec<Option<&Part>>, Vec<View>) = assembly.into_iter().chain(each).unzip();
     let scales = |paper| views.iter().map(|view| scale(view, paper)).collect::<Vec<_>>();
     let [small, large] = [Paper::A4, Paper::A3].map(scales);
     let is_small_enough = small.iter().zip(&large).all(|(small, large)| small.factor() >= 1.0 || small == large);
     let (paper, scales) = if is_small_enough { (Paper::A4, small) } else { (Paper::A3, large) };
     let count = views.len();
     let sheet = |(k, (view, scale)): (usize, (View, DrawingScale))| {
-        let material = if view.part.layer == Layer::Pins { text.pin_material } else { text.wheel_material };
+        let part = shown.get(k).copied().flatten();
+        let material = |part: &Part| if part.layer == Layer::Pins { text.pin_material } else { text.wheel_material };
         let title = Title {
             text,
-            part: &list[k],
-            name: capital(view.part.layer),
-            material,
+            part,
+            name: part.map_or("Assembly", |part| making.name(part)),
+            material: part.map(material),
+            general: making.general_class(),
             scale,
             paper,
             sheet: [k + 1, count],
@@ -219,6 +225,9 @@ fn draw(view: &View, making: &Making<'_>, title: &Title<'_>) -> Sheet {
             ink.line(Pen::Thin, &[at - arm, at + arm]);
         }
     }
+    for (pen, points) in &view.lines {
+        ink.line(*pen, &points.iter().map(|p| place(*p)).collect::<Vec<_>>());
+    }
     for radius in &view.circles {
         ink.circle(Pen::Centre, origin, s * radius);
     }
@@ -257,50 +266,60 @@ fn draw(view: &View, making: &Making<'_>, title: &Title<'_>) -> Sheet {
     ];
     let has_room = draw_columns(&mut ink, &callouts, edges, [top - LANE * lanes_top - 1.0, strip - 2.0]);
 
-    let mut notes = vec![
-        edges_note(making.sizes.pin_diameter),
-        "Letters: ISO 286. Frames: ISO 1101. All else: ISO 2768-m.".to_owned(),
-    ];
-    if making.chain.is_known && view.is_limited_by_chain() {
-        notes.push(format!(
-            "{} From the tolerance chain: even with all sizes at their worst, nothing jams.",
-            FROM_CHAIN.trim()
-        ));
-    }
-    if making.chain.is_known && making.chain.least() < FINE {
+    let mut notes = limit_notes(view, making);
+    let process = making.limits.process;
+    if process.is_none() && making.chain.is_known && making.chain.least() < FINE {
         notes.push(format!(
             "The chain leaves only {} here and there. For wider limits, choose more play.",
             mm(making.chain.least())
         ));
     }
-    if !making.chain.is_known {
+    if process.is_none() && !making.chain.is_known {
         notes.push("The play is too small for these limits at their worst: fit the parts together.".to_owned());
     }
     notes.extend(view.notes.iter().cloned());
     let notes_have_room = title.draw(&mut ink, &notes);
     Sheet {
-        layer: view.part.layer,
+        layer: title.part.map(|part| part.layer),
         paper,
         scale,
         dimensions: view.dimensions().cloned().collect(),
-        part: view.part.clone(),
         ink,
         has_room: has_room && notes_have_room,
     }
 }
 
-/// The name of a part as it stands alone.
-fn capital(layer: Layer) -> &'static str {
-    match layer {
-        Layer::Wheel => "Wheel",
-        Layer::LockingDisc => "Locking disc",
-        Layer::Pins => "Pin",
-        Layer::BasePlate => "Base plate",
-        Layer::LockingSegment => "Locking segment",
-        Layer::RingPlate => "Ring plate",
-        Layer::TestPiece => "Test piece",
-        Layer::Plate | Layer::Centres | Layer::Pockets => "Driver plate",
+/// What the limits on a sheet mean and what their marks say.
+fn limit_notes(view: &View, making: &Making<'_>) -> Vec<String> {
+    let general = making.general_class();
+    let mut notes = vec![edges_note(making.sizes.pin_diameter)];
+    let numbers = making.limits.process;
+    notes.push(match numbers {
+        None => format!("Letters: ISO 286. Frames: ISO 1101. All else: {general}."),
+        Some(numbers) => format!(
+            "Process {}: it holds ±{}, and no limit is less. Frames: ISO 1101. All else: {general}.",
+            numbers.process.name(),
+            mm(whole_micrometres(numbers.error.value))
+        ),
+    });
+    if making.chain.is_known && view.has_limits_of(LimitOrigin::Chain) {
+        let mark = LimitOrigin::Chain.mark();
+        // With limits beside them that are wider than the chain, these alone don't say that.
+        notes.push(if view.has_limits_of(LimitOrigin::ProcessBeyondChain) {
+            format!("{mark} From the tolerance chain.")
+        } else {
+            format!("{mark} From the tolerance chain: even with all sizes at their worst, nothing jams.")
+        });
     }
+    if view.has_limits_of(LimitOrigin::ProcessBeyondChain) {
+        let mark = LimitOrigin::ProcessBeyondChain.mark();
+        let turn = making.limits.yield_share.map_or_else(
+            || "some assemblies may jam".to_owned(),
+            |share| format!("expect {} % of assemblies to turn", mm(libm::floor(share * 1000.0) / 10.0)),
+        );
+        notes.push(format!("{mark} The tolerance chain leaves less at its worst: {turn}."));
+    }
+    notes
 }
 
 fn widest(callouts: &[Callout], side: Side) -> f64 {

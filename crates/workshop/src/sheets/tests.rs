@@ -10,15 +10,15 @@ use crate::parts::{
     BasePlate, Fastener, HolePurpose, Layer, Mounting, Part, Pattern, PinMount, ScrewHole, ShaftFit, Thread, parts,
 };
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
 use geneva_kinematics::wheel::{Choices, Loop, Mouth, Play, Scale, SharedTolerance, Sizes, Wheel};
 use roxmltree::Document;
 use std::f64::consts::PI;
 
 const TEXT: SheetText<'static> = SheetText {
     project: "Geneva wheel of many stations with a crank radius of 40 mm",
-    wheel_material: "stainless-steel",
-    pin_material: "steel",
-    hardness: Some("58 HRC"),
+    wheel_material: SheetMaterial { name: "stainless-steel", hardness: Some("58 HRC") },
+    pin_material: SheetMaterial { name: "acetal", hardness: None },
 };
 
 /// Sizes of many kinds: from 3 to 24 stations, one pin and as many as leave a dwell, small and large, bare and with everything.
@@ -82,7 +82,15 @@ fn designs() -> Vec<(Sizes, Mounting)> {
 }
 
 fn drawn(sizes: &Sizes, mounting: &Mounting, shared: Option<SharedTolerance>) -> Vec<Sheet> {
-    sheets(sizes, 8.0, mounting, shared, &TEXT).expect("sheets")
+    let limits = SheetLimits { shared, ..SheetLimits::default() };
+    sheets(sizes, 8.0, mounting, &limits, &TEXT).expect("sheets")
+}
+
+/// What is drawn of parts made by a process.
+fn drawn_for(sizes: &Sizes, mounting: &Mounting, process: Process, shared: Option<SharedTolerance>) -> Vec<Sheet> {
+    let numbers = ProcessNumbers::new(process, sizes.centre_distance).expect("a length");
+    let limits = SheetLimits { shared, process: Some(numbers), yield_share: Some(0.9876) };
+    sheets(sizes, 8.0, mounting, &limits, &TEXT).expect("sheets")
 }
 
 /// A polygon that leaves a line by a hundred thousandth of a millimetre at most.
@@ -145,7 +153,11 @@ fn measure(sheet: &Sheet, sizes: &Sizes, list: &[Part], what: Measured) -> Optio
     let outline = sizes.outline();
     let wheel = || polygon(&outline.wheel.outer);
     let disc = || polygon(&outline.disc.as_ref().unwrap().outer);
-    let part = list.iter().find(|part| part.layer == sheet.layer).unwrap();
+    let Some(layer) = sheet.layer else {
+        let axis = |layer| list.iter().find(|part| part.layer == layer).unwrap().places[0].at;
+        return (what == Measured::AxisDistance).then(|| axis(Layer::Plate).x - axis(Layer::Wheel).x);
+    };
+    let part = list.iter().find(|part| part.layer == layer).unwrap();
     let holes = |purpose| part.holes.iter().filter(move |hole| hole.purpose == purpose);
     let first = |purpose| polygon(&holes(purpose).next().unwrap().outline);
     let widened = || part.holes.iter().find_map(|hole| hole.widening.as_ref()).unwrap();
@@ -207,8 +219,10 @@ fn measure(sheet: &Sheet, sizes: &Sizes, list: &[Part], what: Measured) -> Optio
         Measured::Plate => 2.0 * farthest(&polygon(&outline.plate.outer)),
         Measured::CrankRadius => middle(&polygon(&outline.pins[0])).norm(),
         Measured::Pin => across(&polygon(&outline.pins[0]), 0.0),
+        Measured::PinHole if holes(HolePurpose::PinScrew).count() > 0 => across(&first(HolePurpose::PinScrew), 0.0),
         Measured::PinHole => across(&first(HolePurpose::Pin), 0.0),
-        Measured::PinLength | Measured::Thickness => part.thickness,
+        Measured::PinLength => list.iter().find(|part| part.layer == Layer::Pins).unwrap().thickness,
+        Measured::Thickness => part.thickness,
         Measured::HubHole => across(&first(HolePurpose::Hub), 0.0),
         Measured::HubCircle => 2.0 * middle(&first(HolePurpose::Hub)).norm(),
         Measured::DowelHole => across(&first(HolePurpose::DiscDowel), 0.0),
@@ -256,7 +270,8 @@ fn every_printed_dimension_is_measured_on_the_outlines() {
         if k % 5 != 0 && mounting.driver_hub.is_none() && sizes.mouth == Mouth::Sharp {
             continue;
         }
-        let list = parts(&sizes, 8.0, &Mounting { is_stacked: true, ..mounting }).unwrap().parts;
+        let mounting = Mounting { is_stacked: k % 2 == 0, ..mounting };
+        let list = parts(&sizes, 8.0, &mounting).unwrap().parts;
         for sheet in drawn(&sizes, &mounting, None) {
             for size in &sheet.dimensions {
                 let Some(measured) = measure(&sheet, &sizes, &list, size.measured) else { continue };
@@ -302,8 +317,16 @@ fn crosses([a, b]: [Point; 2], [least, greatest]: [Point; 2]) -> bool {
 fn texts_overlap_nothing_and_all_is_inside_the_frame() {
     let mut papers = Vec::new();
     for (k, (sizes, mounting)) in designs().into_iter().enumerate() {
-        for shared in [None, Some(some_tolerance(&sizes))] {
-            for sheet in drawn(&sizes, &mounting, shared) {
+        let some = Some(some_tolerance(&sizes));
+        let stacked = Mounting { is_stacked: true, ..mounting };
+        // Half of the designs by each way, since all texts are held against all lines.
+        let two = if k % 2 == 0 {
+            [drawn(&sizes, &stacked, None), drawn_for(&sizes, &mounting, Process::Fdm, some)]
+        } else {
+            [drawn(&sizes, &mounting, some), drawn_for(&sizes, &stacked, Process::Laser, None)]
+        };
+        for drawn in two {
+            for sheet in drawn {
                 let name = format!("{k}: {:?} {} {}", sheet.layer, sizes.wheel.stations(), sizes.wheel.pins());
                 assert!(sheet.has_room, "{name}");
                 let ([least, greatest], _) = frame(sheet.paper);
@@ -347,16 +370,17 @@ fn with_all_limits_at_their_worst_nothing_touches() {
         let choices = Choices { play: Some(play), wheel_shaft: shaft, driver_shaft: shaft, ..Choices::default() };
         let wheel = Wheel::with_pins(stations, pins).unwrap();
         let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(f64::from(crank)), &choices) else { panic!("{k}") };
-        let mounting = Mounting { base: Some(BasePlate::default()), ..Mounting::default() };
+        let mounting = Mounting { base: Some(BasePlate::default()), is_stacked: true, ..Mounting::default() };
         let shared = sizes.shared_tolerance().expect("room for errors");
-        let chain = Chain::new(&sizes, Some(shared));
+        let chain = Chain::new(&sizes, Some(shared), false);
         assert!(chain.is_known, "{k}");
         let sheets = drawn(&sizes, &mounting, Some(shared));
         let limits = |layer, what: Measured| -> [f64; 2] {
-            let of = sheets.iter().filter(|sheet| sheet.layer == layer).flat_map(|sheet| &sheet.dimensions);
+            let of = sheets.iter().filter(|sheet| sheet.layer == Some(layer)).flat_map(|sheet| &sheet.dimensions);
             of.filter(|size| size.measured == what).find_map(|size| size.limits).expect("limits")
         };
-        narrowed += sheets.iter().flat_map(|sheet| &sheet.dimensions).filter(|size| size.is_from_chain).count();
+        narrowed +=
+            sheets.iter().flat_map(|sheet| &sheet.dimensions).filter(|size| size.origin == LimitOrigin::Chain).count();
         let bores = [Layer::Wheel, Layer::LockingDisc].map(|layer| limits(layer, Measured::Bore)[1]);
         // Each shaft is thinner by as much as its bore is wider; either moves its axis by half.
         let loose = sizes.play.bore + bores[0] + bores[1];
@@ -404,7 +428,7 @@ fn limits_are_of_a_class_or_narrower_by_a_chain() {
         let shared = Some(some_tolerance(&sizes));
         for size in drawn(&sizes, &mounting, shared).iter().flat_map(|sheet| &sheet.dimensions) {
             if let Some(class) = size.class {
-                assert!(size.text.ends_with(&class.name()) && !size.is_from_chain, "{size:?}");
+                assert!(size.text.ends_with(&class.name()) && size.origin == LimitOrigin::Standard, "{size:?}");
                 assert_eq!(size.limits, class.limits(size.nominal), "{size:?}");
             }
             if let Some([lower, upper]) = size.limits {
@@ -419,10 +443,13 @@ fn files_are_xml_true_to_scale_with_a_sheet_for_each_part() {
     let wheel = Wheel::with_pins(6, 2).unwrap();
     let sizes = Sizes::new(wheel, Scale::CrankRadius(40.0), &Choices::default()).unwrap();
     let text = SheetText { project: "A & <B>", ..TEXT };
-    let sheets = sheets(&sizes, 8.0, &Mounting::default(), sizes.shared_tolerance(), &text).unwrap();
-    let layers: Vec<Layer> = sheets.iter().map(|sheet| sheet.layer).collect();
-    assert_eq!(layers, [Layer::Wheel, Layer::LockingDisc, Layer::Plate, Layer::Pins]);
-    for (text, count) in [(sheets[0].svg(), 1.0), (sheets_svg(&sheets), 4.0)] {
+    let limits = SheetLimits { shared: sizes.shared_tolerance(), ..SheetLimits::default() };
+    let stacked = Mounting { is_stacked: true, ..Mounting::default() };
+    let sheets = sheets(&sizes, 8.0, &stacked, &limits, &text).unwrap();
+    let layers: Vec<Option<Layer>> = sheets.iter().map(|sheet| sheet.layer).collect();
+    let parts = [Layer::Wheel, Layer::LockingDisc, Layer::Plate, Layer::Pins].map(Some);
+    assert_eq!(layers, [&[None], &parts[..]].concat());
+    for (text, count) in [(sheets[0].svg(), 1.0), (sheets_svg(&sheets), 5.0)] {
         let document = Document::parse(&text).unwrap();
         let root = document.root_element();
         let [width, height] = sheets[0].paper.size();
@@ -431,15 +458,15 @@ fn files_are_xml_true_to_scale_with_a_sheet_for_each_part() {
         assert_eq!(root.attribute("height"), Some(format!("{}mm", count * height).as_str()));
     }
     let page = sheets_html(&sheets, text.project);
-    assert_eq!(page.matches("<svg ").count(), 4);
+    assert_eq!(page.matches("<svg ").count(), 5);
     assert!(
         page.contains("A &amp; &lt;B>") && page.contains("@page { size: 420mm 297mm; margin: 0 }"),
         "{:?}",
         sheets[0].paper
     );
     // The rim is drawn as large as the scale says: the arcs of its radius.
-    let radius = format!("A{:.6}", sizes.tip_radius * sheets[0].scale.factor());
-    assert!(sheets[0].svg().contains(&radius), "{radius}");
+    let radius = format!("A{:.6}", sizes.tip_radius * sheets[1].scale.factor());
+    assert!(sheets[1].svg().contains(&radius), "{radius}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::ink::{Ink, Pen, SMALL, TEXT, text_width, wrapped};
 use super::length::mm;
 use super::paper::{DrawingScale, Paper};
-use super::text::SheetText;
+use super::text::{SheetMaterial, SheetText};
 use crate::geometry::Point;
 use crate::parts::Part;
 
@@ -30,9 +30,13 @@ pub(super) fn frame(paper: Paper) -> ([Point; 2], f64) {
 /// What the title block says about one sheet.
 pub(super) struct Title<'a> {
     pub text: &'a SheetText<'a>,
-    pub part: &'a Part,
+    /// The part, or none for all in place.
+    pub part: Option<&'a Part>,
     pub name: &'a str,
-    pub material: &'a str,
+    /// Its material, or none where a list says it.
+    pub material: Option<SheetMaterial<'a>>,
+    /// Class of the general tolerances.
+    pub general: &'a str,
     pub scale: DrawingScale,
     pub paper: Paper,
     /// Which sheet it is, and of how many.
@@ -47,25 +51,32 @@ impl Title<'_> {
         let left = greatest.x - BLOCK;
         let top = greatest.y - 3.0 * ROW;
         ink.rectangle(Pen::Thick, Point::new(left, top), greatest);
-        let pieces = self.part.quantity().to_string();
-        let thickness = format!("{} mm", mm(self.part.thickness));
-        let size = if self.part.is_cut() { ["Thickness", thickness.as_str()] } else { ["Length", thickness.as_str()] };
+        let pieces = self.part.map_or_else(|| "1".to_owned(), |part| part.quantity().to_string());
+        let thickness = self.part.map_or_else(String::new, |part| format!("{} mm", mm(part.thickness)));
+        let is_length = self.part.is_some_and(|part| !part.is_cut());
+        let size = [if is_length { "Length" } else { "Thickness" }, thickness.as_str()];
+        let material = self.material.map_or("as listed", |material| material.name);
+        // What is no metal has no hardness on a drawing.
+        let hardness: &[(f64, [&str; 2])] = match self.material.and_then(|material| material.hardness) {
+            Some(hardness) => &[(50.0, ["Material", material]), (35.0, ["Hardness", hardness])],
+            None => &[(85.0, ["Material", material])],
+        };
+        let mut second = hardness.to_vec();
         let scale = self.scale.to_string();
         let sheet = format!("{} of {}", self.sheet[0], self.sheet[1]);
+        second.extend([
+            (30.0, size),
+            (20.0, ["Pieces", &pieces]),
+            (25.0, ["Scale", &scale]),
+            (20.0, ["Sheet", &sheet]),
+        ]);
         let rows: [&[(f64, [&str; 2])]; 3] = [
             &[(115.0, ["Project", self.text.project]), (65.0, ["Part", self.name])],
-            &[
-                (50.0, ["Material", self.material]),
-                (35.0, ["Hardness", self.text.hardness.unwrap_or("not specified")]),
-                (30.0, size),
-                (20.0, ["Pieces", &pieces]),
-                (25.0, ["Scale", &scale]),
-                (20.0, ["Sheet", &sheet]),
-            ],
+            &second,
             &[
                 (45.0, ["Drawn, date", ""]),
                 (45.0, ["Checked, date", ""]),
-                (30.0, ["General tolerances", "ISO 2768-m"]),
+                (30.0, ["General tolerances", self.general]),
                 (20.0, ["Units", "mm"]),
                 (15.0, ["Paper", self.paper.name()]),
                 (25.0, ["Projection", ""]),

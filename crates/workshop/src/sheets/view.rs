@@ -2,13 +2,18 @@
 
 use super::callout::{Row, Side};
 use super::dimension::{Measured, PrintedDimension};
+use super::ink::Pen;
 use super::length::mm;
-use super::limits::{BORE, Chain, KEYWAY, Limits, general_tolerance};
+use super::limits::{BORE, KEYWAY, LimitOrigin, Limits, general_tolerance};
+use super::making::Making;
 use crate::geometry::{Point, direction, into_arc, point_along};
-use crate::parts::{Fastener, Hole, HolePurpose, Layer, Mounting, Part, Pattern};
+use crate::parts::{Fastener, Hole, HolePurpose, Layer, Part};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, Loop, Sizes};
+use geneva_kinematics::wheel::{Edge, Loop};
 use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Chords of an arc of another part.
+const CHORDS: u32 = 96;
 
 /// Where on a part, turned as it is drawn, something is dimensioned; in millimetres of the part.
 #[derive(Clone, Copy, Debug)]
@@ -34,16 +39,11 @@ pub(super) struct Feature {
 pub(super) struct View {
     pub part: Part,
     pub features: Vec<Feature>,
+    /// Lines of other parts, in millimetres of the part.
+    pub lines: Vec<(Pen, Vec<Point>)>,
     /// Circles of centres about the axis: their radii.
     pub circles: Vec<f64>,
     pub notes: Vec<String>,
-}
-
-/// All that the views are made from.
-pub(super) struct Making<'a> {
-    pub sizes: &'a Sizes,
-    pub mounting: &'a Mounting,
-    pub chain: Chain,
 }
 
 impl View {
@@ -61,7 +61,7 @@ impl View {
                 wide.outline = moved(&wide.outline);
             }
         }
-        Self { part, features: Vec::new(), circles: Vec::new(), notes: Vec::new() }
+        Self { part, features: Vec::new(), lines: Vec::new(), circles: Vec::new(), notes: Vec::new() }
     }
 
     pub(super) fn add(&mut self, target: Target, side: Side, rows: Vec<Row>) {
@@ -78,6 +78,9 @@ impl View {
                 corners = [corners[0].inf(&p), corners[1].sup(&p)];
             }
         }
+        for p in self.lines.iter().flat_map(|(_, points)| points) {
+            corners = [corners[0].inf(p), corners[1].sup(p)];
+        }
         corners
     }
 
@@ -87,11 +90,14 @@ impl View {
         rows.filter_map(|row| if let Row::Size(size) = row { Some(size) } else { None })
     }
 
-    /// Whether a limit or a zone on it is from a chain.
-    pub(super) fn is_limited_by_chain(&self) -> bool {
-        let rows = || self.features.iter().flat_map(|feature| &feature.rows);
-        self.dimensions().any(|size| size.is_from_chain)
-            || rows().any(|row| matches!(row, Row::Position { is_from_chain: true, .. }))
+    /// Whether a limit or a zone on it has this origin.
+    pub(super) fn has_limits_of(&self, wanted: LimitOrigin) -> bool {
+        let mut rows = self.features.iter().flat_map(|feature| &feature.rows);
+        rows.any(|row| match row {
+            Row::Size(size) => size.origin == wanted && size.limits.is_some(),
+            Row::Position { origin, .. } => *origin == wanted,
+            Row::Words(_) | Row::Datum(_) => false,
+        })
     }
 
     /// Whether a part has a round bore or one with a keyway; its circle is the part's datum.
@@ -122,7 +128,11 @@ impl View {
             let Some(diameter) = hole.diameter() else { continue };
             let size = PrintedDimension::new(of_hole, &format!("{}× Ø", of_pattern.len()), diameter, "");
             let is_dowel = matches!(pattern.fastener, Fastener::Dowel(_));
-            let size = if is_dowel { size.limited(Limits::class(BORE, diameter)) } else { size };
+            let size = if is_dowel {
+                size.limited(making.held(Limits::class(BORE, diameter), [f64::INFINITY; 2]))
+            } else {
+                size
+            };
             let mut rows = vec![Row::Size(size)];
             rows.push(Row::Size(PrintedDimension::new(of_circle, "evenly on Ø", pattern.circle, "")));
             rows.push(Row::Words(beside_upright(&of_pattern)));
@@ -139,7 +149,7 @@ impl View {
             Edge::Line { .. } => None,
         });
         let Some(radius) = circle else { return };
-        let limits = Limits::class(BORE, 2.0 * radius).within([f64::INFINITY, making.chain.bore]);
+        let limits = making.held(Limits::class(BORE, 2.0 * radius), [f64::INFINITY, making.chain.bore]);
         let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", 2.0 * radius, "").limited(limits))];
         rows.push(Row::Datum("A"));
         let lines: Vec<[Point; 2]> = bore.outline.edges.iter().filter_map(straight).collect();
@@ -150,14 +160,16 @@ impl View {
         match lines.as_slice() {
             [flat] => rows.push(Row::Size(
                 PrintedDimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat")
-                    .limited(Limits::new([0.0, general_tolerance(radius) / 2.0])),
+                    .limited(making.held(Limits::new([0.0, general_tolerance(radius) / 2.0]), [f64::INFINITY; 2])),
             )),
             [_, bottom, _] => {
                 let width = (bottom[1] - bottom[0]).norm();
                 let name = PrintedDimension::new(Measured::KeywayWidth, "keyway ", width, "");
-                rows.push(Row::Size(name.limited(Limits::class(KEYWAY, width))));
+                rows.push(Row::Size(name.limited(making.held(Limits::class(KEYWAY, width), [f64::INFINITY; 2]))));
                 let across = PrintedDimension::new(Measured::AcrossBore, "", radius + far(bottom), " with keyway");
-                rows.push(Row::Size(across.limited(Limits::new([0.0, keyway_depth(width)]))));
+                rows.push(Row::Size(
+                    across.limited(making.held(Limits::new([0.0, keyway_depth(width)]), [f64::INFINITY; 2])),
+                ));
             }
             _ => {}
         }
@@ -178,12 +190,6 @@ impl View {
         };
         let angle = [1.2, 0.8, 1.0].into_iter().map(|part| part * PI).find(|angle| on_arc(*angle)).unwrap_or(PI);
         self.add(Target::Edge(bore.centre + direction(angle) * radius), Side::Left, rows);
-    }
-}
-
-impl Making<'_> {
-    fn hub(&self, layer: Layer) -> Option<Pattern> {
-        if layer == Layer::Wheel { self.mounting.wheel_hub } else { self.mounting.driver_hub }
     }
 }
 
@@ -240,12 +246,11 @@ pub(super) fn pocket_rows(hole: &Hole) -> Vec<Row> {
     }
 }
 
-/// The thickness as a row.
-pub(super) fn thickness(part: &Part) -> Row {
-    Row::Size(PrintedDimension::new(Measured::Thickness, "t = ", part.thickness, ""))
-}
-
-/// A zone that is round or not, as it is written in a frame.
-pub(super) fn zone(sign: &str, width: f64) -> String {
-    format!("{sign}{}", mm(width))
+/// A closed line as lines through points on it, each of an edge.
+pub(super) fn polylines(pen: Pen, of: &Loop) -> impl Iterator<Item = (Pen, Vec<Point>)> {
+    let points = |edge: &Edge| {
+        let count = if matches!(edge, Edge::Line { .. }) { 1 } else { CHORDS };
+        (0..=count).map(|k| point_along(edge, f64::from(k) / f64::from(count))).collect()
+    };
+    of.edges.iter().map(move |edge| (pen, points(edge)))
 }

@@ -30,7 +30,7 @@ pub(super) const ROWS: &[Argument] = &[
         "MM",
         ArgumentSlot::Length(|question| &mut question.pin_diameter),
         &[Parts],
-        "Diameter of the pins, in millimetres [default: one that fits]",
+        "Diameter of the pins, in millimetres [default: one that fits; with --process one that is sold]",
     )
     .with_knob(Knob::follows("diameter of a pin", "mm", [1.0, 40.0], 0.1, "pin_diameter_mm").typed([0.001, 10_000.0])),
     Argument::new(
@@ -42,6 +42,13 @@ pub(super) const ROWS: &[Argument] = &[
          have a quarter of it [default: that of --process, or a thousandth of the centre distance, or less if parts are small]",
     )
     .with_knob(Knob::follows("play of the slots", "mm", [0.0, 0.5], 0.01, "play_mm").typed([0.0, 1000.0])),
+    Argument::new(
+        "slot-width",
+        "MM",
+        ArgumentSlot::Length(|question| &mut question.slot_width),
+        &[Parts],
+        "Width of the slots, in millimetres, instead of --play, as it is measured on a wheel to be replaced",
+    ),
     Argument::new(
         "locking-play",
         "MM",

@@ -58,7 +58,7 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::Material(|question| &mut question.wheel_material),
         &[Parts],
         "Material of the wheel: it gives the wheel's own inertia and, with the pin's, the pressure between pin and slot \
-         [default: steel]",
+         [default: steel, or that of --process]",
     )
     .with_knob(Knob::at("the wheel is made of", "", [0.0, 0.0], 1.0, 3.0)),
     Argument::new(
@@ -66,7 +66,7 @@ pub(super) const ROWS: &[Argument] = &[
         "MATERIAL",
         ArgumentSlot::Material(|question| &mut question.pin_material),
         &[Parts],
-        "Material of the pins [default: steel]",
+        "Material of the pins [default: steel, or that of --process]",
     )
     .with_knob(Knob::at("the pins are made of", "", [0.0, 0.0], 1.0, 0.0)),
     Argument::new(

@@ -192,10 +192,10 @@ pub(super) const ROWS: &[Argument] = &[
         "PIECES",
         ArgumentSlot::Choice(NamedChoice {
             names: PIECES,
-            set: |question, number| question.mounting.stacked = number == 1,
+            set: |question, number| question.mounting.stacked = Some(number == 1),
         }),
         &[Parts],
-        "Locking disc and plate in one piece, or as two [default: one-piece]",
+        "Locking disc and plate in one piece, or as two [default: one-piece, but two-pieces with --process laser or router]",
     )
     .with_knob(choice("disc and plate are")),
     Argument::new(
