@@ -164,7 +164,7 @@ fn a_bush_is_a_part_of_every_file() {
             };
             assert_eq!(circles(Layer::Pins), [6.0], "{layout:?}");
             assert!(circles(Layer::Plate).contains(&in_plate), "{layout:?}");
-            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap().measured;
             let pin = measured.sizes().iter().find(|found| found.size == MeasuredSize::PinDiameter).unwrap();
             approx::assert_relative_eq!(pin.value, 6.0, max_relative = 1e-9);
         }
