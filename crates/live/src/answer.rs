@@ -1,5 +1,6 @@
 //! What a figure answers.
 
+use crate::json::{array, or_null, string};
 use crate::turned::TurnedParts;
 use geneva_ask::number_format::no_greater;
 use geneva_ask::worked::WorkedStep;
@@ -123,38 +124,6 @@ impl LiveReply {
             or_null(self.command.as_deref().map(string)),
         )
     }
-}
-
-/// A JSON object with one text.
-pub fn text_object(name: &str, text: &str) -> String {
-    format!("{{{}:{}}}", string(name), string(text))
-}
-
-/// A JSON array of values that are JSON.
-pub(crate) fn array(values: impl Iterator<Item = String>) -> String {
-    format!("[{}]", values.collect::<Vec<_>>().join(","))
-}
-
-/// A value that is JSON, or null.
-fn or_null(value: Option<String>) -> String {
-    value.unwrap_or_else(|| "null".to_owned())
-}
-
-/// A string of JSON (RFC 8259, section 7).
-pub(crate) fn string(text: &str) -> String {
-    let mut json = String::with_capacity(text.len() + 2);
-    json.push('"');
-    for c in text.chars() {
-        match c {
-            '"' => json.push_str("\\\""),
-            '\\' => json.push_str("\\\\"),
-            '\n' => json.push_str("\\n"),
-            c if c.is_control() => json.push_str(&format!("\\u{:04x}", u32::from(c))),
-            c => json.push(c),
-        }
-    }
-    json.push('"');
-    json
 }
 
 /// The value of a control, to as many decimals as a box has room for. A zero has no sign.

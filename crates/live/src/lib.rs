@@ -16,6 +16,7 @@ mod design;
 mod escapement;
 #[cfg(all(target_family = "wasm", feature = "exports"))]
 mod exports;
+mod json;
 mod mistake;
 mod pin;
 mod polygon;
@@ -24,10 +25,11 @@ mod turned;
 mod watch;
 mod wheel;
 
-pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box, text_object};
+pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
 pub use design::{LIVE as DESIGN, NUMBERS_FILE, SHEET_FILE, wheel_for_a_file, words as refusal};
+pub use json::text_object;
 pub use question::LiveQuestion;
 pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 
@@ -75,7 +77,7 @@ fn asked(figures: &[&Live], question: &str) -> Result<String, String> {
         }
         Some("tolerances") => {
             let rows = live.tolerance_rows(&arguments)?;
-            Ok(answer::array(rows.iter().map(ToleranceRow::to_json)))
+            Ok(json::array(rows.iter().map(ToleranceRow::to_json)))
         }
         Some(part) => Err(format!("no part `{}` of a figure: there are turned, tolerances", arguments::quoted(part))),
         None => live.answer(&arguments).map(|answer| answer.to_json()),

@@ -1,6 +1,6 @@
 //! How the parts of a drawing stand when they turn: what a page moves without a new drawing.
 
-use crate::answer::{array, string};
+use crate::json::{array, string};
 
 /// Where wheel and driver stand at a crank angle, as they are drawn: play and errors may be drawn larger than they are.
 #[derive(Clone, Debug, PartialEq)]
