@@ -50,6 +50,8 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
         PinMount::Solid | PinMount::Dowel => sizes.pin_diameter,
         PinMount::Screw(thread, hole) => Fastener::Screw(thread, hole).hole(),
     };
+    let bush = list.iter().find(|part| part.is_bush());
+    let bush_hole = bush.and_then(|bush| bush.holes.first()?.diameter()).unwrap_or(0.0);
     let shoulder = mounting.base.and_then(|base| base.shoulder).unwrap_or([0.0, 0.0]);
     let base_screw = mounting.base.and_then(|base| base.screws);
     let mut text = String::from(
@@ -84,6 +86,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
                 ("driver_bore", sizes.driver_bore(), "diameter in the locking disc; 0 for none"),
                 ("plate_bore", sizes.plate_bore(), "diameter in the plate; 0 for none"),
                 ("pin_hole", pin_hole, "diameter of the holes for pins; 0: pins are in one piece with the plate"),
+                ("bush_hole", bush_hole, "diameter of the hole in a bush that is the pin; 0 for none"),
                 ("nut_width", nut[0], "across the flats of a nut below each pin; 0 for none"),
                 ("nut_depth", nut[1], "of the nut's pocket"),
             ],

@@ -91,6 +91,7 @@ assert(driver_bore == 0 || !has_dwell || crescent_bottom > driver_bore / 2,
   "the crescent meets the driver's bore: make driver_bore smaller");
 assert(crank_radius - max(pin_diameter, pin_hole) / 2 > plate_bore / 2,
   "the plate's bore meets the pins: make plate_bore smaller");
+assert(bush_hole >= 0 && bush_hole < pin_diameter, "bush_hole is as wide as the pin: make it smaller");
 assert(pin_hole == 0 || pin_hole <= pin_diameter + slot_play, "pin_hole is wider than the pin: make it smaller");
 assert(plate_radius - crank_radius > max(pin_hole, nut_width / cos(30)) / 2,
   "a pin's hole or nut breaks out of the plate: make pin_hole or nut_width smaller");

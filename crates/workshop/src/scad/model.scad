@@ -89,7 +89,11 @@ module driver() {
 
 // Pins that are not in one piece with the plate: dowels, or bushes on screws.
 module pin_pieces() {
-  if (pin_hole > 0) translate([0, 0, -axial_play]) linear_extrude(height = thickness + axial_play) pin_outlines();
+  if (pin_hole > 0) translate([0, 0, -axial_play])
+    linear_extrude(height = thickness + (bush_hole > 0 ? 2 : 1) * axial_play) difference() {
+      pin_outlines();
+      if (bush_hole > 0) around() translate([crank_radius, 0]) hollow(bush_hole / 2);
+    }
 }
 
 module base() {

@@ -26,6 +26,8 @@ pub(super) struct Making<'a> {
     pub mounting: &'a Mounting,
     pub chain: Chain,
     pub limits: SheetLimits,
+    /// Whether the pins are of metal, also beside parts that are not.
+    pub has_metal_pins: bool,
 }
 
 /// The greatest error, in millimetres, with which a process holds class m of the general tolerances of small lengths.
@@ -115,6 +117,11 @@ impl Making<'_> {
             Some(Process::Router) => format!("{which}: as routed, without fibres and burrs."),
             Some(Process::Resin | Process::Fdm) => format!("{which}: as printed, without strings and supports."),
         }
+    }
+
+    /// What the surface of a pin is to be like.
+    pub(super) fn pin_surface(&self, which: &str) -> String {
+        if self.has_metal_pins { format!("{which}: Ra 0.8.") } else { self.surface(which, 0.8) }
     }
 
     /// Whether the parts are cut of metal.

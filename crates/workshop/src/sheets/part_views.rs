@@ -313,7 +313,7 @@ impl Making<'_> {
             Side::Right,
             vec![Row::Words(format!("2× {} × 45°", mm(cut)))],
         );
-        view.notes.push(self.surface(if part.is_bush() { "Outside" } else { "Surface of the pin" }, 0.8));
+        view.notes.push(self.pin_surface(if part.is_bush() { "Outside" } else { "Surface of the pin" }));
         if part.is_bush() {
             if let PinMount::Screw(thread, _) = self.mounting.pins {
                 view.notes.push(format!("For a screw {}; the bush stands on the plate.", thread.name()));

@@ -80,6 +80,21 @@ fn no_limit_on_a_sheet_is_less_than_the_process_holds() {
 }
 
 #[test]
+fn a_steel_pin_in_a_printed_wheel_is_no_print() {
+    let numbers = ProcessNumbers::new(Process::Fdm, 80.0).unwrap();
+    let limits = SheetLimits { process: Some(numbers), ..SheetLimits::default() };
+    let text = SheetText { project: "Turret", wheel_material: PLA, pin_material: STEEL };
+    let mounting = Mounting { pins: PinMount::Dowel, ..Mounting::default() };
+    let sheets = sheets(&sizes(6, 1, None, None), 6.0, &mounting, &limits, &text).unwrap();
+    for sheet in &sheets[1..] {
+        let is_pin = sheet.layer == Some(Layer::Pins);
+        let text = all_text(sheet);
+        assert_eq!([text.contains("Ra 0.8"), text.contains("Hardness")], [is_pin; 2], "{text}");
+        assert!(!text.contains("Ra 1.6") && (is_pin || !text.contains("Surface of the pin")), "{text}");
+    }
+}
+
+#[test]
 fn hardness_is_asked_of_metals() {
     let sheets = drawn(&sizes(6, 1, None, None), &Mounting::default(), &SheetLimits::default(), STEEL);
     assert!(sheets[1..].iter().all(|sheet| all_text(sheet).contains("Hardness 58 HRC")));

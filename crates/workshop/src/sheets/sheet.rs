@@ -103,7 +103,8 @@ pub fn sheets(
 ) -> Result<Vec<Sheet>, MountingError> {
     let list = parts(sizes, thickness, mounting)?.parts;
     let chain = Chain::new(sizes, limits.shared, limits.process.is_some());
-    let making = Making { sizes, mounting, chain, limits: *limits };
+    let has_metal_pins = text.pin_material.hardness.is_some();
+    let making = Making { sizes, mounting, chain, limits: *limits, has_metal_pins };
     let has_sheet = |part: &&Part| !(part.is_joined && part.layer == Layer::Pins);
     let assembly = making.assembly(&list, text).map(|view| (None, view));
     let each = list.iter().filter(has_sheet).map(|part| (Some(part), making.view(part)));
