@@ -138,7 +138,7 @@ fn the_sheets_have_the_pieces_that_the_solids_have() {
         approx::assert_relative_eq!(sheet[0] + sheet[1], tall, max_relative = 1e-12);
         let is_solid = mounting.pins == PinMount::Solid;
         assert_eq!(of(Layer::Pins).is_none(), is_solid);
-        assert_eq!(all_text(of(Layer::Plate).unwrap()).contains("P7"), false, "no pressed pin of what is one piece");
+        assert!(!all_text(of(Layer::Plate).unwrap()).contains("P7"), "no pressed pin of what is one piece");
         if is_solid {
             assert_eq!(length(Layer::Plate, Measured::PinHole), None);
             let above = length(Layer::Plate, Measured::PinLength).unwrap();
@@ -172,14 +172,14 @@ fn a_bush_is_a_part_of_every_file() {
             let circles = |layer: Layer| -> Vec<f64> {
                 let on = drawing.edges.iter().filter(|drawn| drawn.layer == layer.name());
                 let circle = on.filter_map(|drawn| match drawn.edge {
-                    Edge::Arc { radius, sweep, .. } if sweep.abs() > 6.28 => Some(2.0 * radius),
+                    Edge::Arc { radius, sweep, .. } if sweep.abs() > 1.999 * PI => Some(2.0 * radius),
                     _ => None,
                 });
                 circle.collect()
             };
             assert_eq!(circles(Layer::Pins), [6.0], "{layout:?}");
             assert!(circles(Layer::Plate).contains(&in_plate), "{layout:?}");
-            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap();
+            let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap().measured;
             let pin = measured.sizes().iter().find(|found| found.size == MeasuredSize::PinDiameter).unwrap();
             approx::assert_relative_eq!(pin.value, 6.0, max_relative = 1e-9);
         }

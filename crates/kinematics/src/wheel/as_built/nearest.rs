@@ -172,8 +172,13 @@ impl MeasuredWheel {
             return None;
         }
         let without = (0..count).map(|index| (index, self.fit_without(index, fitted.0)));
-        let without = without.filter(|(_, (_, sum))| sum.is_finite());
-        let best = without.min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
+        // A measurement takes no more away than the square by which it is off; a fit that falls by more was not the best one.
+        let is_cause = |(index, (free, sum)): &(usize, (Free, f64))| {
+            let of = self.sizes()[*index];
+            let off = (of.value - Right { wheel: self.wheel(), free: *free }.size(of.size)) / of.uncertainty;
+            off * off >= SHARE * (fitted.1 - sum)
+        };
+        let best = without.filter(is_cause).min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
         (fitted.1 > limit(count) || fitted.1 - best.1.1 > most).then_some(best)
     }
 
@@ -215,6 +220,9 @@ impl MeasuredWheel {
         built
     }
 }
+
+/// A culprit is off by at least this part of what the sum of squares falls without it, as a square: our choice, one in a linear fit.
+const SHARE: f64 = 0.5;
 
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;

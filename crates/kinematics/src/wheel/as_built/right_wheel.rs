@@ -125,7 +125,7 @@ impl MeasuredWheel {
             disc.unwrap_or(arc_radius - 0.01 * pin),
             0.0,
         ]);
-        free[6] = of(|size| size == MeasuredSize::CrescentCentre).unwrap_or(shallowest(self.wheel(), &free));
+        free[6] = of(|size| size == MeasuredSize::CrescentCentre).unwrap_or(usual_cut(self.wheel(), &free));
         Ok(free)
     }
 
@@ -147,7 +147,7 @@ impl MeasuredWheel {
 
     /// The standard uncertainty that a size has by the fit, in millimetres or radians; none where the measurements leave it open.
     pub(super) fn fitted_uncertainty(&self, free: &Free, size: MeasuredSize) -> Option<f64> {
-        let (mut normal, _) = self.normal_equations(free, shallowest(self.wheel(), free));
+        let (mut normal, _) = self.normal_equations(free, usual_cut(self.wheel(), free));
         for k in 0..FREE {
             normal[(k, k)] += 1e-12;
         }
@@ -161,7 +161,7 @@ impl MeasuredWheel {
     /// The least sum of squares from a beginning.
     pub(super) fn fit(&self, start: Free) -> (Free, f64) {
         let mut free = start;
-        let mut cut = shallowest(self.wheel(), &free);
+        let mut cut = usual_cut(self.wheel(), &free);
         let total = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
         let mut sum = total(&self.rows(&free, cut));
         let mut damping = 1e-9;
@@ -176,7 +176,7 @@ impl MeasuredWheel {
             if next[0] > 0.0 && next[1] > 0.0 && next_sum <= sum {
                 let is_done = sum - next_sum < 1e-9 * (1.0 + sum);
                 (free, damping) = (next, (damping / 10.0).max(1e-12));
-                cut = shallowest(self.wheel(), &free);
+                cut = shallowest(self.wheel(), &free).unwrap_or(cut);
                 sum = total(&self.rows(&free, cut));
                 if is_done {
                     break;
@@ -215,9 +215,14 @@ pub(super) fn design(wheel: &Wheel, free: &Free) -> Result<Sizes, SizesError> {
     Sizes::new(*wheel, Scale::CrankRadius(a), &choices)
 }
 
-/// The centre of the shallowest cut with which the horns pass, in millimetres; a part of the crank radius where no design has
-/// these sizes.
-fn shallowest(wheel: &Wheel, free: &Free) -> f64 {
-    let disc = design(wheel, free).ok().and_then(|sizes| sizes.locking_disc);
-    disc.map_or(0.6 * free[0], |disc| disc.crescent.centre)
+/// The centre of the shallowest cut with which the horns pass, in millimetres; none where no design has these sizes.
+fn shallowest(wheel: &Wheel, free: &Free) -> Option<f64> {
+    Some(design(wheel, free).ok()?.locking_disc?.crescent.centre)
+}
+
+/// Where the cut of a design by default is if none has these sizes, in millimetres; a part of the crank radius where there is none.
+fn usual_cut(wheel: &Wheel, free: &Free) -> f64 {
+    let usual = || Sizes::new(*wheel, Scale::CrankRadius(free[0]), &Choices::default()).ok()?.locking_disc;
+    let cut = shallowest(wheel, free).or_else(|| usual().map(|disc| disc.crescent.centre));
+    cut.unwrap_or(0.6 * free[0])
 }
