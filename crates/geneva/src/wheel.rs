@@ -173,6 +173,9 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         };
     }
     if let Some(folder) = &wanted.out {
+        if question.process.is_none() {
+            reject_any(&question, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
+        }
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
         return write_all(&design, folder, layout);
     }
@@ -317,6 +320,13 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     if format == CommandFormat::Svg && !is_external {
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
         reject_any(wanted, acts_on(ActsOn::Size), why)?;
+    }
+    if !is_shape(format) {
+        let why = format!("on --format {}, which has numbers only; add --out DIR for all files", format.name());
+        reject_any(wanted, acts_on(ActsOn::Files), &why)?;
+    }
+    if wanted.process.is_none() {
+        reject_any(wanted, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
     }
     if is_shape(format) && format != CommandFormat::Parts {
         let why = format!(

@@ -55,10 +55,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .line("", "its mean over a turn of the driver")
             .needing(LOADED),
         newton_metres("dwell_crank_torque_nm", loads.map(|loads| loads.dwell_crank_torque()))
-            .line("crank torque in the dwell", "what the locking disc and the driver's own friction take")
+            .line("crank torque in the dwell", "what the locking disc, as in the middle part of the dwell, and the driver's own friction take")
             .needing(LOADED),
         ReportField::in_unit("locking_disc_force_n", disc_force, "N")
-            .line("force on the locking disc", "in the dwell: torque on the wheel / arm of the arc's end, at most")
+            .line("force on the locking disc", "in the middle part of the dwell: torque on the wheel / arm of the arc's end; near the ends of the dwell it is more")
             .needing(Needs::SIZE.union(Needs::DISC_FRICTION)),
         newton_metres("breakaway_torque_nm", loads.map(|loads| loads.breakaway_torque()))
             .line("breakaway torque", "at the crank, after a stop in mid-index: friction alone")

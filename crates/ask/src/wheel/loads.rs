@@ -33,7 +33,8 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         }
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
-    let pressure = driving(moment).and_then(force).map(|force| design.pressure(force)).transpose()?.flatten();
+    let greatest = moment.and_then(|moment| design.force(moment.greatest()));
+    let pressure = greatest.map(|force| design.pressure(force)).transpose()?.flatten();
     let question = &design.question;
     let of_others =
         [question.pin_friction, question.disc_friction, question.bearing_friction, question.driver_friction];
@@ -93,7 +94,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         )
         .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
-            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)")
+            .line("peak contact pressure", "between pin and slot at the greatest force, driving or braking, along their whole length (Hertz)")
             .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE))
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")

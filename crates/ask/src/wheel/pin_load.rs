@@ -63,10 +63,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         mpa("pressure_limit_mpa", limit).line("pressure limit", limit_meaning).needing(Needs::SIZE),
         pressure_factor,
         mpa("pin_bending_stress_mpa", running.bending)
-            .line("bending of the pin", format!("at the peak pin force: {bending_meaning}"))
+            .line("bending of the pin", format!("at the greatest pin force, driving or braking: {bending_meaning}"))
             .needing(FORCE),
         mpa("pin_shear_stress_mpa", running.shear)
-            .line("shear of the pin", "at the peak pin force: 4/3 F / (π d²/4), in its middle")
+            .line("shear of the pin", "at the greatest pin force, driving or braking: 4/3 F / (π d²/4), in its middle")
             .needing(FORCE),
         pin_factor,
         mm("least_pin_diameter_mm", running.least).line("least pin", least_meaning).needing(FORCE),
@@ -112,7 +112,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
 
 /// What the loads of running do to the pin, and what the torque on the arm does.
 fn checks(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<[PinCheck; 2], Error> {
-    let moment = design.loads(wheel)?.map(|loads| loads.pin_moment().driving.value);
+    let moment = design.loads(wheel)?.map(|loads| loads.pin_moment().greatest());
     let running = check(design, moment.and_then(|moment| design.force(moment)))?;
     let arm = check(design, design.question.arm_torque.and_then(|torque| design.force(torque)))?;
     Ok([running, arm])

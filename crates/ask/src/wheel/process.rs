@@ -7,6 +7,8 @@ use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, Pro
 
 /// How many assemblies are drawn.
 pub(super) const ASSEMBLIES: u64 = 1000;
+/// The share of assemblies below which more play is advised: our choice.
+const ENOUGH: f64 = 0.9;
 /// The seed under which they are drawn: any will do, and the same gives the same assemblies.
 const SEED: u64 = 1;
 
@@ -52,6 +54,10 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         field.line(name, number.map_or("", |number| number.source))
     };
     let share = |key, value: Option<f64>| ReportField::in_unit(key, value, "").rounded(Rounding::Percent(1));
+    let few = match found {
+        Some(found) if found.share() < ENOUGH => ": too few turn, choose more play",
+        _ => "",
+    };
     let interval = found.map(|found| found.interval());
     let corner = sized.zip(numbers).and_then(|(sizes, numbers)| numbers.corner_too_large(sizes));
     let tight = ReportField::new("corner_is_too_tight", numbers.map(|_| f64::from(u8::from(corner.is_some()))));
@@ -73,7 +79,10 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         mm("process_kerf_mm", "kerf", |numbers| numbers.kerf),
         share("yield", found.map(Yield::share)).line(
             "yield",
-            format!("share of {ASSEMBLIES} simulated assemblies that turn, with the play of this wheel"),
+            format!(
+                "share of {ASSEMBLIES} simulated assemblies that turn with the play of this wheel; each size is normally distributed, \
+                 with a third of its error as standard deviation{few}"
+            ),
         ),
         share("yield_low", interval.map(|[low, _]| low)).line("", "at least, with a probability of 97.5 %"),
         share("yield_high", interval.map(|[_, high]| high)).line("", "at most, with a probability of 97.5 %"),

@@ -84,6 +84,20 @@ pub struct Peaks {
     pub braking: Option<Peak>,
 }
 
+impl Peaks {
+    /// The greatest size of the load, whether the pin drives the wheel or holds it back, in the load's unit.
+    ///
+    /// ```
+    /// use geneva_dynamics::wheel_loads::{Peak, Peaks};
+    ///
+    /// let peaks = Peaks { driving: Peak { angle: -0.3, value: 5.0 }, braking: Some(Peak { angle: 0.3, value: -6.0 }) };
+    /// assert_eq!(peaks.greatest(), 6.0); // with friction in the slot, a pin may press harder as it brakes
+    /// ```
+    pub fn greatest(&self) -> f64 {
+        self.driving.value.abs().max(self.braking.map_or(0.0, |braking| braking.value.abs()))
+    }
+}
+
 /// A wheel with what it carries, and its driver's speed.
 ///
 /// ```

@@ -103,6 +103,8 @@ pub enum ActsOn {
     Size,
     /// The parts in millimetres, which only an external wheel with a size has.
     Parts,
+    /// The files from which parts are made, and nothing else.
+    Files,
     /// Motion and loads.
     Motion,
     /// The speed of the driver: one such argument gives it.

@@ -1,6 +1,6 @@
 //! How the parts are mounted: shapes of bores, hubs, the pins' hold, dowels, a base plate, and the width of a cut.
 
-use super::ActsOn::Parts;
+use super::ActsOn::{Files, Parts};
 use super::{Argument, ArgumentSlot, Knob, NamedChoice};
 use crate::wheel::mounting::{BoreShape, PinKind};
 use geneva_workshop::{ScrewHole, Thread};
@@ -43,7 +43,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: BORES,
             set: |question, number| question.mounting.wheel_bore_shape = bore(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Bore of the wheel: round, or with a keyway by DIN 6885-1 for --wheel-shaft [default: round]",
     )
     .with_knob(choice("the wheel's bore is")),
@@ -51,7 +51,7 @@ pub(super) const ROWS: &[Argument] = &[
         "wheel-flat",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.wheel_flat),
-        &[Parts],
+        &[Parts, Files],
         "Width in millimetres of a D-shaped shaft of the wheel, from its flat to the opposite side",
     )
     .with_knob(length("flat of the wheel's shaft", 50.0, 0.1, "wheel_flat_mm")),
@@ -62,7 +62,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: BORES,
             set: |question, number| question.mounting.driver_bore_shape = bore(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Bores of disc and plate: round, or with a keyway for --driver-shaft [default: round]",
     )
     .with_knob(choice("the driver's bores are")),
@@ -70,7 +70,7 @@ pub(super) const ROWS: &[Argument] = &[
         "driver-flat",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.driver_flat),
-        &[Parts],
+        &[Parts, Files],
         "Width in millimetres of a D-shaped shaft of the driver, from its flat to the opposite side",
     )
     .with_knob(length("flat of the driver's shaft", 50.0, 0.1, "driver_flat_mm")),
@@ -78,7 +78,7 @@ pub(super) const ROWS: &[Argument] = &[
         "wheel-hub-circle",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.wheel_hub_circle),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of a circle of holes through the wheel, for a hub or a table",
     )
     .with_knob(length("circle of holes in the wheel", 100.0, 0.5, "wheel_hub_circle_mm")),
@@ -86,7 +86,7 @@ pub(super) const ROWS: &[Argument] = &[
         "driver-hub-circle",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.driver_hub_circle),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of a circle of holes through locking disc and plate",
     )
     .with_knob(length("circle of holes in the driver", 100.0, 0.5, "driver_hub_circle_mm")),
@@ -94,7 +94,7 @@ pub(super) const ROWS: &[Argument] = &[
         "hub-holes",
         "COUNT",
         ArgumentSlot::Count(|question| &mut question.mounting.hub_holes),
-        &[Parts],
+        &[Parts, Files],
         "Holes of each of these circles, from 2 to 12 [default: 3]",
     ),
     Argument::new(
@@ -104,7 +104,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: THREADS,
             set: |question, number| question.mounting.hub_screw = thread(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Screws through these circles",
     )
     .with_knob(choice("screws of the hubs")),
@@ -115,7 +115,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: HOLES,
             set: |question, number| question.mounting.hub_screw_hole = hole(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Holes for these screws: clearance (ISO 273, medium), tapped, or clearance with a pocket for the nut (ISO 4032) [default: \
          clearance]",
     )
@@ -124,7 +124,7 @@ pub(super) const ROWS: &[Argument] = &[
         "hub-dowel",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.hub_dowel),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of dowels through these circles, instead of screws",
     )
     .with_knob(length("dowels of the hubs", 20.0, 0.5, "hub_dowel_mm")),
@@ -138,7 +138,7 @@ pub(super) const ROWS: &[Argument] = &[
                     PinKind::ALL.get(number).map(|(_, kind)| *kind).filter(|_| number > 0);
             },
         }),
-        &[Parts],
+        &[Parts, Files],
         "Pins in one piece with the plate, or dowels pressed into it [default: solid]",
     )
     .with_knob(choice("the pins are")),
@@ -149,7 +149,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: THREADS,
             set: |question, number| question.mounting.pin_screw = thread(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Screws that hold the pins, or are the pins",
     )
     .with_knob(choice("screws of the pins")),
@@ -160,7 +160,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: HOLES,
             set: |question, number| question.mounting.pin_screw_hole = hole(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Holes for these screws in the plate [default: clearance]",
     )
     .with_knob(choice("their holes in the plate")),
@@ -168,7 +168,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowel",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.disc_dowel),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of dowels between locking disc and plate",
     )
     .with_knob(length("dowels of the locking disc", 20.0, 0.5, "disc_dowel_mm")),
@@ -176,7 +176,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowel-circle",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.disc_dowel_circle),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of the circle on which these are",
     )
     .with_knob(length("their circle", 100.0, 0.5, "disc_dowel_circle_mm")),
@@ -184,7 +184,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowels",
         "COUNT",
         ArgumentSlot::Count(|question| &mut question.mounting.disc_dowels),
-        &[Parts],
+        &[Parts, Files],
         "How many of them, from 2 to 12 [default: 2]",
     ),
     Argument::new(
@@ -194,7 +194,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: PIECES,
             set: |question, number| question.mounting.stacked = Some(number == 1),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Locking disc and plate in one piece, or as two [default: one-piece, but two-pieces with --process laser or router]",
     )
     .with_knob(choice("disc and plate are")),
@@ -202,7 +202,7 @@ pub(super) const ROWS: &[Argument] = &[
         "base-thickness",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.base_thickness),
-        &[Parts],
+        &[Parts, Files],
         "Thickness in millimetres of a base plate with holes for both shafts at the right distance",
     )
     .with_knob(length("thickness of a base plate", 30.0, 0.5, "base_thickness_mm")),
@@ -213,7 +213,7 @@ pub(super) const ROWS: &[Argument] = &[
             names: THREADS,
             set: |question, number| question.mounting.base_screw = thread(number),
         }),
-        &[Parts],
+        &[Parts, Files],
         "Screws at the corners of the base plate",
     )
     .with_knob(choice("screws of the base plate")),
@@ -221,21 +221,21 @@ pub(super) const ROWS: &[Argument] = &[
         "shoulder-diameter",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.shoulder_diameter),
-        &[Parts],
+        &[Parts, Files],
         "Diameter in millimetres of a wider part of the base plate's holes, for a shoulder or a bearing",
     ),
     Argument::new(
         "shoulder-depth",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.shoulder_depth),
-        &[Parts],
+        &[Parts, Files],
         "Depth in millimetres of that wider part",
     ),
     Argument::new(
         "kerf",
         "MM",
         ArgumentSlot::LengthOrZero(|question| &mut question.mounting.kerf),
-        &[Parts],
+        &[Parts, Files],
         "Width in millimetres that a laser takes away: the file of parts to cut has contours moved by half of it [default: that of \
          --process, or 0]",
     ),

@@ -124,7 +124,8 @@ impl MeasuredWheel {
             let square = |b: f64| (b * b - a * a).abs().sqrt();
             let known = [
                 (KnownMistake::TouchingCircles, by_radius(&|b| a + b)),
-                (KnownMistake::SineForCosine, by_radius(&|b| b / sine)),
+                // With four slots both are one.
+                (KnownMistake::SineForCosine, by_radius(&|b| b / sine) && !by_radius(&|b| b / cosine)),
                 (KnownMistake::CosineForSine, near(c, a / cosine)),
                 (KnownMistake::RightAngleAtAxis, by_radius(&square)),
             ];
@@ -151,7 +152,7 @@ impl MeasuredWheel {
             // With three slots a right cut can have its centre there too; its edges are then where the pin enters.
             let through_edges = |z: f64| (q * q + z * z - 2.0 * q * z * sine).max(0.0).sqrt();
             let is_right = disc.map_or(self.wheel().stations() == 3, |z| near(radius, through_edges(z)));
-            if is_about_axis && !is_right && radius >= wheel - WITHIN * uncertainty && radius <= wheel + 0.1 * c {
+            if is_about_axis && !is_right && radius >= wheel - WITHIN * uncertainty && radius <= wheel + WRONG * c {
                 found.push(KnownMistake::CrescentAboutWheelAxis);
             }
         }

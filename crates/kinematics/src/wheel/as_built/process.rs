@@ -78,7 +78,7 @@ const FDM_HOLES: &str =
     "Layer X, 3D printing tolerances (2026): holes 0.1 to 0.3 mm undersize; the middle is our choice";
 const FDM_BORE: &str = "Makelab, clearance of two fitting parts: 0.4 mm for FDM";
 const RESIN_BORE: &str = "Makelab, clearance of two fitting parts: 0.25 mm for SLA";
-const FOUR_ERRORS: &str = "our choice: four times the error of a size, with which about 19 of 20 assemblies turn";
+const FOUR_ERRORS: &str = "our choice: four times the error of a size";
 
 /// Play of slot and locking arc over the error of a size, dimensionless: our choice.
 const PLAY_OF_ERROR: f64 = 4.0;
