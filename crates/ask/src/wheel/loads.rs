@@ -94,7 +94,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         )
         .needing(FORCE),
         ReportField::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
-            .line("peak contact pressure", "between pin and slot at the greatest force, driving or braking, along their whole length (Hertz)")
+            .line(
+                "peak contact pressure",
+                "between pin and slot at the greatest force, driving or braking, along their whole length (Hertz)",
+            )
             .needing(Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE))
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
