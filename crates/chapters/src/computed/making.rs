@@ -124,7 +124,6 @@ mod tests {
     use crate::questions::{question, value};
     use geneva_ask::ReportField;
     use geneva_ask::wheel::{WheelDesign, WheelQuestion};
-    use geneva_dynamics::wheel_loads::WheelLoads;
     use geneva_kinematics::wheel::as_built::TestPiece;
     use geneva_kinematics::wheel::{EntryContact, Play, Warning};
     use geneva_live::LiveArguments;
@@ -290,16 +289,24 @@ mod tests {
 
     #[test]
     fn with_inertia_alone_the_force_is_least_where_the_wheel_has_a_third_of_the_tables() {
-        let wheel = Wheel::new(6).expect("possible");
-        // kg m², mm, kg/m³, rad/s.
-        let (table, thickness, steel, speed) = (0.002, 10.0, 7850.0, 6.0);
-        let own = |radius: f64| {
-            let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
-            sizes.outline().wheel.moment_of_inertia(thickness, steel).expect("possible")
+        let table = 0.002; // kg m²
+        let design = |radius: f64| {
+            let words = format!(
+                "--stations 6 --crank-radius {radius} --rpm 60 --inertia {table} --thickness 10 --density 7850"
+            );
+            WheelDesign::new(WheelQuestion::parse(&words).expect("a question")).expect("fits")
         };
-        let loads = |radius: f64| WheelLoads::new(&wheel, table + own(radius), 0.0, speed).expect("possible");
-        let force = |radius: f64| loads(radius).pin_moment().driving.value / radius;
-        let torque = |radius: f64| loads(radius).crank_torque().driving.value;
+        let own = |radius: f64| design(radius).wheel_inertia.expect("a size");
+        let force = |radius: f64| {
+            let design = design(radius);
+            let loads = design.loads(design.wheel.indexing()).expect("possible").expect("loaded");
+            loads.pin_moment().driving.value / radius
+        };
+        let torque = |radius: f64| {
+            let design = design(radius);
+            let loads = design.loads(design.wheel.indexing()).expect("possible").expect("loaded");
+            loads.crank_torque().driving.value
+        };
         let radii: Vec<f64> = (100..600).map(|tenth| f64::from(tenth) / 10.0).collect();
         let best = radii.iter().min_by(|a, b| force(**a).total_cmp(&force(**b))).expect("one of them");
         assert!((own(*best) / table - 1.0 / 3.0).abs() < 0.01);

@@ -111,9 +111,9 @@ pub(super) struct Place {
     pub radius: f64,
     /// dr/dθ, in crank radii per radian.
     pub radius_rate: f64,
-    /// How fast the pin turns in its slot, over the driver's speed.
+    /// How fast the pin turns in its slot, over the driver's speed, dimensionless.
     pub turning: f64,
-    /// v, the wheel's velocity ratio.
+    /// v, the wheel's velocity ratio, dimensionless.
     pub velocity: f64,
 }
 

@@ -85,7 +85,7 @@ pub struct Peaks {
 }
 
 impl Peaks {
-    /// The greatest size of the load, whether the pin drives the wheel or holds it back, in the load's unit.
+    /// The greatest size of the load, whether the pin drives the wheel or holds it back, in N m.
     ///
     /// ```
     /// use geneva_dynamics::wheel_loads::{Peak, Peaks};

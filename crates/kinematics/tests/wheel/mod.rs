@@ -16,6 +16,7 @@ mod mouth;
 mod shared_tolerance;
 mod sizes;
 mod standard_fit;
+mod tolerance_class;
 mod tolerances;
 mod walls;
 mod warnings;

@@ -10,15 +10,15 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Thread {
-    /// M3, pitch 0.5 mm.
+    /// M3, of coarse pitch.
     M3,
-    /// M4, pitch 0.7 mm.
+    /// M4, of coarse pitch.
     M4,
-    /// M5, pitch 0.8 mm.
+    /// M5, of coarse pitch.
     M5,
-    /// M6, pitch 1 mm.
+    /// M6, of coarse pitch.
     M6,
-    /// M8, pitch 1.25 mm.
+    /// M8, of coarse pitch.
     M8,
 }
 

@@ -120,7 +120,7 @@ pub enum ActsOn {
 pub struct ArgumentGroup {
     /// What they are about, as a heading of the command's help.
     pub heading: &'static str,
-    /// The same as the title of a fold of controls.
+    /// What they are about, as the title of a fold of controls.
     pub fold: &'static str,
     /// The rows.
     pub rows: &'static [Argument],

@@ -15,7 +15,7 @@ use super::random::SplitMix64;
 ///
 /// let choices = Choices { play: Some(Play::from_slot(0.5)), pin_diameter: Some(6.0), ..Choices::default() }; // mm
 /// let sizes = Sizes::new(Wheel::new(4)?, Scale::CrankRadius(25.0), &choices)?;
-/// let assemblies = Assemblies::new(&sizes, SizeErrors::all(0.05), ErrorShape::Uniform, 1);
+/// let assemblies = Assemblies::new(&sizes, SizeErrors::from_greatest(0.05), ErrorShape::Uniform, 1);
 /// let found = assemblies.count(0..50)?;
 /// assert_eq!(found.turning, found.tried); // with so much play all of them turn
 /// # Ok::<(), Box<dyn std::error::Error>>(())

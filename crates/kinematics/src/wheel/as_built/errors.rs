@@ -57,7 +57,7 @@ pub enum ErrorShape {
 /// ```
 /// use geneva_kinematics::wheel::as_built::SizeErrors;
 ///
-/// let errors = SizeErrors { centre_distance: 0.05, ..SizeErrors::all(0.1) };
+/// let errors = SizeErrors { centre_distance: 0.05, ..SizeErrors::from_greatest(0.1) };
 /// assert_eq!((errors.centre_distance, errors.pin_diameter), (0.05, 0.1)); // mm
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +87,7 @@ pub struct SizeErrors {
 
 impl SizeErrors {
     /// The same greatest error of every size, in millimetres.
-    pub const fn all(error: f64) -> Self {
+    pub const fn from_greatest(error: f64) -> Self {
         Self {
             centre_distance: error,
             crank_radius: error,

@@ -88,8 +88,11 @@ impl FreeAngles {
 /// angles with their contacts, clockwise and counter-clockwise.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PinPlace {
+    /// Distance from the wheel's axis, in millimetres.
     pub distance: f64,
+    /// Angle from the slot's middle if the wheel is at 0, in radians.
     pub beside: f64,
+    /// Angles with their contacts, clockwise and counter-clockwise, in radians.
     pub rooms: [Option<(f64, BuiltContact)>; 2],
 }
 
@@ -104,8 +107,9 @@ pub(super) struct Assembled<'a> {
     openings: Vec<f64>,
     /// The greatest angle on the disc's rim that the wheel reaches, in radians.
     reach: f64,
-    /// Half the angle between slots, and the angle between pins, in radians.
+    /// Half the angle between slots, in radians.
     pub half_pitch: f64,
+    /// The angle between pins, in radians.
     pub pin_pitch: f64,
 }
 

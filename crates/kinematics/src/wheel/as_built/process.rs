@@ -198,7 +198,7 @@ impl ProcessNumbers {
             disc_radius: half,
             crescent_radius: half,
             place: half,
-            ..SizeErrors::all(self.error.value)
+            ..SizeErrors::from_greatest(self.error.value)
         }
     }
 

@@ -14,7 +14,7 @@ fn perturbed(count: u64) -> Vec<AsBuiltWheel> {
         let play = [0.2, 0.35, 0.1, 0.5][(k / 10) as usize % 4];
         let error = play * [0.25, 0.5, 0.8, 1.2][(k / 3) as usize % 4];
         let sizes = sized(stations, pins, &Choices { play: Some(Play::from_slot(play)), ..Choices::default() });
-        Assemblies::new(&sizes, SizeErrors::all(error), ErrorShape::Uniform, 17).assembly(k)
+        Assemblies::new(&sizes, SizeErrors::from_greatest(error), ErrorShape::Uniform, 17).assembly(k)
     };
     (0..count).map(one).collect()
 }

@@ -11,7 +11,7 @@ fn four(play: f64) -> Sizes {
 
 #[test]
 fn groups_of_assemblies_add_up_whichever_is_first() {
-    let assemblies = Assemblies::new(&four(0.2), SizeErrors::all(0.1), ErrorShape::Normal, 3);
+    let assemblies = Assemblies::new(&four(0.2), SizeErrors::from_greatest(0.1), ErrorShape::Normal, 3);
     let all = assemblies.count(0..120).unwrap();
     let parts = assemblies.count(70..120).unwrap().plus(assemblies.count(0..70).unwrap());
     assert_eq!(all, parts);
@@ -21,7 +21,7 @@ fn groups_of_assemblies_add_up_whichever_is_first() {
 #[test]
 fn more_play_lets_more_assemblies_turn_and_larger_errors_fewer() {
     let share = |play: f64, error: f64| {
-        let assemblies = Assemblies::new(&four(play), SizeErrors::all(error), ErrorShape::Uniform, 1);
+        let assemblies = Assemblies::new(&four(play), SizeErrors::from_greatest(error), ErrorShape::Uniform, 1);
         assemblies.count(0..400).unwrap().share()
     };
     for error in [0.05, 0.1, 0.2] {
@@ -61,7 +61,7 @@ fn the_generator_is_the_published_one() {
 #[test]
 fn sizes_are_drawn_within_their_errors() {
     let sizes = sized(6, 2, &Choices::default());
-    let errors = SizeErrors::all(0.1);
+    let errors = SizeErrors::from_greatest(0.1);
     let built = Assemblies::new(&sizes, errors, ErrorShape::Normal, 8).assembly(4);
     for slot in built.slots() {
         assert!((slot.width - sizes.slot_width).abs() <= 0.1 && slot.width != sizes.slot_width);
@@ -91,7 +91,7 @@ fn shares_are_near_those_of_another_simulation() {
                     tip_radius: half,
                     crescent_radius: half,
                     place,
-                    ..SizeErrors::all(error)
+                    ..SizeErrors::from_greatest(error)
                 };
                 let assemblies = Assemblies::new(&four(play), errors, ErrorShape::Uniform, 1).alike();
                 100.0 * assemblies.count(0..400).unwrap().share()
