@@ -420,9 +420,14 @@ fn a_figure_that_moves_says_what_it_is_and_reads_out_one_number() {
             let spoken = attribute(figure, &["output"], "aria-live");
             let (first, others) = spoken.split_first().expect("a number");
             assert!(first == "polite" && others.iter().all(|of| of == "off"), "{name}: {spoken:?}");
+            // How a turning mechanism stands is told besides.
+            let turning = usize::from(figure.iter().any(|piece| {
+                matches!(piece, Piece::Start { attributes, .. }
+                if attributes.get("class").is_some_and(|class| class == "turned"))
+            }));
             assert_eq!(
                 attribute(figure, &[], "aria-live").len(),
-                spoken.len(),
+                spoken.len() + turning,
                 "{name}: more than numbers are read out"
             );
             // A slider says its unit, as its box does.

@@ -2,7 +2,7 @@
 //! to change first.
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
-use super::question::length;
+use super::typed_question::length;
 use crate::number_format::{as_typed, count, number, to_digits};
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;

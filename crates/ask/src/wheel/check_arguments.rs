@@ -1,6 +1,6 @@
 //! The measured sizes that can be asked about, as they are typed.
 
-use super::question::length;
+use super::typed_question::length;
 use crate::Error;
 use geneva_kinematics::wheel::as_built::{MeasuredError, MeasuredSize, MeasuredWheel};
 use std::f64::consts::PI;

@@ -3,10 +3,10 @@
 use super::friction::friction;
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
-use super::mouth::{asked_mouth, check_mouth, mouth_argument};
-use super::pin_load::weaknesses;
-use super::question::{WheelQuestion, given};
+use super::mouth::check_mouth;
+use super::question::WheelQuestion;
 use super::recommended::recommended_crank_radius;
+use super::sized::{own_inertia, process_numbers, sizes, with_arguments};
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, rounded_up};
@@ -17,11 +17,7 @@ use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::ProcessNumbers;
-use geneva_kinematics::wheel::{
-    CentreTolerance, Choices, ClosestApproach, Play, Remedy, Scale, ShaftOf, SharedTolerance, Sizes, SizesError,
-    Warning, Wheel,
-};
+use geneva_kinematics::wheel::{CentreTolerance, ClosestApproach, Scale, SharedTolerance, Sizes};
 use std::sync::OnceLock;
 
 /// A wheel, and what its question says about it.
@@ -188,44 +184,6 @@ impl WheelDesign {
         })
     }
 
-    /// What a maker should know about sizes that do fit: what is wrong with them, with the place of the axes, and with the play
-    /// that the program chose.
-    ///
-    /// # Errors
-    ///
-    /// A distance of the axes at which the parts can't work together.
-    pub fn warnings(&self) -> Result<Vec<String>, Error> {
-        let Some(sizes) = &self.sizes else { return Ok(Vec::new()) };
-        let chosen = self.question.play.is_none();
-        let loose = sizes.looser_than_fit().filter(|_| chosen && self.question.process.is_none());
-        let is_usual = |warning: &Warning| {
-            let is_large = matches!(warning, Warning::LargePlay { .. } | Warning::LargeBacklash { .. });
-            chosen && self.question.process.is_some() && is_large
-        };
-        let of_sizes = sizes.warnings().into_iter().filter(|warning| !is_usual(warning)).chain(loose);
-        let of_sizes = of_sizes.map(|warning| warning.to_string());
-        // Parts without play touch; only what is deeper than the tolerance is an overlap.
-        let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
-        let error = self.centre_error();
-        let placed = if overlaps {
-            Some("with the axes at this distance, driver and wheel overlap; a clearance below zero says by how much")
-        } else if sizes.entry(error).is_none() {
-            Some("with the axes at this distance the pin does not meet the slot")
-        } else {
-            None
-        };
-        let many = (self.wheel.indexing().stations() > MOST_MADE).then(|| {
-            format!(
-                "with more than {MOST_MADE} stations, slots, horns and plays are too fine to be made: take this as geometry"
-            )
-        });
-        let weak = match &self.wheel {
-            AnyWheel::External(wheel) => weaknesses(self, wheel)?,
-            AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
-        };
-        Ok(placed.map(str::to_owned).into_iter().chain(of_sizes).chain(weak).chain(many).collect())
-    }
-
     /// Where driver and wheel come nearest over a whole turn, and the tolerance of the distance in millimetres; none without
     /// sizes, or where it would take too long to find.
     ///
@@ -261,17 +219,8 @@ impl WheelDesign {
     }
 }
 
-/// Stations up to which parts can be made: the same as are proposed for times.
-const MOST_MADE: u32 = 60;
-
 /// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
-
-/// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
-pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
-    let outline = sizes.zip(thickness);
-    Ok(outline.map(|(sizes, thickness)| sizes.outline().wheel.moment_of_inertia(thickness, density)).transpose()?)
-}
 
 /// A moment of inertia of everything that turns, unless it is less than the wheel's own.
 fn holds_the_wheel(all: f64, wheel: Option<f64>) -> Result<f64, Error> {
@@ -374,85 +323,6 @@ fn scale(question: &WheelQuestion) -> Option<Scale> {
     let centres = question.centre_distance.map(Scale::CentreDistance);
     let radius = question.wheel_radius.map(Scale::WheelRadius);
     crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
-}
-
-/// What was chosen of the parts.
-pub(super) fn choices(question: &WheelQuestion) -> Choices {
-    Choices {
-        pin_diameter: question.pin_diameter,
-        play: question.play.map(Play::from_slot),
-        bottom_clearance: question.bottom_clearance,
-        horn_thickness: question.horn,
-        locking_arc_radius: question.locking_arc_radius,
-        wheel_shaft: given(question.wheel_shaft),
-        driver_shaft: given(question.driver_shaft),
-        plate_shaft: given(question.plate_shaft),
-        mouth: asked_mouth(question).unwrap_or_default(),
-    }
-}
-
-pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
-    let mut choices = choices(question);
-    let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
-    let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
-    if locking.or(bore).or(slot).is_none() && !is_of_process {
-        return Sizes::new(wheel, scale, &choices);
-    }
-    // What is not given is as it is without, or as the process has it.
-    let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
-    let others = Sizes::new(wheel, scale, &bare)?;
-    if question.process.is_some() && question.pin_diameter.is_none() {
-        choices.pin_diameter = stock_pin(others.pin_diameter);
-    }
-    let pin = choices.pin_diameter.unwrap_or(others.pin_diameter);
-    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
-    let mut play = of_process.map_or(others.play, |numbers| numbers.play());
-    if let Some(width) = slot {
-        play = Play::from_slot(width - pin);
-    }
-    let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
-    Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
-}
-
-/// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.
-const STOCK_PINS: [f64; 16] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0];
-
-/// The thickest pin that is sold and no thicker than this one, in millimetres, if there is one.
-fn stock_pin(diameter: f64) -> Option<f64> {
-    STOCK_PINS.into_iter().rev().find(|pin| *pin <= diameter)
-}
-
-/// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.
-pub(super) fn process_numbers(
-    question: &WheelQuestion,
-    centre_distance: f64,
-) -> Result<Option<ProcessNumbers>, KinematicsError> {
-    let Some(process) = question.process else { return Ok(None) };
-    let numbers = ProcessNumbers::new(process, centre_distance)?;
-    question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
-}
-
-/// The error about sizes that don't fit, with the arguments that change them, as they were given.
-pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
-    let of = |remedy: &Remedy| match remedy {
-        Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
-        Remedy::ThinnerHorn => ("horn", question.horn),
-        Remedy::LessPlay => ("play", question.play),
-        Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
-        Remedy::ThickerHorn => ("horn", question.horn),
-    };
-    let arguments = match error {
-        SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
-        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
-        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
-        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
-        SizesError::Mouth { name, remedies, .. } => {
-            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
-        }
-        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
-        SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
-    };
-    Error::Sizes { error, arguments }
 }
 
 /// The error of a number that is not finite, by its key.

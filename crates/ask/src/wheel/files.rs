@@ -1,9 +1,10 @@
 //! Files from which a wheel is made.
 
-use super::design::{WheelDesign, choices, process_numbers, with_arguments as with_choices};
+use super::design::WheelDesign;
 use super::kind::{AnyWheel, WheelKind};
-use super::mounting::with_arguments;
+use super::mounting_error::with_arguments;
 use super::process::assemblies_that_turn;
+use super::sized::{choices, process_numbers, with_arguments as with_choices};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;

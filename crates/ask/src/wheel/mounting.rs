@@ -1,9 +1,8 @@
 //! How wheel and driver are to be mounted, as it is typed: each field has the name of an argument.
 
-use super::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_workshop::{BasePlate, Fastener, Mounting, MountingError, Pattern, PinMount, ScrewHole, ShaftFit, Thread};
+use geneva_workshop::{BasePlate, Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit, Thread};
 
 /// The shape of a bore.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -185,37 +184,10 @@ fn fit(part: &str, shape: Option<BoreShape>, flat: Option<f64>) -> Result<ShaftF
     }
 }
 
-/// The error about what can't be mounted, with the arguments that change it.
-pub(super) fn with_arguments(error: MountingError, question: &WheelQuestion) -> Error {
-    let asked = &question.mounting;
-    let numbers = match &error {
-        MountingError::BreaksOut { hole, .. } | MountingError::TooDeep { hole, .. } => match *hole {
-            "a hole of the hub" => vec![
-                ("wheel-hub-circle", asked.wheel_hub_circle),
-                ("driver-hub-circle", asked.driver_hub_circle),
-                ("hub-dowel", asked.hub_dowel),
-            ],
-            "a hole between disc and plate" => {
-                vec![("disc-dowel-circle", asked.disc_dowel_circle), ("disc-dowel", asked.disc_dowel)]
-            }
-            "the bore" => vec![
-                ("wheel-shaft", question.wheel_shaft),
-                ("driver-shaft", question.driver_shaft),
-                ("plate-shaft", question.plate_shaft),
-            ],
-            _ => Vec::new(),
-        },
-        _ => Vec::new(),
-    };
-    let given = numbers.iter().filter_map(|(name, value)| Some(format!("--{name} {}", as_typed((*value)?))));
-    let given = given.collect::<Vec<_>>().join(", ");
-    if given.is_empty() { refused!("{error}") } else { refused!("{error} ({given})") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::WheelDesign;
+    use crate::wheel::{WheelDesign, WheelQuestion};
     use geneva_workshop::Part;
 
     fn wheel(mounting: MountingQuestion) -> WheelQuestion {

@@ -1,6 +1,7 @@
 //! What a process does to a wheel: plays and errors with their sources, and the share of assemblies that turn.
 
-use super::design::{WheelDesign, process_numbers};
+use super::design::WheelDesign;
+use super::sized::process_numbers;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::Sizes;
 use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, ProcessNumbers, SourcedNumber, Yield};

@@ -56,8 +56,9 @@ impl Candidate {
     }
 }
 
-/// Those of one kind, or of all, of which something comes nearest to what is wanted, the nearest first; of equals the one with
-/// fewer stations.
+/// The wheels of one kind, or of all, that come nearest to what is wanted in something.
+///
+/// The nearest comes first; of equals the one with fewer stations.
 fn nearest(wanted: f64, kind: Option<WheelKind>, of: impl Fn(&Candidate) -> f64) -> Vec<Candidate> {
     let kinds = WheelKind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let mut all: Vec<_> = kinds.flat_map(candidates).collect();

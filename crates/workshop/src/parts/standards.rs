@@ -161,7 +161,9 @@ mod tests {
     #[test]
     fn a_tapped_hole_is_the_diameter_less_the_pitch() {
         // Pitches of ISO 261, coarse; drills have a decimal.
-        for (thread, pitch) in Thread::ALL.into_iter().zip([0.5, 0.7, 0.8, 1.0, 1.25]) {
+        for (thread, pitch) in
+            Thread::ALL.into_iter().zip([50, 70, 80, 100, 125].map(|hundredths| f64::from(hundredths) / 100.0))
+        {
             let drill: f64 = thread.diameter() - pitch;
             assert!((thread.tapping_hole() - drill).abs() <= 0.05 + 1e-12, "{thread:?}");
             assert!(thread.clearance_hole() > thread.diameter());

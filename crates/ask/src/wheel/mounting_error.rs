@@ -1,0 +1,33 @@
+//! Errors about what can't be mounted, with the arguments that change it.
+
+use super::question::WheelQuestion;
+use crate::Error;
+use crate::number_format::as_typed;
+use geneva_workshop::MountingError;
+
+/// The error about what can't be mounted, with the arguments that change it.
+pub(super) fn with_arguments(error: MountingError, question: &WheelQuestion) -> Error {
+    let asked = &question.mounting;
+    let numbers = match &error {
+        MountingError::BreaksOut { hole, .. } | MountingError::TooDeep { hole, .. } => match *hole {
+            "a hole of the hub" => vec![
+                ("wheel-hub-circle", asked.wheel_hub_circle),
+                ("driver-hub-circle", asked.driver_hub_circle),
+                ("hub-dowel", asked.hub_dowel),
+            ],
+            "a hole between disc and plate" => {
+                vec![("disc-dowel-circle", asked.disc_dowel_circle), ("disc-dowel", asked.disc_dowel)]
+            }
+            "the bore" => vec![
+                ("wheel-shaft", question.wheel_shaft),
+                ("driver-shaft", question.driver_shaft),
+                ("plate-shaft", question.plate_shaft),
+            ],
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    };
+    let given = numbers.iter().filter_map(|(name, value)| Some(format!("--{name} {}", as_typed((*value)?))));
+    let given = given.collect::<Vec<_>>().join(", ");
+    if given.is_empty() { refused!("{error}") } else { refused!("{error} ({given})") }
+}

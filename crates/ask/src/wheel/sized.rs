@@ -1,0 +1,93 @@
+//! The sizes of an external wheel from what a question gives: choices, plays and pins of a process, own inertia.
+
+use super::mouth::{asked_mouth, mouth_argument};
+use super::question::{WheelQuestion, given};
+use crate::Error;
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::as_built::ProcessNumbers;
+use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel};
+
+/// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
+pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
+    let outline = sizes.zip(thickness);
+    Ok(outline.map(|(sizes, thickness)| sizes.outline().wheel.moment_of_inertia(thickness, density)).transpose()?)
+}
+
+/// What was chosen of the parts.
+pub(super) fn choices(question: &WheelQuestion) -> Choices {
+    Choices {
+        pin_diameter: question.pin_diameter,
+        play: question.play.map(Play::from_slot),
+        bottom_clearance: question.bottom_clearance,
+        horn_thickness: question.horn,
+        locking_arc_radius: question.locking_arc_radius,
+        wheel_shaft: given(question.wheel_shaft),
+        driver_shaft: given(question.driver_shaft),
+        plate_shaft: given(question.plate_shaft),
+        mouth: asked_mouth(question).unwrap_or_default(),
+    }
+}
+
+pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let mut choices = choices(question);
+    let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
+    let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
+    if locking.or(bore).or(slot).is_none() && !is_of_process {
+        return Sizes::new(wheel, scale, &choices);
+    }
+    // What is not given is as it is without, or as the process has it.
+    let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
+    let others = Sizes::new(wheel, scale, &bare)?;
+    if question.process.is_some() && question.pin_diameter.is_none() {
+        choices.pin_diameter = stock_pin(others.pin_diameter);
+    }
+    let pin = choices.pin_diameter.unwrap_or(others.pin_diameter);
+    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
+    let mut play = of_process.map_or(others.play, |numbers| numbers.play());
+    if let Some(width) = slot {
+        play = Play::from_slot(width - pin);
+    }
+    let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
+    Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
+}
+
+/// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.
+const STOCK_PINS: [f64; 16] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0];
+
+/// The thickest pin that is sold and no thicker than this one, in millimetres, if there is one.
+fn stock_pin(diameter: f64) -> Option<f64> {
+    STOCK_PINS.into_iter().rev().find(|pin| *pin <= diameter)
+}
+
+/// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.
+pub(super) fn process_numbers(
+    question: &WheelQuestion,
+    centre_distance: f64,
+) -> Result<Option<ProcessNumbers>, KinematicsError> {
+    let Some(process) = question.process else { return Ok(None) };
+    let numbers = ProcessNumbers::new(process, centre_distance)?;
+    question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
+}
+
+/// The error about sizes that don't fit, with the arguments that change them, as they were given.
+pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
+    let of = |remedy: &Remedy| match remedy {
+        Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
+        Remedy::ThinnerHorn => ("horn", question.horn),
+        Remedy::LessPlay => ("play", question.play),
+        Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
+        Remedy::ThickerHorn => ("horn", question.horn),
+    };
+    let arguments = match error {
+        SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
+        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
+        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
+        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
+        SizesError::Mouth { name, remedies, .. } => {
+            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
+        }
+        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
+        SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
+    };
+    Error::Sizes { error, arguments }
+}
