@@ -166,8 +166,8 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
 }
 
 /// Controls that cannot be seen together with the whole drawing and the numbers. A reader has opened its fold, scrolled to the
-/// figure and then to the control if it is not in sight, and moves it: nothing of the three may be outside the window, under its
-/// bar or under another.
+/// figure and then to the control if it is not in sight, and moves it once the page's bar stands still: nothing of the three may be
+/// outside the window, under its bar or under another.
 const APART: &str = "(async () => { const found = []; const shown = f.querySelector('.shown'); const bar = \
      document.querySelector('#mdbook-menu-bar'); for (const input of g.querySelectorAll('.moved input[name], .moved select')) { \
      g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(input)); const inside = input.closest('.inside'); \
@@ -175,7 +175,8 @@ const APART: &str = "(async () => { const found = []; const shown = f.querySelec
      const label = input.labels[0], box = g.querySelector(`[data-box=${input.name}]`) ?? input; \
      const end = Math.max(...[label, input, box].map(of => of.getBoundingClientRect().bottom)); \
      const figure = f.getBoundingClientRect().top - 60; \
-     scrollBy({ top: Math.max(figure, end - innerHeight + 6), behavior: 'instant' }); await new Promise(requestAnimationFrame); \
+     scrollBy({ top: Math.max(figure, end - innerHeight + 6), behavior: 'instant' }); \
+     for (let k = 0; k < 4; k++) { await new Promise(requestAnimationFrame) } \
      input.dispatchEvent(new Event('input', { bubbles: true })); await settled(); await new Promise(requestAnimationFrame); \
      const isHit = of => { const { left, right, top, bottom } = of.getBoundingClientRect(); const hit = \
      document.elementFromPoint((left + right) / 2, (top + bottom) / 2); return top >= 0 && bottom <= innerHeight && (hit === of || of.contains(hit)) }; \
