@@ -146,3 +146,14 @@ if (heads.length > 2) {
     new ResizeObserver(soon).observe(main);
     document.fonts.ready.then(soon);
 }
+
+// After a jump upwards, the book's bar stands where the window was before, over text. Told of the same place again, it goes to the
+// top of the window.
+{
+    const bar = document.querySelector('#mdbook-menu-bar');
+    document.addEventListener('scroll', ({ isTrusted }) => {
+        if (isTrusted && bar?.getBoundingClientRect().top > 0) {
+            document.dispatchEvent(new Event('scroll'));
+        }
+    }, { passive: true });
+}

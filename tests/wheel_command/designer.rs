@@ -2,7 +2,7 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
-use geneva_ask::wheel::{ArgumentSlot, NamedChoice, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::wheel::{ActsOn, ArgumentSlot, NamedChoice, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_live::{Live, LiveArguments, by_name};
@@ -95,7 +95,13 @@ fn in_the_object<'a>(object: &'a Map<String, Value>, name: &str, key: Option<&st
 
 /// Compares both answers to a question; how many numbers are equal, none if both refuse it.
 fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
-    let words: Vec<&str> = command.iter().map(String::as_str).collect();
+    // What acts on files alone is refused beside numbers.
+    let is_of_files = |name: &str| {
+        let mut known = arguments().filter(|argument| argument.acts_on.contains(&ActsOn::Files));
+        name.strip_prefix("--").is_some_and(|name| known.any(|argument| argument.name == name))
+    };
+    let pairs = command[1..].chunks(2).filter(|pair| !is_of_files(&pair[0])).flatten();
+    let words: Vec<&str> = command[..1].iter().chain(pairs).map(String::as_str).collect();
     let pairs = page.iter().map(|(name, value)| (*name, value.clone()));
     let moved = match live.answer(&LiveArguments::from_pairs(pairs)) {
         Ok(moved) => moved,

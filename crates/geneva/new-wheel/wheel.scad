@@ -20,6 +20,7 @@ wheel_bore = 0; // diameter; 0 for none
 driver_bore = 0; // diameter in the locking disc; 0 for none
 plate_bore = 0; // diameter in the plate; 0 for none
 pin_hole = 0; // diameter of the holes for pins; 0: pins are in one piece with the plate
+bush_hole = 0; // diameter of the hole in a bush that is the pin; 0 for none
 nut_width = 0; // across the flats of a nut below each pin; 0 for none
 nut_depth = 0; // of the nut's pocket
 
@@ -137,6 +138,7 @@ assert(driver_bore == 0 || !has_dwell || crescent_bottom > driver_bore / 2,
   "the crescent meets the driver's bore: make driver_bore smaller");
 assert(crank_radius - max(pin_diameter, pin_hole) / 2 > plate_bore / 2,
   "the plate's bore meets the pins: make plate_bore smaller");
+assert(bush_hole >= 0 && bush_hole < pin_diameter, "bush_hole is as wide as the pin: make it smaller");
 assert(pin_hole == 0 || pin_hole <= pin_diameter + slot_play, "pin_hole is wider than the pin: make it smaller");
 assert(plate_radius - crank_radius > max(pin_hole, nut_width / cos(30)) / 2,
   "a pin's hole or nut breaks out of the plate: make pin_hole or nut_width smaller");
@@ -270,7 +272,11 @@ module driver() {
 
 // Pins that are not in one piece with the plate: dowels, or bushes on screws.
 module pin_pieces() {
-  if (pin_hole > 0) translate([0, 0, -axial_play]) linear_extrude(height = thickness + axial_play) pin_outlines();
+  if (pin_hole > 0) translate([0, 0, -axial_play])
+    linear_extrude(height = thickness + (bush_hole > 0 ? 2 : 1) * axial_play) difference() {
+      pin_outlines();
+      if (bush_hole > 0) around() translate([crank_radius, 0]) hollow(bush_hole / 2);
+    }
 }
 
 module base() {

@@ -18,9 +18,9 @@ const WITHOUT_LOAD: f64 = 25.0;
 /// The least and the greatest recommended crank radius, in millimetres.
 const LEAST: f64 = 6.3;
 const MOST: f64 = 1000.0;
-/// The preferred numbers R20 of ISO 3 in one decade, as they are rounded there.
-const R20: [f64; 20] =
-    [1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0];
+/// The preferred numbers R20 of ISO 3 in one decade, as they are rounded there, in hundredths.
+const R20: [u32; 20] =
+    [100, 112, 125, 140, 160, 180, 200, 224, 250, 280, 315, 355, 400, 450, 500, 560, 630, 710, 800, 900];
 
 /// The crank radius in millimetres that suits a load: the least preferred number (ISO 3, R20) at which the wheel has at least a
 /// tenth of its table's moment of inertia, in kg m².
@@ -47,6 +47,6 @@ pub(super) fn recommended_crank_radius(
 pub(super) fn preferred_numbers() -> impl Iterator<Item = f64> {
     [1.0, 10.0, 100.0, 1000.0]
         .into_iter()
-        .flat_map(|decade| R20.map(|number| number * decade))
+        .flat_map(|decade| R20.map(|number| f64::from(number) * decade / 100.0))
         .filter(|radius| (LEAST..=MOST).contains(radius))
 }

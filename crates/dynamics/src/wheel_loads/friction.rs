@@ -64,7 +64,7 @@ impl Friction {
         Self { wheel_torque: torque, ..Self::NONE }
     }
 
-    /// The same friction, if every part of it is possible.
+    /// All friction, if every part of it is possible.
     pub(super) fn checked(self) -> Result<Self, DynamicsError> {
         for (name, asked) in [
             ("friction torque", self.wheel_torque),
