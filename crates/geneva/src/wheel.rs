@@ -357,7 +357,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         )?;
     }
     let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
-    if !has_inertia && !(is_sized && is_external) {
+    if !(has_inertia || is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
         reject_any(wanted, acts_on(ActsOn::Load), why)?;
     }
