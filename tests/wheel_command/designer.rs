@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Settings that are tried.
 const SETTINGS: u64 = 200;
 
-/// The same question for the page and for the command.
+/// One question for the page and for the command.
 struct Asked {
     page: Vec<(&'static str, String)>,
     command: Vec<String>,

@@ -50,7 +50,7 @@ pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
     with_outline_on_a_page(sizes, &sizes.outline())
 }
 
-/// The same with a wheel that is made wrong: dimensions of `sizes`, and the outline of `made` with each slot `turned` by an
+/// The drawing of a wheel that is made wrong: dimensions of `sizes`, and the outline of `made` with each slot `turned` by an
 /// angle in radians out of its place.
 pub fn dimensions_of_a_wrong_wheel(sizes: &Sizes, made: &Sizes, turned: f64) -> Figure {
     let mut outline = made.outline();

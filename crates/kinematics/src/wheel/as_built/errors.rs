@@ -86,7 +86,7 @@ pub struct SizeErrors {
 }
 
 impl SizeErrors {
-    /// The same greatest error of every size, in millimetres.
+    /// Errors of all sizes with one greatest error, in millimetres.
     pub const fn from_greatest(error: f64) -> Self {
         Self {
             centre_distance: error,

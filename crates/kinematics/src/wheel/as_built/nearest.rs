@@ -192,7 +192,7 @@ impl MeasuredWheel {
         })
     }
 
-    /// Those of the kept measurements that may be wrong instead of the culprit of this number.
+    /// Which of the kept measurements there are that may be wrong instead of the culprit of this number.
     fn suspects(&self, culprit: usize, kept: &[usize], (free, least): (Free, f64)) -> Vec<MeasuredSize> {
         let all = self.only(&[&[culprit], kept].concat());
         let (_, sum) = all.fit(free);
