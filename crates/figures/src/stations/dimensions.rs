@@ -60,10 +60,11 @@ pub fn dimensions_of_a_wrong_wheel(sizes: &Sizes, made: &Sizes, turned: f64) -> 
         || libm::asin((made.slot_width / 2.0 / made.tip_radius).min(1.0)),
         |rim| libm::atan2(rim.y, rim.x),
     ) + TOUCHING;
-    let pitch = 2.0 * made.wheel.half_pitch_angle();
+    let (pitch, reach) = (2.0 * made.wheel.half_pitch_angle(), made.tip_radius * libm::sin(corner));
     let in_slot = |p: &Vector2<f64>| {
         let angle = libm::atan2(p.y, p.x);
-        (angle - pitch * (angle / pitch).round()).abs() <= corner
+        // By the distance beside the slot's middle: the ends of its walls near the axis are as far as those at the rim.
+        (p.norm() * libm::sin(angle - pitch * (angle / pitch).round())).abs() <= reach
     };
     let place = |p: Vector2<f64>| {
         let turn = Turn::from_radians(turned);
@@ -387,8 +388,9 @@ mod tests {
             for ((radius, angle), (other, at)) in right.iter().zip(&wrong) {
                 assert!((radius - other).abs() < 0.01, "{radius} {other}");
                 let moved = (at - angle + PI).rem_euclid(2.0 * PI) - PI;
-                out += usize::from((moved - turned).abs() < 1e-3);
-                stay += usize::from(moved.abs() < 1e-4);
+                // Numbers of a drawing have two decimals.
+                out += usize::from(((moved - turned) * radius).abs() < 0.02);
+                stay += usize::from((moved * radius).abs() < 0.01);
             }
             // The ends of two walls of each slot, and of an arc.
             assert!(out >= 4 * stations as usize && stay >= 2 * stations as usize, "{stations}: {out} {stay}");
