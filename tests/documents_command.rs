@@ -171,7 +171,8 @@ fn misunderstood(asked: &str, folder: &Path) -> Option<String> {
         return None;
     }
     // What is written goes into a folder of its own, where the next command finds it.
-    let (code, said) = if words.iter().any(|word| *word == "--output" || word.ends_with(".deck")) {
+    let writes = |word: &&str| ["--output", "--out"].contains(word) || word.ends_with(".deck");
+    let (code, said) = if words.iter().any(writes) {
         let output = geneva(&words).current_dir(folder).output().expect("the program runs");
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     } else {
