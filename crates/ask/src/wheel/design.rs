@@ -17,6 +17,7 @@ use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::{ProcessNumbers, Yield};
 use geneva_kinematics::wheel::{CentreTolerance, ClosestApproach, Scale, SharedTolerance, Sizes};
 use std::sync::OnceLock;
 
@@ -48,6 +49,7 @@ pub struct WheelDesign {
     /// What takes long to find, once it has been asked for.
     clearance: OnceLock<Option<(ClosestApproach, f64)>>,
     centre_tolerance: OnceLock<Option<CentreTolerance>>,
+    pub(super) turning: OnceLock<Option<Yield>>,
     shared_tolerance: OnceLock<Option<Option<SharedTolerance>>>,
 }
 
@@ -110,6 +112,7 @@ impl WheelDesign {
             contact: contact.transpose()?,
             clearance: OnceLock::new(),
             centre_tolerance: OnceLock::new(),
+            turning: OnceLock::new(),
             shared_tolerance: OnceLock::new(),
         })
     }
@@ -175,11 +178,21 @@ impl WheelDesign {
         self.question.centre_error.unwrap_or(0.0)
     }
 
+    /// The numbers of the process by which the parts are made, if one is named and the wheel has a size.
+    ///
+    /// # Errors
+    ///
+    /// A measured play that is not above zero.
+    pub(super) fn process_numbers(&self) -> Result<Option<ProcessNumbers>, Error> {
+        let of = |sizes: Sizes| process_numbers(&self.question, sizes.centre_distance);
+        Ok(self.sizes.map(of).transpose()?.flatten())
+    }
+
     /// Gap between wheel and plate along the axes in millimetres, if the wheel has a size.
     pub fn axial_play(&self) -> Option<f64> {
-        let of_process = |sizes: &Sizes| process_numbers(&self.question, sizes.centre_distance).ok().flatten();
         self.sizes.as_ref().map(|sizes| {
-            let chosen = of_process(sizes).map_or(sizes.play.slot, |numbers| numbers.axial_play.value);
+            let of_process = self.process_numbers().ok().flatten();
+            let chosen = of_process.map_or(sizes.play.slot, |numbers| numbers.axial_play.value);
             self.question.axial_play.unwrap_or(chosen)
         })
     }
@@ -275,7 +288,7 @@ fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion
 }
 
 /// What is found at the first time, and kept.
-fn once<T: Copy>(kept: &OnceLock<T>, find: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+pub(super) fn once<T: Copy>(kept: &OnceLock<T>, find: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     match kept.get() {
         Some(found) => Ok(*found),
         None => find().map(|found| *kept.get_or_init(|| found)),

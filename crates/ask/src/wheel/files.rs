@@ -3,8 +3,7 @@
 use super::design::WheelDesign;
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting_error::with_arguments;
-use super::process::assemblies_that_turn;
-use super::sized::{choices, process_numbers, with_arguments as with_choices};
+use super::sized::{choices, with_arguments as with_choices};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
@@ -157,8 +156,7 @@ impl WheelDesign {
         let [pin_material, wheel_material] =
             [0, 1].map(|k| SheetMaterial { name: names[k].as_str(), hardness: hardness[k] });
         let text = SheetText { project: &self.project(), wheel_material, pin_material };
-        let process = process_numbers(&self.question, sizes.centre_distance)?;
-        let yield_share = process.map(|numbers| assemblies_that_turn(sizes, &numbers)).transpose()?.map(Yield::share);
+        let (process, yield_share) = (self.process_numbers()?, self.assemblies_that_turn()?.map(Yield::share));
         let limits = SheetLimits { shared: self.shared_tolerance()?.flatten(), process, yield_share };
         sheets(sizes, thickness, &mounting, &limits, &text).map_err(|error| with_arguments(error, &self.question))
     }
@@ -244,9 +242,7 @@ impl WheelDesign {
 
     /// Width in millimetres that the cut takes away: what is given, or that of the process.
     fn kerf(&self) -> Result<f64, Error> {
-        let of_process =
-            self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?.flatten();
-        let of_process = of_process.map_or(0.0, |numbers| numbers.kerf.value);
+        let of_process = self.process_numbers()?.map_or(0.0, |numbers| numbers.kerf.value);
         Ok(self.question.mounting.kerf.unwrap_or(of_process))
     }
 
@@ -321,8 +317,7 @@ impl WheelDesign {
 
     /// How much wider holes become than drawn in the process, in millimetres; below zero narrower.
     fn hole_growth(&self) -> Result<f64, Error> {
-        let numbers = self.sizes.map(|sizes| process_numbers(&self.question, sizes.centre_distance)).transpose()?;
-        Ok(numbers.flatten().map_or(0.0, |numbers| numbers.hole_growth.value))
+        Ok(self.process_numbers()?.map_or(0.0, |numbers| numbers.hole_growth.value))
     }
 
     /// The parts for a file of meshes, with holes as wide as the process wants them drawn, and how far its chords leave their arcs.

@@ -1,7 +1,6 @@
 //! What a process does to a wheel: plays and errors with their sources, and the share of assemblies that turn.
 
-use super::design::WheelDesign;
-use super::sized::process_numbers;
+use super::design::{WheelDesign, once};
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::Sizes;
 use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, ProcessNumbers, SourcedNumber, Yield};
@@ -39,6 +38,20 @@ pub fn assemblies_that_turn(sizes: &Sizes, numbers: &ProcessNumbers) -> Result<Y
     assemblies.count(0..ASSEMBLIES).map_err(too_small)
 }
 
+impl WheelDesign {
+    /// How many assemblies turn if the parts are made by the process that is named; they are drawn once.
+    ///
+    /// # Errors
+    ///
+    /// As for [`assemblies_that_turn`].
+    pub(super) fn assemblies_that_turn(&self) -> Result<Option<Yield>, Error> {
+        once(&self.turning, || {
+            let named = self.sizes.as_ref().zip(self.process_numbers()?);
+            named.map(|(sizes, numbers)| assemblies_that_turn(sizes, &numbers)).transpose()
+        })
+    }
+}
+
 /// The numbers of the process for a wheel, each with its source, and the share of assemblies that turn; without numbers where none
 /// is named, or the wheel has no size.
 ///
@@ -47,8 +60,7 @@ pub fn assemblies_that_turn(sizes: &Sizes, numbers: &ProcessNumbers) -> Result<Y
 /// A measured play that is not above zero, and the errors of [`assemblies_that_turn`].
 pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sized = design.sizes.as_ref();
-    let numbers = sized.map(|sizes| process_numbers(&design.question, sizes.centre_distance)).transpose()?.flatten();
-    let found = sized.zip(numbers).map(|(sizes, numbers)| assemblies_that_turn(sizes, &numbers)).transpose()?;
+    let (numbers, found) = (design.process_numbers()?, design.assemblies_that_turn()?);
     let mm = |key, name, of: fn(&ProcessNumbers) -> SourcedNumber| {
         let number = numbers.as_ref().map(of);
         let field = ReportField::in_unit(key, number.map(|number| number.value), "mm");
