@@ -3,6 +3,6 @@
 mod exports;
 
 /// The reply to a question of a page.
-fn answer(question: &str) -> String {
+fn module_answer(question: &str) -> String {
     ledger::LEDGER.reply(question)
 }
