@@ -4,12 +4,13 @@ use crate::effort::{self, CheckEffort};
 use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
-use crate::join::matrix_sides;
+use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
+use crate::judge::permutation;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -436,13 +437,37 @@ impl DocumentCheck<'_> {
         [left, right]: [&ChainSide; 2],
         relation: Relation,
     ) {
-        let Some(entries) = matrix_sides::paired_entries(left, right) else { return };
-        for [left, right] in entries {
-            let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
-            if is_value(&left) && is_value(&right) {
-                let judgement = judge(&left.tokens, &right.tokens, relation, None);
-                self.record(formula, chain, [&left, &right], judgement, relation);
+        if let (Some(one), Some(other)) = (matrix_sides::only_matrix(left), matrix_sides::only_matrix(right))
+            && permutation::are_same_in_rows(one, other)
+        {
+            return;
+        }
+        let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
+        let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
+            let entries = matrix_sides::paired_entries(left, right, multiply).unwrap_or_default();
+            let values = entries.into_iter().filter(|entry| entry.iter().all(is_value));
+            values.map(|[one, other]| { let of = judge(&one.tokens, &other.tokens, relation, None); ([one, other], of) }).collect()
+        };
+        // Where all entries are zeros and ones, any number of ones may add to one.
+        let is_boolean = matrix_sides::has_bits_alone(left) && matrix_sides::has_bits_alone(right);
+        let may_be_or = |judgement: &PairJudgement| {
+            let values = judgement.values.as_ref().and_then(|(one, other)| one.number().ok().zip(other.number().ok()));
+            is_boolean && values.is_some_and(|(one, other)| one.point > 1.0 && other.point == 1.0)
+        };
+        let agree = |entries: &[([ChainSide; 2], PairJudgement)]| {
+            entries.iter().all(|(_, judgement)| agrees(judgement) || may_be_or(judgement))
+        };
+        let mut entries = judged(MatrixProduct::RowsByColumns);
+        if agree(&entries) {
+            entries.retain(|(_, judgement)| agrees(judgement));
+        } else {
+            let by_entry = judged(MatrixProduct::EntryByEntry);
+            if by_entry.len() == entries.len() && agree(&by_entry) {
+                entries = by_entry;
             }
+        }
+        for ([left, right], judgement) in entries {
+            self.record(formula, chain, [&left, &right], judgement, relation);
         }
     }
 

@@ -13,6 +13,7 @@ mod conventions;
 mod definitions;
 mod directives;
 mod doubts;
+mod fifteenth;
 mod formats;
 mod fourteenth;
 mod fuzz;

@@ -166,9 +166,11 @@ fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
         return None;
     }
     let (_, decimals) = number.split_once('.')?;
+    // One digit that is printed twice may be one that only happens to stand there: 0.0588….
     let repeats = |length: usize| {
-        let Some(start) = decimals.len().checked_sub(2 * length) else { return false };
-        decimals[start..start + length] == decimals[start + length..]
+        let times = if length == 1 { 3 } else { 2 };
+        let Some(start) = decimals.len().checked_sub(times * length) else { return false };
+        (1..times).all(|at| decimals[start + at * length..].starts_with(&decimals[start..start + length]))
     };
     let written = match (1..=6).find(|length| repeats(*length)) {
         Some(length) => repeated(number, &decimals[decimals.len() - length..]),

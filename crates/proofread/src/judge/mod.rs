@@ -1,5 +1,6 @@
 //! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
 
+mod binary_numbers;
 mod bracket_symbols;
 pub(crate) mod chain_verdict;
 pub(crate) mod denial;
@@ -12,6 +13,8 @@ mod lost_digits;
 mod notation;
 mod number_marks;
 mod other_arithmetic;
+pub(crate) mod permutation;
+mod point_coordinates;
 pub(crate) mod section;
 mod seldom_real;
 mod substitution;

@@ -242,7 +242,12 @@ fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen:
         let open = &tokens[at - 2 - signed];
         open.is_one_of("([{⟨") || of_macro(open)
     };
-    let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
+    let closing = |token: &Token| token.is_one_of(")]}⟩") || of_macro(token);
+    // It may have an exponent: {0,1}^n.
+    let closes = tokens.get(at + 2).is_some_and(|token| match &token.kind {
+        TokenKind::Scripts(base, ..) => matches!(base.as_slice(), [close] if closing(close)),
+        _ => closing(token),
+    });
     // A pair in brackets may be a point of the plane.
     if !(opens && closes || is_pair(tokens, at)) {
         let is_sure = !is_loose || is_decimal_for_sure(tokens, at, [whole, decimals], is_argument);
