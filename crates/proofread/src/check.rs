@@ -446,23 +446,27 @@ impl DocumentCheck<'_> {
         let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
             let entries = matrix_sides::paired_entries(left, right, multiply).unwrap_or_default();
             let values = entries.into_iter().filter(|entry| entry.iter().all(is_value));
-            values.map(|[one, other]| { let of = judge(&one.tokens, &other.tokens, relation, None); ([one, other], of) }).collect()
-        };
-        // Where all entries are zeros and ones, any number of ones may add to one.
-        let is_boolean = matrix_sides::has_bits_alone(left) && matrix_sides::has_bits_alone(right);
-        let may_be_or = |judgement: &PairJudgement| {
-            let values = judgement.values.as_ref().and_then(|(one, other)| one.number().ok().zip(other.number().ok()));
-            is_boolean && values.is_some_and(|(one, other)| one.point > 1.0 && other.point == 1.0)
-        };
-        let agree = |entries: &[([ChainSide; 2], PairJudgement)]| {
-            entries.iter().all(|(_, judgement)| agrees(judgement) || may_be_or(judgement))
+            values
+                .map(|[one, other]| {
+                    let of = judge(&one.tokens, &other.tokens, relation, None);
+                    ([one, other], of)
+                })
+                .collect()
         };
         let mut entries = judged(MatrixProduct::RowsByColumns);
-        if agree(&entries) {
-            entries.retain(|(_, judgement)| agrees(judgement));
-        } else {
-            let by_entry = judged(MatrixProduct::EntryByEntry);
-            if by_entry.len() == entries.len() && agree(&by_entry) {
+        if !entries.iter().all(|(_, judgement)| agrees(judgement)) {
+            // Where all entries are zeros and ones, any number of ones may add to one.
+            let is_boolean = matrix_sides::has_bits_alone(left) && matrix_sides::has_bits_alone(right);
+            let may_be_or = |judgement: &PairJudgement| {
+                let values = judgement.values.as_ref();
+                let values = values.and_then(|(one, other)| one.number().ok().zip(other.number().ok()));
+                is_boolean && values.is_some_and(|(one, other)| one.point > 1.0 && other.point == 1.0)
+            };
+            let signed = [left, right].into_iter().any(|side| side.tokens.iter().any(|token| token.is_one_of("×·*∘")));
+            let by_entry = if signed { judged(MatrixProduct::EntryByEntry) } else { Vec::new() };
+            if entries.iter().all(|(_, judgement)| agrees(judgement) || may_be_or(judgement)) {
+                entries.retain(|(_, judgement)| agrees(judgement));
+            } else if by_entry.len() == entries.len() && by_entry.iter().all(|(_, judgement)| agrees(judgement)) {
                 entries = by_entry;
             }
         }

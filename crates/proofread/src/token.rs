@@ -438,7 +438,9 @@ fn show_into(tokens: &[Token], out: &mut String) {
                 out.push_str(if is_command && is_joined { " " } else { "" });
             }
             // An exponent without braces takes one digit.
-            TokenKind::Number(text) if tokens[..at].last().is_some_and(|before| matches!(before.kind, TokenKind::Power(_))) => {
+            TokenKind::Number(text)
+                if tokens[..at].last().is_some_and(|before| matches!(before.kind, TokenKind::Power(_))) =>
+            {
                 out.extend([" ", text]);
             }
             TokenKind::Number(text) | TokenKind::Name(text) => out.push_str(text),

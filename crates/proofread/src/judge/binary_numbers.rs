@@ -22,8 +22,7 @@ pub(super) fn in_decimal(left: &[Token], right: &[Token]) -> Option<Sides> {
 
 /// Whether the numbers of a side, but for those that don't count, have the digits 0 and 1 only, one of them several.
 fn is_binary(side: &[Token], counts: impl Fn(usize) -> bool) -> bool {
-    let digits: Vec<&str> =
-        (0..side.len()).filter(|at| counts(*at)).filter_map(|at| side[at].number()).collect();
+    let digits: Vec<&str> = (0..side.len()).filter(|at| counts(*at)).filter_map(|at| side[at].number()).collect();
     let plain = side.iter().enumerate().all(|(at, token)| match token.kind {
         TokenKind::Power(_) => at > 0 && !counts(at - 1),
         _ => matches!(token.kind, TokenKind::Number(_) | TokenKind::Space(_) | TokenKind::Operator(_)),
@@ -35,7 +34,8 @@ fn is_binary(side: &[Token], counts: impl Fn(usize) -> bool) -> bool {
 /// The tokens with their numbers of the digits 0 and 1 in base ten.
 fn converted(side: &[Token]) -> Vec<Token> {
     let decimal = |token: &Token| {
-        let digits = token.number().filter(|digits| digits.len() < MOST_DIGITS && digits.chars().all(|c| "01.".contains(c)))?;
+        let digits =
+            token.number().filter(|digits| digits.len() < MOST_DIGITS && digits.chars().all(|c| "01.".contains(c)))?;
         let (whole, behind) = digits.split_once('.').unwrap_or((digits, ""));
         let value = |digits: &str| digits.chars().fold(0.0, |sum, c| 2.0 * sum + if c == '1' { 1.0 } else { 0.0 });
         let number = value(whole) + value(behind) * libm::exp2(-(behind.len() as f64));

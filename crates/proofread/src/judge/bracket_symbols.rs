@@ -96,7 +96,9 @@ pub(crate) fn is_all_bracketed(side: &[Token]) -> bool {
     let solid = without_space(side);
     let pieces: Vec<&[&Token]> = solid.split(|token| token.is_sign(')')).collect();
     let is_piece = |piece: &[&Token]| match piece {
-        [rest @ .., open, number] if open.is_sign('(') && (is_integer(number) || matches!(number.kind, TokenKind::Name(_))) => {
+        [rest @ .., open, number]
+            if open.is_sign('(') && (is_integer(number) || matches!(number.kind, TokenKind::Name(_))) =>
+        {
             rest.iter().all(|of| of.is_one_of("·×∘"))
         }
         [rest @ .., open, rows, times, columns] if open.is_sign('(') && times.is_sign('×') => {
@@ -154,11 +156,16 @@ pub(crate) fn may_be_residue_symbols(left: &[Token], right: &[Token]) -> bool {
     (bracketed_fractions(left).is_some() && is_sign(right)) || (bracketed_fractions(right).is_some() && is_sign(left))
 }
 
-/// Whether bars around an integer on the left may be those of the order of an element of a group: `|3| = 4`.
+/// Whether bars around an integer on the left may be those of the order of an element of a group, which is an integer: `|3| = 4`.
 pub(crate) fn may_be_order(left: &[Token], right: &[Token]) -> bool {
-    let is_order = matches!(without_space(left).as_slice(), [open, element, close]
-        if open.is_sign('|') && is_integer(element) && close.is_sign('|'));
-    is_order && matches!(without_space(right).as_slice(), [order] if is_integer(order))
+    let is_order = match without_space(left).as_slice() {
+        [open, element, close] => open.is_sign('|') && is_integer(element) && close.is_sign('|'),
+        [open, minus, element, close] => {
+            open.is_sign('|') && minus.is_sign('-') && is_integer(element) && close.is_sign('|')
+        }
+        _ => false,
+    };
+    is_order && !any(right, &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.')))
 }
 
 /// Whether a side is one number with its unit in brackets: (2.00 A).

@@ -144,6 +144,10 @@ impl PlacedPair<'_> {
         let at = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
         let mark = |c: u8| b",;.:!?".contains(&c);
         let literal = judgement.values.as_ref().is_some_and(|(left, _)| left.is_literal());
+        // The tip of an arrow, and no inequality: valE <- 40 + 8 = 48.
+        if self.left.relation == Some(Relation::Other) && surroundings::is_behind_tip(self.text, self.left) {
+            return true;
+        }
         if self.begins_chain() {
             let start = self.left.span.start as usize;
             let (before, far) = (at(start.checked_sub(1)), at(start.checked_sub(2)));
@@ -179,7 +183,8 @@ impl PlacedPair<'_> {
             // So is what stands before a function: mg cos 30°.
             let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
             // A quantity in brackets belongs to the words before it: 80 % of the current (2.00 A).
-            let may_be_named = (literal && (!result || size)) || function || bracket_symbols::is_bracketed_quantity(&self.left.tokens);
+            let may_be_named =
+                (literal && (!result || size)) || function || bracket_symbols::is_bracketed_quantity(&self.left.tokens);
             let named = plain
                 && (may_be_named && surroundings::follows_name(self.text, self.left.span)
                     || surroundings::follows_label(self.text, self.left.span));
@@ -213,7 +218,7 @@ impl PlacedPair<'_> {
             || bracket_symbols::may_be_cycles(left, right)
             || bracket_symbols::may_be_places(left)
             || bracket_symbols::may_be_places(right)
-            || (self.has_other_base() && [left, right].into_iter().any(bracket_symbols::is_all_bracketed))
+            || ([left, right].into_iter().any(bracket_symbols::is_all_bracketed) && self.has_other_base())
             || bracket_symbols::may_be_classes(left, right)
             || (bracket_symbols::may_be_order(left, right) && surroundings::speaks_of_groups(self.text, around))
             || (point_coordinates::are_proportional(left, right)
@@ -438,6 +443,13 @@ fn computes_remainder(side: &[Token]) -> bool {
 /// The differences of the components of two sides, one if they are numbers.
 fn bare_differences(judgement: &PairJudgement) -> Vec<f64> {
     let Some((left, right)) = judgement.values.as_ref() else { return Vec::new() };
+    // The inverse of an integer is the number that gives one with it: 7⁻¹ = 16, since 7 · 16 = 111 + 1.
+    if let (Ok(left), Ok(right)) = (left.number(), right.number())
+        && left.point.fract() != 0.0
+        && (1.0 / left.point - libm::round(1.0 / left.point)).abs() < 1e-9
+    {
+        return vec![right.point * libm::round(1.0 / left.point) - 1.0];
+    }
     left.parts.pairs(&right.parts).map(|(one, other)| one.point - other.point).collect()
 }
 

@@ -14,6 +14,7 @@ mod notation;
 mod number_marks;
 mod other_arithmetic;
 pub(crate) mod permutation;
+mod pi_in_school;
 mod point_coordinates;
 pub(crate) mod section;
 mod seldom_real;

@@ -58,9 +58,6 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&|side| with_raised_points(text, side));
     each(&with_fractional_parts);
     each(&without_dots);
-    for pi in PI_IN_SCHOOL {
-        each(&|side| with_pi_as(pi, side));
-    }
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);
@@ -409,42 +406,26 @@ fn without_dots(side: &[Token]) -> Option<Vec<Token>> {
         Some(digits) => Token::new(TokenKind::Number(digits.to_owned()), token.span),
         None => token.clone(),
     };
-    side.iter().any(|token| token.number().is_some_and(|digits| digits.ends_with('…'))).then(|| side.iter().map(cut).collect())
+    side.iter()
+        .any(|token| token.number().is_some_and(|digits| digits.ends_with('…')))
+        .then(|| side.iter().map(cut).collect())
 }
 
-/// A side with numbers in braces as their fractional parts, `{9π}`; none if there are none.
+/// A side with numbers in braces that are computed from fractions, roots or functions as their fractional parts, `{9π}`; none if there are none.
 fn with_fractional_parts(side: &[Token]) -> Option<Vec<Token>> {
     let open = side.iter().position(|token| token.is_sign('{'))?;
     let length = side[open..].iter().position(|token| token.is_sign('}'))?;
     let (inner, rest) = (&side[open + 1..open + length], &side[open + length + 1..]);
     let sign = |c| Token::new(TokenKind::Operator(c), side[open].span);
-    let part = [&[sign('('), sign('(')], inner, &[sign(')'), sign('-'), sign('⌊')], inner, &[sign('⌋'), sign(')')]].concat();
+    let part =
+        [&[sign('('), sign('(')], inner, &[sign(')'), sign('-'), sign('⌊')], inner, &[sign('⌋'), sign(')')]].concat();
     let rest = with_fractional_parts(rest).unwrap_or_else(|| rest.to_vec());
-    (!inner.iter().any(|token| token.is_one_of("{,;"))).then(|| [&side[..open], &part, &rest].concat())
-}
-
-/// What schools take π for, above and below a stroke.
-const PI_IN_SCHOOL: [[&str; 2]; 3] = [["22", "7"], ["3.14", "1"], ["3.142", "1"]];
-
-/// A side with this quotient for π; none if π is not in it.
-fn with_pi_as(pi: [&str; 2], side: &[Token]) -> Option<Vec<Token>> {
-    let mut out = side.to_vec();
-    let mut found = false;
-    for token in &mut out {
-        if token.kind == TokenKind::Name("π".to_owned()) {
-            let exact = |digits: &str| format!("{digits}{}0000000000", if digits.contains('.') { "" } else { "." });
-            let [above, below] = pi.map(|digits| vec![Token::new(TokenKind::Number(exact(digits)), token.span)]);
-            token.kind = TokenKind::Group(vec![Token::new(TokenKind::Fraction(above, below), token.span)]);
-            found = true;
-            continue;
-        }
-        for list in token.kind.lists() {
-            if let Some(changed) = with_pi_as(pi, list) {
-                (*list, found) = (changed, true);
-            }
-        }
-    }
-    found.then_some(out)
+    let is_irrational = |kind: &TokenKind| match kind {
+        TokenKind::Name(name) => name == "π",
+        kind => matches!(kind, TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Fraction(..)),
+    };
+    (any(inner, &is_irrational) && !inner.iter().any(|token| token.is_one_of("{[,;")))
+        .then(|| [&side[..open], &part, &rest].concat())
 }
 
 /// Both sides with the sign of degrees Celsius for a bare one of degrees, if the other side is in kelvins: `900 K = 627°`.

@@ -44,8 +44,7 @@ const RINGS: [&str; 12] = [
 ];
 
 /// Signs of the operations of such a ring and commands with the modulus as their argument, and what stands behind them.
-const OPERATIONS: [&str; 8] =
-    ["\\times_", "\\cdot_", "\\otimes_", "\\oplus_", "\\odot_", "+_", "\\zmod{", "\\zn{"];
+const OPERATIONS: [&str; 8] = ["\\times_", "\\cdot_", "\\otimes_", "\\oplus_", "\\odot_", "+_", "\\zmod{", "\\zn{"];
 
 /// Words before a modulus in words, and words for it.
 const IN_WORDS: [(&str, f64); 8] = [
@@ -147,6 +146,7 @@ fn named_moduli(text: &str) -> Vec<f64> {
     let lower = text.to_ascii_lowercase();
     let of_rings = { RINGS }.into_iter().flat_map(|sign| lower.match_indices(sign)).filter_map(|(at, sign)| {
         let behind = lower[at + sign.len()..].trim_start_matches('}');
+        let behind = behind.strip_prefix("{}").unwrap_or(behind);
         // Behind a comma, ℤ has no modulus.
         let modulus = behind.strip_prefix(['_', '/']);
         // ℤ₂³ has three components, but in braces it would be a power.
@@ -169,10 +169,11 @@ fn named_moduli(text: &str) -> Vec<f64> {
 /// The moduli that a paragraph names in words, or by what holds for them alone.
 fn moduli_in_words(text: &str) -> Vec<f64> {
     let lower = text.to_ascii_lowercase();
-    let of_words = { BEFORE_MODULUS }.into_iter().flat_map(|word| lower.match_indices(word)).filter_map(|(at, word)| {
-        let is_word = !lower[..at].ends_with(|c: char| c.is_ascii_alphabetic());
-        number_at(&lower[at + word.len()..]).filter(|_| is_word)
-    });
+    let of_words =
+        { BEFORE_MODULUS }.into_iter().flat_map(|word| lower.match_indices(word)).filter_map(|(at, word)| {
+            let is_word = !lower[..at].ends_with(|c: char| c.is_ascii_alphabetic());
+            number_at(&lower[at + word.len()..]).filter(|_| is_word)
+        });
     let in_words = IN_WORDS.iter().filter(|(words, _)| lower.contains(words)).map(|(_, modulus)| *modulus);
     let of_two = OF_TWO.iter().filter(|sign| lower.contains(**sign)).map(|_| 2.0);
     of_words.chain(in_words).chain(of_two).collect()

@@ -71,12 +71,26 @@ fn product(side: &[Token], from_right: bool) -> Option<Side> {
     let images = if from_right { composed(cycles.iter().rev()) } else { composed(cycles.iter()) };
     match rest {
         [] if !cycles.is_empty() => Some(Side::Permutation(images)),
+        // The images in their order, without brackets.
+        [images] if cycles.is_empty() && images.number().is_some_and(|digits| digits.len() > 2) => {
+            in_one_line(images.number()?).map(Side::Permutation)
+        }
         [letter] => {
             let letter: usize = letter.number()?.parse().ok()?;
             images.get(letter).filter(|_| letter > 0).map(|image| Side::Letter(*image))
         }
         _ => None,
     }
+}
+
+/// The permutation whose images are the digits of a number; none if they are not all the letters from 1 on.
+fn in_one_line(digits: &str) -> Option<Images> {
+    let letters: Vec<usize> = digits.chars().filter_map(|c| c.to_digit(10)).map(|digit| digit as usize).collect();
+    let mut images = identity();
+    for (at, letter) in letters.iter().enumerate() {
+        *images.get_mut(at + 1)? = *letter;
+    }
+    (digits.len() == letters.len() && (1..=letters.len()).all(|letter| letters.contains(&letter))).then_some(images)
 }
 
 /// What becomes of each letter if these cycles act in their order.
@@ -108,6 +122,11 @@ fn cycle(inner: &[&Token]) -> Option<Images> {
             None => return None,
         }
     }
+    of_cycle(&letters)
+}
+
+/// The images of the letters of a cycle; none if one of them is too large or stands twice.
+fn of_cycle(letters: &[usize]) -> Option<Images> {
     let mut images = identity();
     for (at, letter) in letters.iter().enumerate() {
         let is_letter = (1..=MOST_LETTERS).contains(letter) && !letters[..at].contains(letter);
@@ -119,33 +138,40 @@ fn cycle(inner: &[&Token]) -> Option<Images> {
     Some(images)
 }
 
-/// Whether two tables of two rows are the same permutation, whose letters stand above their images.
+/// Whether two tables are the same permutation: of two rows, in which the letters stand above their images, or of one, which is a cycle of three
+/// letters or more.
 pub(crate) fn are_same_in_rows(left: &[Vec<Token>], right: &[Vec<Token>]) -> bool {
     let images = [left, right].map(images_in_rows);
-    images[0].is_some() && images[0] == images[1]
+    left.len() == right.len() && images[0].is_some() && images[0] == images[1]
 }
 
-/// The images of the letters of the first row, which stand below them; none if the rows don't have the same letters from 1 on.
+/// The images of the letters of a table of one or two rows; of two, none if the rows don't have the same letters from 1 on.
 fn images_in_rows(rows: &[Vec<Token>]) -> Option<Images> {
-    let [above, below] = rows else { return None };
     let letters = |row: &Vec<Token>| -> Option<Vec<usize>> {
         let cells = row.split(|token| token.kind == TokenKind::Cell);
-        cells
-            .map(|cell| match trim_space(cell) {
-                [letter] => letter.number()?.parse().ok(),
-                _ => None,
-            })
-            .collect()
+        let letter = |cell: &[Token]| match trim_space(cell) {
+            [letter] => letter.number()?.parse().ok(),
+            _ => None,
+        };
+        cells.map(letter).collect()
     };
-    let (above, below) = (letters(above)?, letters(below)?);
-    let count = above.len();
-    let has_all = |row: &[usize]| (1..=count).all(|letter| row.contains(&letter));
-    if count < 2 || count > MOST_LETTERS || below.len() != count || !has_all(&above) || !has_all(&below) {
-        return None;
+    match rows {
+        [row] => {
+            of_cycle(&letters(row)?).filter(|_| row.iter().filter(|token| token.kind == TokenKind::Cell).count() > 1)
+        }
+        [above, below] => {
+            let (above, below) = (letters(above)?, letters(below)?);
+            let count = above.len();
+            let has_all = |row: &[usize]| row.len() == count && (1..=count).all(|letter| row.contains(&letter));
+            if !(2..=MOST_LETTERS).contains(&count) || !has_all(&above) || !has_all(&below) {
+                return None;
+            }
+            let mut images = identity();
+            for (letter, image) in above.into_iter().zip(below) {
+                images[letter] = image;
+            }
+            Some(images)
+        }
+        _ => None,
     }
-    let mut images = identity();
-    for (letter, image) in above.into_iter().zip(below) {
-        images[letter] = image;
-    }
-    Some(images)
 }

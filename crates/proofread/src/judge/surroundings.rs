@@ -114,17 +114,23 @@ pub(crate) fn follows_function(text: &str, formula: Span) -> bool {
 }
 
 /// Whether what stands close before a side shows that it was torn off: a letter before brackets or decimals without a digit before their
-/// point, a command of TeX, or the tip of an arrow before a minus sign.
+/// point, or a command of TeX.
 pub(crate) fn is_torn_off(text: &str, side: &ChainSide) -> bool {
     let before = text.get(..side.span.start as usize).unwrap_or_default();
     let Some(first) = side.tokens.first() else { return false };
     let behind_letter = before.ends_with(|c: char| c.is_alphabetic());
     let is_bracket = first.is_sign('(');
     let is_bare = first.number().is_some_and(|digits| digits.starts_with('.'));
-    let is_arrow = first.is_sign('-') && (before.ends_with('<') || before.ends_with("&lt;"));
     let word = before.trim_end().trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let is_command = word.ends_with('\\') && word.len() < before.trim_end().len();
-    (behind_letter && (is_bracket || is_bare)) || is_arrow || is_command
+    (behind_letter && (is_bracket || is_bare)) || is_command
+}
+
+/// Whether the minus sign of a side is the shaft of an arrow, `<-`.
+pub(crate) fn is_behind_tip(text: &str, side: &ChainSide) -> bool {
+    let before = text.get(..side.span.start as usize).unwrap_or_default();
+    let is_shaft = side.tokens.first().is_some_and(|first| first.is_sign('-'));
+    is_shaft && (before.ends_with('<') || before.ends_with("&lt;"))
 }
 
 /// Whether the text near a formula speaks of what is true or false.

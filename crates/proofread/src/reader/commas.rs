@@ -242,12 +242,7 @@ fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen:
         let open = &tokens[at - 2 - signed];
         open.is_one_of("([{⟨") || of_macro(open)
     };
-    let closing = |token: &Token| token.is_one_of(")]}⟩") || of_macro(token);
-    // It may have an exponent: {0,1}^n.
-    let closes = tokens.get(at + 2).is_some_and(|token| match &token.kind {
-        TokenKind::Scripts(base, ..) => matches!(base.as_slice(), [close] if closing(close)),
-        _ => closing(token),
-    });
+    let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
     // A pair in brackets may be a point of the plane.
     if !(opens && closes || is_pair(tokens, at)) {
         let is_sure = !is_loose || is_decimal_for_sure(tokens, at, [whole, decimals], is_argument);
@@ -262,8 +257,14 @@ fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen:
 fn count_separators(tokens: &[Token], text: &str, is_argument: bool, seen: &mut SeparatorCounts) {
     let is_argument =
         is_argument && !tokens.iter().any(|token| token.is_one_of("([{;=") || token.kind == TokenKind::Line);
+    // A set is a list, also where it has an exponent: {0,1}^n.
+    let mut in_sets = 0usize;
     for (at, token) in tokens.iter().enumerate() {
+        let closes = |token: &Token| token.is_sign('}');
+        let is_end = closes(token) || matches!(&token.kind, TokenKind::Scripts(base, ..) if base.iter().any(closes));
+        in_sets = if is_end { in_sets.saturating_sub(1) } else { in_sets + usize::from(token.is_sign('{')) };
         match &token.kind {
+            TokenKind::Operator(',') if in_sets > 0 => {}
             TokenKind::Operator(',') => count_comma(tokens, at, text, is_argument, seen),
             // The number of an equation.
             TokenKind::Number(_) if is_last_in_brackets(tokens, at) => {}

@@ -19,7 +19,7 @@ struct PrintedP {
 /// What the document says about its tests.
 pub(super) struct TestContext {
     one_sided: bool,
-    /// Whether p-values may be corrected for the spheres of repeated measures, by degrees of freedom that are not printed.
+    /// Whether p-values may be those of fewer degrees of freedom than are printed, as repeated measures need them.
     corrects_freedom: bool,
     /// Whether p-values may be adjusted for several comparisons.
     compares_several: bool,
@@ -46,7 +46,7 @@ impl TestContext {
                 "right tail",
                 "left tail",
             ]) || has_directed_hypothesis(&text),
-            corrects_freedom: has(&["greenhouse", "geisser", "huynh", "sphericity"]),
+            corrects_freedom: has(&["geisser", "huynh", "sphericity"]),
             compares_several: has(&["bonferroni", "holm", "pairwise", "post hoc", "posthoc", "multiple comparison"]),
         }
     }
@@ -61,7 +61,7 @@ fn is_near_adjustment(chars: &[char], at: usize) -> bool {
 }
 
 /// Numbers of tests for which a p-value is multiplied.
-const MULTIPLES: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 10.0];
+const MULTIPLES: [f64; 2] = [2.0, 3.0];
 
 /// Words for p-values that are not those of the statistic beside them.
 const ADJUSTED: [&str; 20] = [
@@ -179,8 +179,12 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
     // A correction that the methods name, pages before: of the degrees of freedom, p grows, and of several tests it is a multiple.
     let grows = p.comparison == Comparison::Equal && p.number.value > range[1];
     let is_multiple = |times: f64| agrees(test.comparison, p, range.map(|p| (times * p).min(1.0)));
-    let is_corrected = test.kind == TestKind::Fisher && context.corrects_freedom && test.freedom.first().is_some_and(|first| *first > 1.0) && grows;
-    let is_adjusted = context.compares_several && grows && MULTIPLES.into_iter().any(is_multiple);
+    let is_corrected = test.kind == TestKind::Fisher
+        && context.corrects_freedom
+        && test.freedom.first().is_some_and(|first| *first > 1.0)
+        && grows;
+    let is_adjusted =
+        context.compares_several && test.has_two_sides() && grows && MULTIPLES.into_iter().any(is_multiple);
     let is_other = is_one_sided || is_of_variances || is_corrected || is_adjusted;
     let outcome = match is_other || is_near_adjustment(chars, start) {
         true => Outcome::Doubt(Doubt::OtherTest),

@@ -14,8 +14,8 @@ use crate::token::Span;
 use formula::{FormulaWriter, Given, Names};
 use math::Part;
 use scan::Scan;
-use symbols::sign_named;
 use std::ops::Range;
+use symbols::sign_named;
 
 /// Deepest nesting of text in code and of code in text.
 const DEEPEST: usize = 40;
