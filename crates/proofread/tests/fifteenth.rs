@@ -129,7 +129,14 @@ fn braces_may_hold_a_fractional_part() {
 #[test]
 fn full_stops_between_functions_are_signs_of_a_product() {
     let product = r"$\tan 10^\circ.\tan 45^\circ.\tan 80^\circ = 1$";
-    unlisted(Latex, &[product, r"$\sin 30^\circ.\cos 60^\circ = \frac14$"]);
+    unlisted(
+        Latex,
+        &[
+            product,
+            r"$\sin 30^\circ.\cos 60^\circ = \frac14$",
+            r"${\rm cosec}^245^\circ.\sec^230^\circ.\cos 60^\circ = 1\frac{1}{3}$",
+        ],
+    );
     listed(Latex, &[&product.replace("= 1", "= 3"), r"$\sin 30^\circ.\cos 60^\circ = \frac13$"]);
 }
 

@@ -151,7 +151,9 @@ impl PlacedPair<'_> {
         if self.begins_chain() {
             let start = self.left.span.start as usize;
             let (before, far) = (at(start.checked_sub(1)), at(start.checked_sub(2)));
-            let joined_on = mark(before) && (far.is_ascii_digit() || b")]}".contains(&far));
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
+            let joined_on =
+                mark(before) && (far.is_ascii_digit() || b")]}".contains(&far)) || (before == b'.' && function);
             let opening = self.formula.span.start as usize;
             let outside = at(opening.checked_sub(1));
             // Between tags there is often no space in running text, but a bracket may be a factor.
@@ -181,7 +183,6 @@ impl PlacedPair<'_> {
             // So does what bears a number: No. 200 = 75 μm.
             let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
             // So is what stands before a function: mg cos 30°.
-            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
             // A quantity in brackets belongs to the words before it: 80 % of the current (2.00 A).
             let may_be_named =
                 (literal && (!result || size)) || function || bracket_symbols::is_bracketed_quantity(&self.left.tokens);

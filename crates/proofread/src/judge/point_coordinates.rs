@@ -11,7 +11,7 @@ use crate::token::{MathFunction, Token, TokenKind, any, has_number, trim_space};
 const NOISE: f64 = 1e-9;
 
 /// The pieces of a list in brackets that is all of a side.
-fn pieces<'s>(side: &'s [Token], brackets: [char; 2]) -> Option<Vec<&'s [Token]>> {
+fn pieces(side: &[Token], brackets: [char; 2]) -> Option<Vec<&[Token]>> {
     match trim_space(side) {
         [open, inner @ .., close] if open.is_sign(brackets[0]) && close.is_sign(brackets[1]) => Some(listed(inner)),
         _ => None,
