@@ -90,7 +90,8 @@ pub(crate) fn speaks_of_groups(text: &str, span: Span) -> bool {
 /// Whether the text of the example so far or just behind a formula speaks of coordinates of which only the ratios count.
 pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool {
     let (_, after) = text_around(text, span);
-    [text_before(text, span), &after].iter().any(|near| near.contains("omogeneous") || near.contains("rojective"))
+    let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
+    near.contains("homogeneous") || near.contains("projective")
 }
 
 /// Whether only marks and tags stand between a formula and one before it.
