@@ -6,14 +6,14 @@ use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
-    Argument, ArgumentSlot, GROUPS, Knob, NamedChoice, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign,
-    WheelQuestion, arguments,
+    Argument, ArgumentSlot, FittingValues, GROUPS, Knob, NamedChoice, SHAPE_FILES, SearchEffort, WRONG_SIZES,
+    WheelDesign, WheelQuestion, arguments,
 };
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_figures::stations;
 use geneva_kinematics::wheel::as_built::Process;
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, SizesError};
 
 /// The designer of wheels.
 pub const LIVE: Live = Live {
@@ -307,12 +307,23 @@ const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radi
 /// An error of a wheel in words, without the arguments that only the command line has.
 pub fn words(error: Error) -> String {
     match error {
-        Error::Sizes { error, .. } => error.to_string(),
+        Error::Sizes { error, remedies } => sizes_words(&error, &remedies),
         Error::Kinematics(error) => error.to_string(),
         Error::Dynamics(error) => error.to_string(),
         Error::Argument(message) => message,
         Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
     }
+}
+
+/// An error about parts that don't fit in words, with the controls that make them fit.
+fn sizes_words(error: &SizesError, remedies: &[FittingValues]) -> String {
+    let control = |of: &FittingValues| {
+        let knob = arguments().find(|argument| argument.name == of.name)?.knob?;
+        let label = knob.label.strip_prefix("or ").unwrap_or(knob.label);
+        Some(format!("{label}: {} {}", of.range(), knob.unit))
+    };
+    let controls: Vec<String> = remedies.iter().filter_map(control).collect();
+    if controls.is_empty() { error.to_string() } else { format!("{}. Give {}", error.reason(), controls.join(", or ")) }
 }
 
 /// Decimals of a number that is known to a tolerance, four at most.

@@ -142,6 +142,15 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
 
+/// The arguments that say how the parts fit.
+pub(super) const FIT: &[Argument] = fit::ROWS;
+/// The arguments that say how large the wheel is.
+pub(super) const SIZE: &[Argument] = size::ROWS;
+/// The arguments that say how the parts are mounted.
+pub(super) const MOUNTING: &[Argument] = mounting::ROWS;
+/// The arguments that say what rubs.
+pub(super) const FRICTION: &[Argument] = friction::ROWS;
+
 /// All arguments in their order.
 pub fn arguments() -> impl Iterator<Item = &'static Argument> {
     GROUPS.iter().flat_map(|group| group.rows)
