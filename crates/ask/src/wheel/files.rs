@@ -430,7 +430,7 @@ fn tolerance(play: f64, centre_distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::WheelQuestion;
+    use crate::wheel::{ArgumentSlot, arguments};
 
     #[test]
     fn corners_are_as_many_as_a_mesh_has() {
@@ -499,5 +499,26 @@ mod tests {
         assert!(printed.contains("in one piece with") && solids == 2);
         let (routed, solids) = page("--process router --driver-pieces one-piece");
         assert!(routed.contains("in one piece with") && solids == 2);
+    }
+
+    #[test]
+    fn a_choice_whose_first_name_is_not_always_what_holds_has_an_entry_of_its_own_for_that() {
+        let named = |question: &WheelQuestion| {
+            let design = WheelDesign::new(question.clone()).expect("a wheel");
+            design.part_list().map(|list| format!("{list:?}")).map_err(|error| error.to_string())
+        };
+        for argument in arguments() {
+            let ArgumentSlot::Choice(choice) = argument.place else { continue };
+            let differs = |process: Process| {
+                let question = "--stations 6 --crank-radius 60 --thickness 8 --wheel-shaft 16 --driver-shaft 8";
+                let unsaid =
+                    WheelQuestion { process: Some(process), ..WheelQuestion::parse(question).expect("arguments") };
+                let mut said = unsaid.clone();
+                (choice.set)(&mut said, 0);
+                named(&said) != named(&unsaid)
+            };
+            assert_eq!(Process::ALL.into_iter().any(differs), choice.with_usual.is_some(), "{}", argument.name);
+            assert!(choice.on_page().starts_with(choice.names), "{}", argument.name);
+        }
     }
 }
