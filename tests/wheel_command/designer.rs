@@ -48,7 +48,7 @@ impl Asked {
             }
             if let ArgumentSlot::Choice(choice) = argument.place {
                 // Bare parts for the most part: most mountings need another option, or a room that small wheels lack.
-                let unsaid = choice.unsaid();
+                let unsaid = choice.usual_entry();
                 let at = if random.u32(..10) == 0 { random.usize(..choice.on_page().len()) } else { unsaid };
                 asked.page.push((argument.name, at.to_string()));
                 if at != unsaid {

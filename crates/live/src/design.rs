@@ -179,7 +179,9 @@ pub const SHEET_FILE: &str = "sheet.txt";
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
-        (ArgumentSlot::Choice(choice), _) => Control::choice(argument.name, label, choice.on_page(), choice.unsaid()),
+        (ArgumentSlot::Choice(choice), _) => {
+            Control::choice(argument.name, label, choice.on_page(), choice.usual_entry())
+        }
         (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
@@ -252,7 +254,7 @@ fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, 
         match argument.place {
             ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(value as u32),
             ArgumentSlot::Count(at) => *at(&mut question) = Some(value as u32),
-            ArgumentSlot::Choice(choice) if value as usize == choice.unsaid() => {}
+            ArgumentSlot::Choice(choice) if value as usize == choice.usual_entry() => {}
             ArgumentSlot::Choice(choice) => (choice.set)(&mut question, value as usize),
             ArgumentSlot::Material(at) => *at(&mut question) = material(value),
             ArgumentSlot::Process(at) => *at(&mut question) = process(value),
@@ -277,7 +279,7 @@ fn command(settings: &Settings) -> Result<String, String> {
                 Some(material) => material.name.to_owned(),
                 None => continue,
             },
-            ArgumentSlot::Choice(choice) if value as usize == choice.unsaid() => continue,
+            ArgumentSlot::Choice(choice) if value as usize == choice.usual_entry() => continue,
             ArgumentSlot::Choice(choice) => choice.names.get(value as usize).copied().unwrap_or_default().to_owned(),
             ArgumentSlot::Process(_) => match process(value) {
                 Some(process) => process.name().to_owned(),

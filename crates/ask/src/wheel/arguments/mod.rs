@@ -108,7 +108,7 @@ impl NamedChoice {
     }
 
     /// The number of the entry on a page that says nothing, from 0.
-    pub const fn unsaid(&self) -> usize {
+    pub const fn usual_entry(&self) -> usize {
         match self.with_usual {
             Some(names) => names.len() - 1,
             None => 0,
