@@ -182,7 +182,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
     let recommends_size = question.process.is_some();
     let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
     if format == CommandFormat::Scad {
-        design.require_external(format.name())?;
+        design.require_parts(format.name())?;
     }
     reject_without_effect(&design.question, format)?;
     Ok(match format {
@@ -246,6 +246,15 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         file.add(bytes).map_err(Error::msg)?;
         file.finish().map_err(Error::msg)?;
         written += &format!("  {name}\n");
+    }
+    let missing: Vec<&str> = SHAPE_FILES.iter().filter(|file| !design.can_make(file)).map(|file| file.name).collect();
+    if !missing.is_empty() {
+        let why = match design.wheel.kind() {
+            WheelKind::Spherical => "because the parts of a spherical wheel are not worked out",
+            WheelKind::External | WheelKind::Internal => "because they need a size: add --crank-radius MM",
+        };
+        written += &format!("Not written, {why}:\n");
+        missing.iter().for_each(|name| written += &format!("  {name}\n"));
     }
     let sheet = fields::sheet(&answer, layout);
     Ok(format!("{sheet}\nWritten to {}\n{written}", folder.display()))
@@ -384,12 +393,13 @@ fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
 
 /// Whether a format gives shapes, and not numbers.
 fn is_shape(format: CommandFormat) -> bool {
-    format == CommandFormat::Svg || format == CommandFormat::Scad || is_of_parts(format)
+    format == CommandFormat::Svg || is_of_parts(format)
 }
 
 /// Whether a format gives the parts that external and internal wheels have.
 fn is_of_parts(format: CommandFormat) -> bool {
-    matches!(format, CommandFormat::Dxf | CommandFormat::Parts | CommandFormat::Step | CommandFormat::Stl)
+    use CommandFormat::{Dxf, Parts, Scad, Step, Stl};
+    matches!(format, Dxf | Parts | Scad | Step | Stl)
 }
 
 #[cfg(test)]
