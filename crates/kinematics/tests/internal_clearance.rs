@@ -82,3 +82,42 @@ fn a_distance_that_no_axes_have_is_refused() {
         assert!(sizes.least_clearance_at(wrong).is_err(), "{wrong}");
     }
 }
+
+#[test]
+fn horns_that_meet_the_inside_of_a_segment_that_is_too_thick_are_found() {
+    for stations in [3, 4, 5] {
+        let right = sizes(stations, Play::from_slot(0.4), 4.5);
+        let mut wrong = right;
+        for (inner, is_clear) in [(right.segment_radii[1], true), (1.0, false)] {
+            wrong.segment_radii[1] = inner;
+            let found = wrong.least_clearance_at(wrong.centre_distance).unwrap();
+            let theirs = sampled(&Pair::apart(wrong, wrong.centre_distance));
+            assert_eq!((found.distance > 0.0, theirs > 0.0), (is_clear, is_clear), "{stations}: {found:?} {theirs}");
+        }
+    }
+}
+
+#[test]
+fn a_horn_that_comes_nearer_to_the_segment_than_the_pin_to_its_slot_is_found() {
+    for stations in [3, 4, 5, 6] {
+        let right = sizes(stations, Play::from_slot(0.4), 4.5);
+        let with_inner = |inner: f64| {
+            let mut sizes = right;
+            sizes.segment_radii[1] = inner;
+            sizes
+        };
+        // So thick that by points something is nearer than the pin, which has 0.2 mm, and hardly touches.
+        let (mut touches, mut clear) = (0.5, right.segment_radii[1]);
+        for _ in 0..9 {
+            let middle = f64::midpoint(touches, clear);
+            if sampled(&Pair::new(with_inner(middle))) > 0.1 { clear = middle } else { touches = middle }
+        }
+        let sizes = with_inner(clear);
+        let (found, pair) = (sizes.least_clearance_at(sizes.centre_distance).unwrap(), Pair::new(sizes));
+        let (there, least) = (pair.distance(found.crank_angle), sampled(&pair));
+        let name = format!("{stations} stations: {found:?}, by points {there} there and {least}");
+        assert!(least < 0.19 && found.distance < least + 2e-3, "{name}");
+        // A millimetre apart, points say a little more than there is.
+        assert!(there > found.distance - 2e-3 && there < found.distance + 0.02, "{name}");
+    }
+}
