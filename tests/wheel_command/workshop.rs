@@ -91,7 +91,11 @@ fn an_internal_wheel_gets_every_file_of_an_external_one_and_what_is_lacking_of_o
         assert!(model.contains(&line), "{line}: {model}");
     }
     for (name, options, why) in [
-        ("spherical", &["--type", "spherical", "--crank-radius", "40"][..], "parts of a spherical wheel are not worked out"),
+        (
+            "spherical",
+            &["--type", "spherical", "--crank-radius", "40"][..],
+            "parts of a spherical wheel are not worked out",
+        ),
         ("unsized", &["--type", "internal"], "--crank-radius MM"),
     ] {
         let (_, missing, text) = out(name, options);

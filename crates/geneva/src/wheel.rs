@@ -46,7 +46,8 @@ pub(crate) struct WheelArguments {
     ]))]
     pub format: CommandFormat,
     /// Write the sheet, the numbers, the drawing and all files for making to this folder, which is made if it isn't there;
-    /// without a size, the wheel gets the one that suits its load
+    /// without a size, an external wheel gets the one that suits its load. An internal wheel needs a size and --thickness for its
+    /// files, and a spherical one has none but the sheet, the numbers and the drawing
     #[arg(long, value_name = "DIR", conflicts_with_all = ["format", "output"])]
     pub out: Option<PathBuf>,
     /// Where the output goes.
@@ -322,7 +323,11 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && is_of_parts(format));
     if !has_parts {
-        let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
+        let why = if wanted.kind == Some(WheelKind::Internal) {
+            "on the numbers of an internal wheel, whose parts are in its files only; add --out DIR, or choose --type external"
+        } else {
+            "because the parts of a spherical wheel are not worked out; leave it out, or choose --type external"
+        };
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
     }

@@ -3,6 +3,7 @@
 use super::design::WheelDesign;
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting_error::with_arguments;
+use super::mouth::given_mouths;
 use super::sized::{self, with_arguments as with_choices};
 use crate::Error;
 use crate::number_format::as_typed;
@@ -314,7 +315,21 @@ impl WheelDesign {
     /// The sizes of an internal wheel with a size.
     fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
         let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
-        let sizes = sized::internal_sizes(*wheel, radius, &self.question);
+        let question = &self.question;
+        if let Some(shaft) = question.driver_shaft.filter(|shaft| *shaft > 0.0) {
+            return Err(refused!(
+                "--driver-shaft {0}: the ring of an internal wheel passes over the driver's axis, so its shaft ends in the plate; \
+                 give --plate-shaft {0} instead",
+                as_typed(shaft)
+            ));
+        }
+        if let Some((name, size)) = given_mouths(question).next() {
+            return Err(refused!(
+                "--{name} {}: the slots of an internal wheel have sharp mouths; leave it out, or choose --type external",
+                as_typed(size)
+            ));
+        }
+        let sizes = sized::internal_sizes(*wheel, radius, question);
         sizes.map(Some).map_err(|error| with_choices(error, &self.question))
     }
 
@@ -478,6 +493,16 @@ mod tests {
             assert!(file.expect("a file").len() > 1000);
         }
         assert!(internal.three_mf().is_ok());
+        let refused = |more: &str| {
+            let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
+            let question = WheelQuestion::parse(&text).expect("a question");
+            WheelDesign::new(question).expect("a wheel").dxf().expect_err("refused").to_string()
+        };
+        assert!(refused("--driver-shaft 8").contains("--plate-shaft 8"));
+        assert!(
+            refused("--mouth-radius 1")
+                .starts_with("--mouth-radius 1: the slots of an internal wheel have sharp mouths")
+        );
         let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
         for file in [spherical.step(), spherical.scad(), spherical.drawings_svg()] {
             let said = file.expect_err("no parts").to_string();
