@@ -53,23 +53,23 @@ const OF_BOTTOM: f64 = 0.98;
 /// Parts of the equal shares that are tried.
 const PARTS: u32 = 64;
 
-/// The gaps that errors share, and what their parts depend on; lengths in millimetres.
+/// The gaps that errors share, and what their parts depend on.
 pub(crate) struct SharedGaps {
     /// Sine of half the angle between slots, dimensionless.
     pub sine: f64,
     /// Its cosine, dimensionless.
     pub cosine: f64,
-    /// Distance of a pin's centre from the driver's axis.
+    /// Distance of a pin's centre from the driver's axis, in millimetres.
     pub crank_radius: f64,
-    /// Distance of a pin's centre from the wheel's axis as it enters.
+    /// Distance of a pin's centre from the wheel's axis as it enters, in millimetres.
     pub wheel_radius: f64,
-    /// Gap of the driver in a locking arc.
+    /// Gap of the driver in a locking arc, in millimetres.
     pub locking: f64,
-    /// Gap of the pin on either side of it in its slot.
+    /// Gap of the pin on either side of it in its slot, in millimetres.
     pub slot: f64,
-    /// Gap between pin and bottom of the slot.
+    /// Gap between pin and bottom of the slot, in millimetres.
     pub bottom: f64,
-    /// Play of a bore.
+    /// Play of a bore, in millimetres.
     pub bore: f64,
     /// Whether the pin goes deeper where the axes are farther apart: in an internal wheel.
     pub is_deeper_apart: bool,
