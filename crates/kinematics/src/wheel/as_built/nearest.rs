@@ -88,7 +88,7 @@ impl MeasuredWheel {
     ///
     /// [`MeasuredError::NoScale`] where nothing tells how large the wheel is.
     pub fn nearest(&self) -> Result<NearestWheel, MeasuredError> {
-        let fitted = self.fit(self.start()?);
+        let fitted = self.nearest_fit()?;
         let (found, kept, (free, left)) = self.contradictions(fitted);
         let rest = self.only(&kept);
         let right = Right { wheel: self.wheel(), free };
@@ -140,6 +140,26 @@ impl MeasuredWheel {
         })
     }
 
+    /// The fit to all measurements: the design that is nearest, if that does, and otherwise any right wheel.
+    fn nearest_fit(&self) -> Result<(Free, f64), MeasuredError> {
+        let start = self.start()?;
+        let designed = self.designed(start[0]).map(|free| (free, self.sum_of_squares(&free)));
+        match designed.filter(|(_, sum)| self.is_agreeing(*sum)) {
+            Some(designed) => Ok(designed),
+            None => {
+                let fitted = self.fit(start);
+                let again = designed.map(|(free, _)| self.fit(free)).filter(|again| again.1 < fitted.1);
+                Ok(again.unwrap_or(fitted))
+            }
+        }
+    }
+
+    /// Whether a sum of squares is so small that nothing contradicts: no measurement can take more away than there is.
+    fn is_agreeing(&self, sum: f64) -> bool {
+        let count = self.sizes().len();
+        sum <= single_limit(count).min(limit(count))
+    }
+
     /// The numbers of the culprits and of the other measurements, and the fit to these.
     fn contradictions(&self, fitted: (Free, f64)) -> (Vec<usize>, Vec<usize>, (Free, f64)) {
         let mut kept: Vec<usize> = (0..self.sizes().len()).collect();
@@ -160,6 +180,11 @@ impl MeasuredWheel {
                 (kept, best) = (with, again);
             }
         }
+        // What the rest leaves open is as a design has it.
+        if !found.is_empty() {
+            let rest = self.only(&kept);
+            best = rest.nearest_fit().ok().filter(|again| rest.is_agreeing(again.1)).unwrap_or(best);
+        }
         (found, kept, best)
     }
 
@@ -167,8 +192,7 @@ impl MeasuredWheel {
     fn worst(&self, fitted: (Free, f64)) -> Option<(usize, (Free, f64))> {
         let count = self.sizes().len();
         let most = single_limit(count);
-        // No measurement can take more away than there is.
-        if fitted.1 <= most.min(limit(count)) {
+        if self.is_agreeing(fitted.1) {
             return None;
         }
         let without = (0..count).map(|index| (index, self.fit_without(index, fitted.0)));

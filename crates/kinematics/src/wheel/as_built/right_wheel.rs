@@ -158,6 +158,11 @@ impl MeasuredWheel {
         (uncertainty < OPEN * free[1]).then_some(uncertainty)
     }
 
+    /// The sum of the squares of the residuals and the soft conditions.
+    pub(super) fn sum_of_squares(&self, free: &Free) -> f64 {
+        self.rows(free, usual_cut(self.wheel(), free)).iter().map(|row| row * row).sum()
+    }
+
     /// The least sum of squares from a beginning.
     pub(super) fn fit(&self, start: Free) -> (Free, f64) {
         let mut free = start;
