@@ -202,7 +202,12 @@ impl MeasuredWheel {
             let off = (of.value - Right { wheel: self.wheel(), free: *free }.size(of.size)) / of.uncertainty;
             off * off >= SHARE * (fitted.1 - sum)
         };
-        let best = without.filter(is_cause).min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
+        let causes: Vec<(usize, (Free, f64))> = without.filter(is_cause).collect();
+        let best = *causes.iter().min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
+        // Of two that do equally well, the place of the axes is the easier one to mend.
+        let is_as_good = |cause: &(usize, (Free, f64))| cause.1.1 - best.1.1 < TIE * (fitted.1 - best.1.1);
+        let of_axes = causes.iter().filter(|cause| self.sizes()[cause.0].size == MeasuredSize::CentreDistance);
+        let best = of_axes.copied().find(is_as_good).unwrap_or(best);
         (fitted.1 > limit(count) || fitted.1 - best.1.1 > most).then_some(best)
     }
 
@@ -248,6 +253,9 @@ impl MeasuredWheel {
 /// A culprit is off by at least this part of what the sum of squares falls without it, as a square: our choice, one in a linear fit.
 const SHARE: f64 = 0.5;
 
+/// Of what the culprit takes away, the part by which a second one may take less and still do equally well: our choice.
+const TIE: f64 = 1e-3;
+
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;
 
@@ -285,7 +293,19 @@ const SHORTEST_DWELL: f64 = 1e-9;
 
 impl AsBuiltWheel {
     /// Sets a size, in millimetres, or radians for a direction; of all slots or arcs if none is named.
-    fn set(&mut self, size: MeasuredSize, value: f64) {
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize};
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?;
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// built.set(MeasuredSize::SlotWidth(Some(2)), 8.0); // mm
+    /// assert_eq!(built.slots()[2].width, 8.0);
+    /// assert_eq!(built.slots()[1].width, sizes.slot_width);
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn set(&mut self, size: MeasuredSize, value: f64) {
         let is_meant = |k: usize| size.number().is_none_or(|number| number == k);
         match size {
             MeasuredSize::CentreDistance => self.centre_distance = value,
