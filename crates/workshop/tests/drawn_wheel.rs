@@ -292,3 +292,46 @@ fn a_pin_on_a_screw_in_our_own_drawing_is_not_its_hole() {
         }
     }
 }
+
+#[test]
+fn slots_of_a_drawing_are_numbered_from_the_right_however_a_slot_is_out_of_its_place() {
+    for stations in [4_u32, 5, 6, 9] {
+        let sizes = sizes(stations, 1, 0.2);
+        let (count, pitch) = (stations as usize, 2.0 * PI / f64::from(stations));
+        for turned in 0..8 {
+            let turn = pitch * f64::from(turned) / 4.0 - PI;
+            // Where the slots should be, and the one nearest to the right.
+            let direction = |k: usize| {
+                let angle = pitch * (k as f64 + 0.5) + turn;
+                (angle + PI).rem_euclid(2.0 * PI) - PI
+            };
+            let key = |k: &usize| if direction(*k) < -1e-9 { direction(*k).abs() + 1e-6 } else { direction(*k) };
+            let first = (0..count).min_by(|one, other| key(one).total_cmp(&key(other))).unwrap();
+            for wide in 0..count {
+                for degrees in [-0.3_f64, -0.05, 0.05, 0.3] {
+                    let mut built = AsBuiltWheel::from(&sizes);
+                    built.slots_mut()[wide].width += 0.5;
+                    built.arcs_mut()[wide].radius -= 0.5;
+                    for slot in built.slots_mut().iter_mut().step_by(3) {
+                        slot.direction_error = degrees.to_radians();
+                    }
+                    let text = polylines(&built, &LayerNames::default(), turn, false);
+                    let drawn = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap().measured;
+                    let number = (wide + count - first) % count;
+                    for of in drawn.sizes() {
+                        let is_wide = match of.size {
+                            MeasuredSize::SlotWidth(_) => of.value > sizes.slot_width + 0.25,
+                            MeasuredSize::ArcRadius(_) => of.value < sizes.locking_arc_radius - 0.25,
+                            _ => continue,
+                        };
+                        assert_eq!(
+                            is_wide,
+                            of.size.number() == Some(number),
+                            "{stations} {turned} {wide} {degrees} {of:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

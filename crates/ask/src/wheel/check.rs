@@ -130,7 +130,8 @@ impl CheckQuestion {
                 count(wheel.stations() as usize, "station"),
                 count(wheel.pins() as usize, "pin")
             ),
-            introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1.",
+            introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1; in \
+                           a drawing, slot 1 is the one nearest to the right, and arc 1 is between the slots 1 and 2.",
             sections: vec![
                 ("Verdict", self.verdict(&checked)),
                 (right_heading(&nearest), right_sizes(&nearest)),

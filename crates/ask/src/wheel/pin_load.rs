@@ -52,7 +52,9 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let mm = |key, value| ReportField::in_unit(key, value, "mm");
     let limit_meaning = match design.question.allowed_pressure {
         Some(_) => "allowed pressure, as given",
-        None => "at which the weaker of pin and wheel begins to yield, below its surface: 1.8 × its strength (Johnson)",
+        None => {
+            "at which the weaker of pin and wheel begins to yield: with a Poisson's ratio of 0.3, below its surface, at 1.8 × its strength (Johnson)"
+        }
     };
     let least_meaning = match design.question.thickness {
         Some(_) => "that bears this force with a factor of 1 in pressure, bending and shear, with this thickness",
@@ -84,7 +86,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_pv_mpa_m_s", pv, "MPa m/s")
-            .line("pv", "greatest force / (diameter × thickness) × sliding speed, as bearing materials are rated")
+            .line("pv", "force / (diameter × thickness) × sliding speed at the angle of the greatest product, as bearing materials are rated")
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         newtons("peak_bearing_load_n", bearing)
@@ -266,6 +268,19 @@ mod tests {
             missing += u32::from(centred.is_none());
         }
         assert!((1..=5).contains(&missing), "{missing}");
+    }
+
+    #[test]
+    fn a_friction_that_leaves_no_lever_but_rounding_is_refused_with_a_value_that_works() {
+        // Three stations with 25 mm: the pin's friction of 3 takes the whole lever.
+        let asked = |friction: &str| {
+            answer(&format!("wheel --stations 3 --crank-radius 25 --rpm 60 --inertia 0.001 --pin-friction {friction}"))
+        };
+        for friction in ["3", "3.0000001"] {
+            let refused = asked(friction).unwrap_err().to_string();
+            assert!(refused.contains(&format!("--pin-friction {friction}")), "{refused}");
+        }
+        assert!(number(&asked("2.9").unwrap(), "peak_pin_force_n").is_finite());
     }
 
     #[test]

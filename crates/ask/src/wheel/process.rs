@@ -97,8 +97,12 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
                  with a third of its error as standard deviation{few}"
             ),
         ),
-        share("yield_low", interval.map(|[low, _]| low)).line("", "at least, with a probability of 97.5 %"),
-        share("yield_high", interval.map(|[_, high]| high)).line("", "at most, with a probability of 97.5 %"),
+        share("yield_low", interval.map(|[low, _]| low)).line("", "at least, with a probability of about 97.5 % (Wilson's interval)"),
+        share("yield_high", interval.map(|[_, high]| high)).line(
+            "",
+            "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
+             the error of a size; radii and places by half of it. Pushing the corner of a mouth aside counts as turning",
+        ),
         tight,
     ];
     Ok(ReportField::all_needing(fields, Needs::SIZE.union(Needs::PROCESS)))

@@ -19,6 +19,8 @@ type Logarithms = SVector<f64, FREE>;
 const BY_DEFAULT: [f64; FREE] = [0.0, 0.02, 0.01, 0.01, 0.02, 0.02];
 /// Steps of Levenberg and Marquardt, and the difference of two logarithms from which a slope is taken.
 const STEPS: usize = 40;
+/// The greatest step of a logarithm.
+const MOST_STEP: f64 = 0.7;
 const DIFFERENCE: f64 = 1e-5;
 /// Plays and pins from which the search begins, over their defaults.
 const BEGINNINGS: [[f64; 2]; 8] =
@@ -60,20 +62,22 @@ impl MeasuredWheel {
         let default = Sizes::new(*self.wheel(), Scale::CrankRadius(crank_radius), &Choices::default()).ok()?;
         let mean = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
         let slot = mean(|size| matches!(size, MeasuredSize::SlotWidth(_)));
-        let pin = mean(|size| size == MeasuredSize::PinDiameter).or(slot);
+        let pin = mean(|size| size == MeasuredSize::PinDiameter);
         let arc =
             mean(|size| matches!(size, MeasuredSize::ArcRadius(_))).or(mean(|size| size == MeasuredSize::DiscRadius));
         let end = mean(|size| matches!(size, MeasuredSize::SlotEnd(_)));
         let deepest = crank_radius / libm::sin(self.wheel().half_pitch_angle()) - crank_radius;
         let mut best: Option<(Logarithms, f64)> = None;
         for [play, thickness] in BEGINNINGS {
+            let slot_play = play * default.play.slot;
+            let pin = pin.or(slot.map(|width| (width - slot_play).max(0.5 * width)));
             let pin = pin.unwrap_or(thickness * default.pin_diameter);
             let horn = arc.map_or(thickness * default.horn_thickness, |arc| crank_radius - pin / 2.0 - arc);
             let bottom = end.map_or(default.bottom_clearance, |end| deepest - end);
             let start = [
                 crank_radius,
                 pin,
-                play * default.play.slot,
+                slot_play,
                 play * default.play.locking,
                 horn.max(0.05 * pin),
                 bottom.max(0.001 * pin),
@@ -110,7 +114,8 @@ impl MeasuredWheel {
                 normal[(k, k)] += damping * normal[(k, k)].max(1e-6);
             }
             // No size becomes more than twice as large in a step, or less than half.
-            let step = normal.cholesky()?.solve(&gradient).map(|part| part.clamp(-0.7, 0.7));
+            let step = normal.cholesky()?.solve(&gradient);
+            let step = step * (MOST_STEP / step.amax().max(MOST_STEP));
             let next = best - step;
             let (before, after) = (total(&values), rows(&next));
             match after {
