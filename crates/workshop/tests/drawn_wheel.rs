@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
 
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, Process, ProcessNumbers, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{
     Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, PinMount, ScrewHole, Thread, dxf, parts,
@@ -334,4 +334,36 @@ fn slots_of_a_drawing_are_numbered_from_the_right_however_a_slot_is_out_of_its_p
             }
         }
     }
+}
+
+#[test]
+fn none_of_two_hundred_of_our_own_drawings_is_accused_and_no_wrong_formula_is_named() {
+    let mut random = SplitMix64::new(79);
+    let (mut accused, mut read) = (Vec::new(), 0);
+    while read < 200 {
+        let stations = [3, 4, 5, 6, 8, 12][(random.next_u64() % 6) as usize];
+        let crank = [12.0, 15.0, 20.0, 25.0, 30.0, 40.0, 60.0][(random.next_u64() % 7) as usize];
+        let wheel = Wheel::new(stations).unwrap();
+        let process = Process::ALL[(random.next_u64() % 6) as usize];
+        let play = ProcessNumbers::new(process, crank * wheel.centre_distance_ratio()).unwrap().play();
+        let pin_diameter = (read % 2 == 0).then(|| (crank * (0.08 + 0.15 * random.next_unit()) * 10.0).round() / 10.0);
+        let choices = Choices { play: Some(play), pin_diameter, ..Choices::default() };
+        let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(crank), &choices) else { continue };
+        let Ok(list) = parts(&sizes, 5.0, &Mounting::default()) else { continue };
+        let layout = if read % 3 == 0 { PartLayout::Assembled } else { PartLayout::Apart };
+        let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
+        let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap().measured;
+        let nearest = measured.nearest().unwrap();
+        let turn = measured.as_built(&nearest).turn().unwrap();
+        let formulas = measured.known_mistakes(&nearest, Some(&turn));
+        if nearest.culprit.is_some() || !turn.is_driven() || !formulas.is_empty() {
+            let tightest = turn.tightest.free.room();
+            accused.push(format!(
+                "{stations} {crank} {process:?} {pin_diameter:?}: {:?} {tightest} {formulas:?}",
+                nearest.culprit
+            ));
+        }
+        read += 1;
+    }
+    assert!(accused.is_empty(), "{} of 200: {accused:#?}", accused.len());
 }

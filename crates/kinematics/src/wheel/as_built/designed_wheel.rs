@@ -23,8 +23,8 @@ const STEPS: usize = 40;
 const MOST_STEP: f64 = 0.7;
 const DIFFERENCE: f64 = 1e-5;
 /// Plays and pins from which the search begins, over their defaults.
-const BEGINNINGS: [[f64; 2]; 8] =
-    [[1.0, 1.0], [0.3, 1.0], [4.0, 1.0], [12.0, 1.0], [1.0, 0.6], [4.0, 0.6], [1.0, 1.5], [0.05, 1.0]];
+const BEGINNINGS: [[f64; 2]; 9] =
+    [[1.0, 1.0], [0.3, 1.0], [4.0, 1.0], [12.0, 1.0], [30.0, 1.0], [1.0, 0.6], [4.0, 0.6], [1.0, 1.5], [0.05, 1.0]];
 /// A sum of squares that is good enough to look no further, per measurement: our choice.
 const GOOD: f64 = 1e-4;
 
@@ -63,13 +63,19 @@ impl MeasuredWheel {
         let mean = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
         let slot = mean(|size| matches!(size, MeasuredSize::SlotWidth(_)));
         let pin = mean(|size| size == MeasuredSize::PinDiameter);
-        let arc =
-            mean(|size| matches!(size, MeasuredSize::ArcRadius(_))).or(mean(|size| size == MeasuredSize::DiscRadius));
+        let (typed_arc, disc) =
+            (mean(|size| matches!(size, MeasuredSize::ArcRadius(_))), mean(|size| size == MeasuredSize::DiscRadius));
+        let arc = typed_arc.or(disc);
+        // A play of two measured sizes is known, but zero has no logarithm.
+        let known = |wide: Option<f64>, thin: Option<f64>| {
+            wide.zip(thin).map(|(wide, thin)| (wide - thin).max(0.01 * default.play.slot))
+        };
+        let (known_slot, known_locking) = (known(slot, pin), known(typed_arc, disc).map(|gap| 2.0 * gap));
         let end = mean(|size| matches!(size, MeasuredSize::SlotEnd(_)));
         let deepest = crank_radius / libm::sin(self.wheel().half_pitch_angle()) - crank_radius;
         let mut best: Option<(Logarithms, f64)> = None;
         for [play, thickness] in BEGINNINGS {
-            let slot_play = play * default.play.slot;
+            let slot_play = known_slot.unwrap_or(play * default.play.slot);
             let pin = pin.or(slot.map(|width| (width - slot_play).max(0.5 * width)));
             let pin = pin.unwrap_or(thickness * default.pin_diameter);
             let horn = arc.map_or(thickness * default.horn_thickness, |arc| crank_radius - pin / 2.0 - arc);
@@ -78,7 +84,7 @@ impl MeasuredWheel {
                 crank_radius,
                 pin,
                 slot_play,
-                play * default.play.locking,
+                known_locking.unwrap_or(play * default.play.locking),
                 horn.max(0.05 * pin),
                 bottom.max(0.001 * pin),
             ];

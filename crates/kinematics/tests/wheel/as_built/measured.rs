@@ -139,7 +139,8 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
     let project = [&arc[..], &[(TipRadius, 12.1), (CrescentCentre, 16.97), (CrescentRadius, 12.2)]].concat();
     assert_eq!(wheel(4, &project), [KnownMistake::PinToThePower, KnownMistake::CrescentAboutWheelAxis]);
     assert!(wheel(4, &[(CrankRadius, 12.0), (PinDiameter, 3.0), (DiscRadius, 7.5)]).is_empty());
-    let cut = [(CrankRadius, 25.0), (TipRadius, 25.2), (CrescentCentre, 35.36), (CrescentRadius, 25.3)];
+    let cut =
+        [(CrankRadius, 25.0), (TipRadius, 25.2), (DiscRadius, 17.0), (CrescentCentre, 35.36), (CrescentRadius, 25.3)];
     assert_eq!(wheel(4, &cut), [KnownMistake::CrescentAboutWheelAxis]);
     for stations in [3, 4, 6, 9] {
         let sizes = sized(stations, 1, &Choices::default());
