@@ -42,7 +42,7 @@ pub use fitting::FittingValues;
 pub(crate) use fitting::sizes_refusal;
 pub use kind::{AnyWheel, WheelKind};
 pub use mounting::{BoreShape, MountingQuestion, PinKind};
-pub use process::assemblies_that_turn;
+pub use process::{ASSEMBLIES, assemblies_that_turn, yield_fields};
 pub use question::{SearchEffort, WheelQuestion};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};

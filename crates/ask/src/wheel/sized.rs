@@ -1,10 +1,12 @@
-//! The sizes of an external wheel from what a question gives: choices, plays and pins of a process, own inertia.
+//! The sizes of an external or an internal wheel from what a question gives: choices, plays and pins of a process, own inertia.
 
 use super::fitting::remedies;
 use super::mouth::asked_mouth;
 use super::question::{WheelQuestion, given};
 use crate::Error;
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::ProcessNumbers;
 use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, Sizes, SizesError, Wheel};
 
@@ -15,7 +17,7 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
 }
 
 /// What was chosen of the parts.
-pub(super) fn choices(question: &WheelQuestion) -> Choices {
+fn choices(question: &WheelQuestion) -> Choices {
     Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
@@ -30,33 +32,58 @@ pub(super) fn choices(question: &WheelQuestion) -> Choices {
 }
 
 pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let usual = |choices: &Choices| {
+        Sizes::new(wheel, scale, choices).map(|sizes| (sizes.pin_diameter, sizes.play, sizes.centre_distance))
+    };
+    Sizes::new(wheel, scale, &with_plays(question, usual)?)
+}
+
+/// Sizes of an internal wheel with a crank radius in millimetres.
+pub(super) fn internal_sizes(
+    wheel: InternalWheel,
+    crank_radius: f64,
+    question: &WheelQuestion,
+) -> Result<InternalSizes, SizesError> {
+    let usual = |choices: &Choices| {
+        let sizes = InternalSizes::new(wheel, crank_radius, choices)?;
+        Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
+    };
+    InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)
+}
+
+/// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel
+/// with some choices are what `usual` says, in millimetres.
+fn with_plays(
+    question: &WheelQuestion,
+    usual: impl Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
+) -> Result<Choices, SizesError> {
     let choices = choices(question);
     let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
     let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
     if locking.or(bore).or(slot).is_none() && !is_of_process {
-        return Sizes::new(wheel, scale, &choices);
+        return Ok(choices);
     }
     // What is not given is as it is without, or as the process has it.
     let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
-    let others = Sizes::new(wheel, scale, &bare)?;
-    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
-    let usual = of_process.map_or(others.play, |numbers| numbers.play());
+    let (usual_pin, usual_play, centre_distance) = usual(&bare)?;
+    let of_process = process_numbers(question, centre_distance)?.filter(|_| question.play.is_none());
+    let play_as_usual = of_process.map_or(usual_play, |numbers| numbers.play());
     let with_pin = |pin_diameter: Option<f64>| {
-        let pin = pin_diameter.unwrap_or(others.pin_diameter);
-        let play = slot.map_or(usual, |width| Play::from_slot(width - pin));
+        let pin = pin_diameter.unwrap_or(usual_pin);
+        let play = slot.map_or(play_as_usual, |width| Play::from_slot(width - pin));
         if play.slot < 0.0 {
             let what = "the pin is thicker than the slot is wide";
             return Err(SizesError::DoesNotFit { what, by: -play.slot, remedies: &[Remedy::ThinnerPin] });
         }
         let play = Play { locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore), ..play };
-        Sizes::new(wheel, scale, &Choices { pin_diameter, play: Some(play), ..choices })
+        Ok(Choices { pin_diameter, play: Some(play), ..choices })
     };
     if question.process.is_none() || question.pin_diameter.is_some() {
         return with_pin(choices.pin_diameter);
     }
     // With the play of a process the thickest pin that fits without it may not fit.
-    let found = with_pin(stock_pins(others.pin_diameter).next());
-    found.or_else(|refused| stock_pins(others.pin_diameter).find_map(|pin| with_pin(Some(pin)).ok()).ok_or(refused))
+    let fits = |pin: f64| with_pin(Some(pin)).ok().filter(|choices| usual(choices).is_ok());
+    stock_pins(usual_pin).find_map(fits).map_or_else(|| with_pin(stock_pins(usual_pin).next()), Ok)
 }
 
 /// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.

@@ -45,7 +45,7 @@ impl WheelQuestion {
                         *at(self) = Some(number(name, value)?)
                     }
                     ArgumentSlot::Count(at) => *at(self) = Some(number(name, value)?),
-                    ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                    ArgumentSlot::Choice(NamedChoice { names, set, .. }) => {
                         let numbered: Vec<(&str, usize)> = names.iter().copied().zip(0..).collect();
                         set(self, one_of(name, value, &numbered)?);
                     }

@@ -87,13 +87,33 @@ pub enum ArgumentSlot {
     Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
 }
 
-/// A choice among a few names; the first is what holds if nothing is said.
+/// A choice among a few names; the first is what holds if nothing is said, unless that depends on other arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedChoice {
     /// The names as they are typed.
     pub names: &'static [&'static str],
+    /// Where what holds if nothing is said depends on other arguments, the names on a page: those above, and a last one for that.
+    pub with_usual: Option<&'static [&'static str]>,
     /// Takes the choice with a number, from 0.
     pub set: fn(&mut WheelQuestion, usize),
+}
+
+impl NamedChoice {
+    /// The names on a page, in the order of its entries.
+    pub const fn on_page(&self) -> &'static [&'static str] {
+        match self.with_usual {
+            Some(names) => names,
+            None => self.names,
+        }
+    }
+
+    /// The number of the entry on a page that says nothing, from 0.
+    pub const fn usual_entry(&self) -> usize {
+        match self.with_usual {
+            Some(names) => names.len() - 1,
+            None => 0,
+        }
+    }
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -101,7 +121,7 @@ pub struct NamedChoice {
 pub enum ActsOn {
     /// The size of the wheel: one such argument gives it.
     Size,
-    /// The parts in millimetres, which only an external wheel with a size has.
+    /// The parts in millimetres, which external wheels with a size have, and internal ones in their files.
     Parts,
     /// The files from which parts are made, and nothing else.
     Files,
