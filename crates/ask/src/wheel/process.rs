@@ -141,7 +141,7 @@ pub fn yield_fields(found: Option<Yield>) -> [ReportField; 3] {
         share("yield_high", interval.map(|[_, high]| high)).line(
             "",
             "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
-             the error of a size; radii and places by half of it. Pushing the corner of a mouth aside counts as turning",
+             the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns",
         ),
     ]
 }
