@@ -122,7 +122,9 @@ impl Drawing {
 
     /// What the drawing says of a wheel's sizes, each with a standard uncertainty in millimetres.
     ///
-    /// The centre distance is known only where the driver is drawn in its place.
+    /// The centre distance is known only where the driver is drawn in its place. Slots are numbered counter-clockwise; the first is the one
+    /// nearest to the direction of the drawing's first axis, to the right, and of two about as near the one counter-clockwise. An arc has
+    /// the number of the slot clockwise of it.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
@@ -164,7 +166,7 @@ impl Drawing {
         if slots.is_empty() {
             slots = self.square_slots(&layers.wheel, axis, rim);
         }
-        slots.sort_by(|one, other| one.direction.total_cmp(&other.direction));
+        number_from_the_right(&mut slots);
         let plate = self.arcs(&layers.plate).into_iter().filter(is_circle);
         let driver = plate.max_by(|one, other| one.radius.total_cmp(&other.radius)).map(|circle| circle.centre);
         let pins = self.pins(&layers.pins, driver, SAME * size);
@@ -307,6 +309,26 @@ impl Drawing {
         }
         if let [Some(one), Some(other)] = walls { one + other } else { 2.0 * end.radius }
     }
+}
+
+/// Two slots about as far from the right, one on each side: the one counter-clockwise is the first, within this part of a pitch. Our
+/// choice.
+const ABOUT_AS_FAR: f64 = 0.05;
+
+/// Sorts slots counter-clockwise, the first being the one that should be nearest to the direction of the first axis, and counts their
+/// directions on from there. What counts is where all slots together say that they should be, so a slot that is a little out of its
+/// place does not change the numbers.
+fn number_from_the_right(slots: &mut [DrawnSlot]) {
+    let pitch = 2.0 * PI / slots.len().max(1) as f64;
+    slots.sort_by(|one, other| one.direction.total_cmp(&other.direction));
+    let offs: Vec<f64> = slots.iter().enumerate().map(|(k, slot)| slot.direction - pitch * k as f64).collect();
+    let base = median(&offs);
+    let first = base + pitch * libm::floor(0.5 + ABOUT_AS_FAR - base / pitch);
+    let before = first - pitch / 2.0;
+    for slot in slots.iter_mut() {
+        slot.direction = before + (slot.direction - before).rem_euclid(2.0 * PI);
+    }
+    slots.sort_by(|one, other| one.direction.total_cmp(&other.direction));
 }
 
 fn is_circle(arc: &DrawnArc) -> bool {

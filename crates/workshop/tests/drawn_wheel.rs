@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
 
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, SplitMix64};
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, Process, ProcessNumbers, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{
     Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, PinMount, ScrewHole, Thread, dxf, parts,
@@ -291,4 +291,79 @@ fn a_pin_on_a_screw_in_our_own_drawing_is_not_its_hole() {
             assert!(measured.nearest().unwrap().culprit.is_none(), "{hole:?} {layout:?}");
         }
     }
+}
+
+#[test]
+fn slots_of_a_drawing_are_numbered_from_the_right_however_a_slot_is_out_of_its_place() {
+    for stations in [4_u32, 5, 6, 9] {
+        let sizes = sizes(stations, 1, 0.2);
+        let (count, pitch) = (stations as usize, 2.0 * PI / f64::from(stations));
+        for turned in 0..8 {
+            let turn = pitch * f64::from(turned) / 4.0 - PI;
+            // Where the slots should be, and the one nearest to the right.
+            let direction = |k: usize| {
+                let angle = pitch * (k as f64 + 0.5) + turn;
+                (angle + PI).rem_euclid(2.0 * PI) - PI
+            };
+            let key = |k: &usize| if direction(*k) < -1e-9 { direction(*k).abs() + 1e-6 } else { direction(*k) };
+            let first = (0..count).min_by(|one, other| key(one).total_cmp(&key(other))).unwrap();
+            for wide in 0..count {
+                for degrees in [-0.3_f64, -0.05, 0.05, 0.3] {
+                    let mut built = AsBuiltWheel::from(&sizes);
+                    built.slots_mut()[wide].width += 0.5;
+                    built.arcs_mut()[wide].radius -= 0.5;
+                    for slot in built.slots_mut().iter_mut().step_by(3) {
+                        slot.direction_error = degrees.to_radians();
+                    }
+                    let text = polylines(&built, &LayerNames::default(), turn, false);
+                    let drawn = Drawing::read(&text).unwrap().measure(&LayerNames::default(), 0.01).unwrap().measured;
+                    let number = (wide + count - first) % count;
+                    for of in drawn.sizes() {
+                        let is_wide = match of.size {
+                            MeasuredSize::SlotWidth(_) => of.value > sizes.slot_width + 0.25,
+                            MeasuredSize::ArcRadius(_) => of.value < sizes.locking_arc_radius - 0.25,
+                            _ => continue,
+                        };
+                        assert_eq!(
+                            is_wide,
+                            of.size.number() == Some(number),
+                            "{stations} {turned} {wide} {degrees} {of:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn none_of_two_hundred_of_our_own_drawings_is_accused_and_no_wrong_formula_is_named() {
+    let mut random = SplitMix64::new(79);
+    let (mut accused, mut read) = (Vec::new(), 0);
+    while read < 200 {
+        let stations = [3, 4, 5, 6, 8, 12][(random.next_u64() % 6) as usize];
+        let crank = [12.0, 15.0, 20.0, 25.0, 30.0, 40.0, 60.0][(random.next_u64() % 7) as usize];
+        let wheel = Wheel::new(stations).unwrap();
+        let process = Process::ALL[(random.next_u64() % 6) as usize];
+        let play = ProcessNumbers::new(process, crank * wheel.centre_distance_ratio()).unwrap().play();
+        let pin_diameter = (read % 2 == 0).then(|| (crank * (0.08 + 0.15 * random.next_unit()) * 10.0).round() / 10.0);
+        let choices = Choices { play: Some(play), pin_diameter, ..Choices::default() };
+        let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(crank), &choices) else { continue };
+        let Ok(list) = parts(&sizes, 5.0, &Mounting::default()) else { continue };
+        let layout = if read % 3 == 0 { PartLayout::Assembled } else { PartLayout::Apart };
+        let drawing = Drawing::read(&dxf(&list.parts, layout)).unwrap();
+        let measured = drawing.measure(&LayerNames::default(), 0.01).unwrap().measured;
+        let nearest = measured.nearest().unwrap();
+        let turn = measured.as_built(&nearest).turn().unwrap();
+        let formulas = measured.known_mistakes(&nearest, Some(&turn));
+        if nearest.culprit.is_some() || !turn.is_driven() || !formulas.is_empty() {
+            let tightest = turn.tightest.free.room();
+            accused.push(format!(
+                "{stations} {crank} {process:?} {pin_diameter:?}: {:?} {tightest} {formulas:?}",
+                nearest.culprit
+            ));
+        }
+        read += 1;
+    }
+    assert!(accused.is_empty(), "{} of 200: {accused:#?}", accused.len());
 }

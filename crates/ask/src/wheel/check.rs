@@ -3,13 +3,14 @@
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
 use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
+use super::check_remedies::{WheelRemedy, first_change, remedies};
+use super::check_words::{corners, entry_words, named, place, shallow_words, turning_words, typed, with_unit};
 use super::typed_question::length;
 use crate::number_format::{as_typed, count, number, to_digits};
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
-    AsBuiltWheel, BuiltBlow, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredSize,
-    MeasuredWheel, NearestWheel, SizeChange, StationTurn,
+    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel, StationTurn,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
@@ -109,12 +110,18 @@ impl CheckQuestion {
     pub fn answer(&self) -> Result<MechanismReport, Error> {
         let nearest = self.measured.nearest().map_err(measured_error)?;
         let built = self.measured.as_built(&nearest);
-        let turn = built.turn().map_err(built_error)?;
-        let coarse = turn.jam.as_ref().and_then(|jam| too_coarse(&self.measured, jam));
-        // What may be chance is nothing to mend.
-        let changes = if coarse.is_none() { built.least_changes().map_err(built_error)? } else { Vec::new() };
+        let in_words = |error: BuiltError| Error::Argument(error.to_string());
+        let turn = built.turn().map_err(in_words)?;
         let shallow = shallow_slots(&self.measured, &built);
-        let mistakes = self.measured.known_mistakes();
+        let checked = CheckedWheel {
+            coarse: turn.jam.as_ref().and_then(|jam| too_coarse(&self.measured, jam)),
+            remedies: remedies(&self.measured, &nearest, &built, &shallow).map_err(in_words)?,
+            mistakes: self.measured.known_mistakes(&nearest, Some(&turn)),
+            nearest: &nearest,
+            built: &built,
+            turn: &turn,
+            shallow: &shallow,
+        };
         let wheel = self.measured.wheel();
         let items = nearest.residuals.iter().map(item).collect();
         let report = MechanismReport {
@@ -123,9 +130,10 @@ impl CheckQuestion {
                 count(wheel.stations() as usize, "station"),
                 count(wheel.pins() as usize, "pin")
             ),
-            introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1.",
+            introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1; in \
+                           a drawing, slot 1 is the one nearest to the right, and arc 1 is between the slots 1 and 2.",
             sections: vec![
-                ("Verdict", self.verdict(&turn, &nearest, &mistakes, &changes, coarse, &shallow)),
+                ("Verdict", self.verdict(&checked)),
                 (right_heading(&nearest), right_sizes(&nearest)),
                 ("As it was made", self.as_made(&built, &turn)),
             ],
@@ -196,140 +204,11 @@ impl CheckQuestion {
     }
 }
 
-fn built_error(error: BuiltError) -> Error {
-    Error::Argument(error.to_string())
-}
-
-/// A size with its number, in words.
-fn named(size: MeasuredSize) -> String {
-    size.number().map_or_else(|| size.name().to_owned(), |number| format!("{} {}", size.name(), number + 1))
-}
-
-/// A value in millimetres, or of a direction in degrees, with its unit.
-fn with_unit(size: MeasuredSize, value: f64) -> String {
-    let (value, unit) = typed(size, value);
-    format!("{} {unit}", number(value))
-}
-
-fn typed(size: MeasuredSize, value: f64) -> (f64, &'static str) {
-    if matches!(size, MeasuredSize::SlotDirection(_)) { (value.to_degrees(), "°") } else { (value, "mm") }
-}
-
-fn contact(contact: BuiltContact) -> &'static str {
-    match contact {
-        BuiltContact::PinOnWall => "the pin on a wall of slot",
-        BuiltContact::PinAtMouth => "the pin at the mouth of slot",
-        BuiltContact::PinAtBottom => "the pin at the end of slot",
-        BuiltContact::DiscInArc => "the disc in arc",
-        BuiltContact::OpeningEdge => "an edge of the crescent in arc",
-        BuiltContact::Crescent => "the crescent at a horn of arc",
-        BuiltContact::Nothing => "nothing at slot",
-    }
-}
-
-/// Between which parts a place is tight.
-fn place(tightest: &Jam) -> String {
-    let [one, other] = [tightest.free.backward, tightest.free.forward]
-        .map(|limit| format!("{} {}", contact(limit.contact), limit.part + 1));
-    if one == other { one } else { format!("{one} and {other}") }
-}
-
-/// The stations at which the pin comes in on the corner of a mouth.
-fn corners(turn: &BuiltTurn) -> impl Iterator<Item = (&StationTurn, BuiltBlow)> {
-    let entries = turn.stations.iter().filter_map(|station| Some((station, station.entry?)));
-    entries.filter(|(_, entry)| entry.contact == BuiltContact::PinAtMouth)
-}
-
-/// What the pin meets as it comes in, the wheel in the middle of its play.
-fn entry_words(turn: &BuiltTurn) -> String {
-    // Of blows that differ by rounding the first is taken.
-    fn harder<'a>(
-        one: (&'a StationTurn, BuiltBlow),
-        other: (&'a StationTurn, BuiltBlow),
-    ) -> (&'a StationTurn, BuiltBlow) {
-        if other.1.centred > one.1.centred + 1e-9 { other } else { one }
-    }
-    let all = || turn.stations.iter().filter_map(|station| Some((station, station.entry?)));
-    let Some((station, entry)) = corners(turn).reduce(harder).or_else(|| all().reduce(harder)) else {
-        return "the pin meets nothing".to_owned();
-    };
-    let met = match entry.contact {
-        BuiltContact::PinAtMouth => {
-            let further = corners(turn).count() - 1;
-            let also =
-                if further == 0 { String::new() } else { format!(", and so at {}", count(further, "further slot")) };
-            format!("the pin lands on the corner of the mouth of slot {}{also}", station.slot + 1)
-        }
-        BuiltContact::PinAtBottom => format!("the pin meets the end of slot {}", station.slot + 1),
-        _ => format!("the pin meets a wall inside slot {}", station.slot + 1),
-    };
-    let late = entry.lost_motion.to_degrees();
-    let sense = if late < 0.0 { "before" } else { "after" };
-    format!(
-        "{met}, {}° of the crank {sense} a right pin would enter, with {} of its speed",
-        to_digits(late.abs(), 2),
-        to_digits(entry.centred, 2)
-    )
-}
-
-/// Whether the wheel turns, in words.
-fn turning_words(turn: &BuiltTurn, coarse: Option<TooCoarse>) -> String {
-    let lands = corners(turn).next().is_some();
-    match (&turn.jam, coarse) {
-        (Some(_), Some(coarse)) => format!(
-            "the measurements are too coarse for this wheel: {} mm seem to be missing, but with these uncertainties chance alone can \
-             take {} mm; measure again, with uncertainties of {} of these or less",
-            number(coarse.missing),
-            number(coarse.by_chance),
-            to_digits(coarse.finer, 2)
-        ),
-        (Some(jam), None) => format!(
-            "no: {} mm are missing at a crank angle of {}°, pin {} and slot {}: {}",
-            number(-jam.free.room()),
-            number(jam.crank_angle.to_degrees()),
-            jam.pin + 1,
-            jam.slot + 1,
-            place(jam)
-        ),
-        (None, _) if turn.can_miss() => {
-            "yes, but the wheel can stand so in the dwell that a pin meets its rim beside the slot".to_owned()
-        }
-        (None, _) if lands => "yes, but the pin doesn't enter freely: it pushes the corner of a mouth aside".to_owned(),
-        (None, _) => "yes, every station".to_owned(),
-    }
-}
-
-/// Which slots are too shallow, and by how much.
-fn shallow_words(shallow: &[ShallowSlot], slots: usize) -> String {
-    let most = shallow.iter().map(|slot| slot.missing).fold(0.0, f64::max);
-    let least = shallow.iter().map(|slot| slot.missing).fold(f64::INFINITY, f64::min);
-    if shallow.is_empty() {
-        return "none too shallow for the pin that is known of".to_owned();
-    }
-    if shallow.len() == slots && most - least < ALIKE {
-        return format!("all slots are {} mm too shallow for the pin", number(most));
-    }
-    let each: Vec<String> = shallow
-        .iter()
-        .map(|of| format!("slot {} is {} mm too shallow for the pin", of.slot + 1, number(of.missing)))
-        .collect();
-    each.join(", ")
-}
-
-/// Depths that differ by less than this, in millimetres, are alike.
-const ALIKE: f64 = 1e-9;
-
 impl CheckQuestion {
-    fn verdict(
-        &self,
-        turn: &BuiltTurn,
-        nearest: &NearestWheel,
-        mistakes: &[KnownMistake],
-        changes: &[SizeChange],
-        coarse: Option<TooCoarse>,
-        shallow: &[ShallowSlot],
-    ) -> Vec<ReportField> {
-        let turns = turning_words(turn, coarse) + &self.unmeasured(nearest);
+    fn verdict(&self, checked: &CheckedWheel<'_>) -> Vec<ReportField> {
+        let CheckedWheel { nearest, built, turn, mistakes, remedies, coarse, shallow } = checked;
+        let (turn, coarse) = (*turn, *coarse);
+        let turns = turning_words(built, turn, coarse) + &self.unmeasured(nearest);
         // What the other sizes ask for instead.
         let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
         let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
@@ -342,11 +221,12 @@ impl CheckQuestion {
         };
         let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
         let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
-        let first = first_change(nearest, changes, shallow);
+        let is_enough = coarse.is_some() || turn.is_driven();
+        let first = first_change(remedies).or((!is_enough).then(|| NO_REMEDY.to_owned()));
         let missing = shallow.iter().map(|of| of.missing).reduce(f64::max);
         let numbers = shallow.iter().map(|of| FieldValue::from(of.slot + 1)).collect();
         vec![
-            ReportField::new("turns", coarse.is_none().then_some(turn.jam.is_none())).words("turns", turns),
+            ReportField::new("turns", coarse.is_none().then_some(turn.is_driven())).words("turns", turns),
             ReportField::new("lands_on_corner", corners(turn).next().is_some()).words("entry", entry_words(turn)),
             ReportField::new("shallow_slots", FieldValue::List(numbers))
                 .words("slots", shallow_words(shallow, self.measured.wheel().stations() as usize)),
@@ -388,7 +268,7 @@ fn culprit_words(culprit: &Culprit) -> String {
     format!(
         "{} {}: the others ask for {}{uncertainty} {unit}, {} of its uncertainties away",
         named(culprit.size),
-        with_unit(culprit.size, culprit.measured),
+        with_unit(culprit.size, culprit.measured, 4),
         number(expected),
         to_digits(culprit.uncertainties.abs(), 2)
     )
@@ -407,21 +287,18 @@ fn rest_words(nearest: &NearestWheel) -> String {
     }
 }
 
-/// What to change first: the size that contradicts the others, or else the least change with which the wheel turns.
-fn first_change(nearest: &NearestWheel, changes: &[SizeChange], shallow: &[ShallowSlot]) -> Option<String> {
-    let right: Vec<String> = culprits(nearest)
-        .map(|culprit| format!("{} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)))
-        .collect();
-    let by_culprit = (!right.is_empty()).then(|| format!("make {}", right.join(", then ")));
-    let is_deeper = |change: &&SizeChange| matches!(change.size, MeasuredSize::SlotEnd(_)) && !shallow.is_empty();
-    let by_change = changes.iter().find(is_deeper).or(changes.first()).map(|change| {
-        let sense = if change.by > 0.0 { "larger" } else { "smaller" };
-        format!("make {} {} mm {sense}, and a little more for play", named(change.size), number(change.by.abs()))
-    });
-    match (by_culprit, by_change) {
-        (Some(culprit), Some(change)) => Some(format!("{culprit}; or, to make it turn at all, {change}")),
-        (one, other) => one.or(other),
-    }
+/// What is said where nothing that is tried makes a wheel turn.
+const NO_REMEDY: &str = "no change of one size by up to 0.4 of the pin's diameter makes it turn; make new parts";
+
+/// What was found of a wheel.
+struct CheckedWheel<'a> {
+    nearest: &'a NearestWheel,
+    built: &'a AsBuiltWheel,
+    turn: &'a BuiltTurn,
+    mistakes: Vec<KnownMistake>,
+    remedies: Vec<WheelRemedy>,
+    coarse: Option<TooCoarse>,
+    shallow: &'a [ShallowSlot],
 }
 
 /// Which right wheel is shown.

@@ -1,7 +1,10 @@
 //! Tests of what is said of a wheel by its measured sizes.
 
 use super::CheckQuestion;
+use crate::wheel::check_certainty::shallow_slots;
+use crate::wheel::check_remedies::{WheelRemedy, remedies};
 use crate::{FieldValue, MechanismReport, ReportField};
+use geneva_kinematics::wheel::as_built::AsBuiltWheel;
 
 fn report(question: &str) -> MechanismReport {
     CheckQuestion::parse(question).and_then(|question| question.answer()).expect("an answer")
@@ -175,4 +178,68 @@ fn a_right_wheel_of_many_stations_is_not_accused_by_coarse_measurements() {
         .expect("a number");
     let fine = of(&format!("{}", 0.1 * 0.99 * finer));
     assert_eq!(fine.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
+}
+
+/// The remedies of a question, and the wheel as it was made.
+fn remedies_of(question: &str) -> (Vec<WheelRemedy>, AsBuiltWheel) {
+    let measured = CheckQuestion::parse(question).expect("sizes").measured;
+    let nearest = measured.nearest().expect("a wheel");
+    let built = measured.as_built(&nearest);
+    let shallow = shallow_slots(&measured, &built);
+    (remedies(&measured, &nearest, &built, &shallow).expect("remedies"), built)
+}
+
+#[test]
+fn with_each_remedy_carried_out_the_wheel_turns() {
+    // Of right wheels, each size in turn too large and too small.
+    let right = [
+        (
+            3,
+            "--centre-distance 28.8675 --crank-radius 25 --outside-diameter 28.9843 --pin-diameter 2.3 --slot-width 2.36 \
+             --locking-disc-radius 20.3 --locking-arc-radius 20.33",
+        ),
+        (6, RIGHT.split_once("6 ").expect("sizes").1),
+        (
+            8,
+            "--centre-distance 83.62 --crank-radius 32 --outside-diameter 154.813 --pin-diameter 9.6 --slot-width 9.68 --slot-end 51 \
+             --locking-disc-radius 17.5 --locking-arc-radius 17.54",
+        ),
+    ];
+    let mut carried_out = 0;
+    for (stations, sizes) in right {
+        let words: Vec<&str> = sizes.split_whitespace().collect();
+        for k in (1..words.len()).step_by(2) {
+            for by in [-1.1, -0.3, 0.3, 1.1] {
+                let mut changed: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+                if words[k - 1] == "--uncertainty" {
+                    continue;
+                }
+                changed[k] = format!("{}", words[k].parse::<f64>().expect("a number") + by);
+                let question = format!("--stations {stations} {}", changed.join(" "));
+                let (remedies, built) = remedies_of(&question);
+                for remedy in remedies {
+                    // Of a change, "a little more for play".
+                    let turn = remedy.carried_out(&built, 0.05).turn().expect("a turn");
+                    assert!(turn.is_driven(), "{question}: {remedy:?} {:?}", turn.jam);
+                    carried_out += 1;
+                }
+            }
+        }
+    }
+    assert!(carried_out > 40, "{carried_out}");
+}
+
+#[test]
+fn a_pin_that_passes_outside_the_rim_turns_nothing() {
+    let far = report("--stations 6 --crank-radius 25 --centre-distance 80");
+    assert_eq!(far.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
+    assert!(
+        words(&far, "turns").starts_with("no: the pin never meets the wheel: it passes"),
+        "{}",
+        words(&far, "turns")
+    );
+    let unheld = report(&RIGHT.replace("--centre-distance 50 ", "--centre-distance 63 "));
+    assert_eq!(unheld.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
+    assert!(words(&unheld, "turns").contains("nothing holds the wheel"), "{}", words(&unheld, "turns"));
+    assert_eq!(text(&far, "change_first"), "make centre distance 50.00 mm");
 }

@@ -4,6 +4,8 @@ mod arguments;
 mod check;
 mod check_arguments;
 mod check_certainty;
+mod check_remedies;
+mod check_words;
 mod design;
 mod drive;
 mod files;

@@ -6,7 +6,7 @@ use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_limit};
 use geneva_dynamics::pin_strength::{Cantilever, PinLength, least_diameter_for_pressure, least_diameter_for_strength};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::Sizes;
+use geneva_kinematics::wheel::{PinEntry, Sizes};
 
 const FORCE: Needs = Needs::SPEED.union(Needs::INERTIA).union(Needs::SIZE);
 const ARM: Needs = Needs::ARM_TORQUE.union(Needs::SIZE);
@@ -52,7 +52,9 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let mm = |key, value| ReportField::in_unit(key, value, "mm");
     let limit_meaning = match design.question.allowed_pressure {
         Some(_) => "allowed pressure, as given",
-        None => "at which the weaker of pin and wheel begins to yield, below its surface: 1.8 × its strength (Johnson)",
+        None => {
+            "at which the weaker of pin and wheel begins to yield: with a Poisson's ratio of 0.3, below its surface, at 1.8 × its strength (Johnson)"
+        }
     };
     let least_meaning = match design.question.thickness {
         Some(_) => "that bears this force with a factor of 1 in pressure, bending and shear, with this thickness",
@@ -84,7 +86,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         ReportField::in_unit("peak_pv_mpa_m_s", pv, "MPa m/s")
-            .line("pv", "greatest force / (diameter × thickness) × sliding speed, as bearing materials are rated")
+            .line("pv", "force / (diameter × thickness) × sliding speed at the angle of the greatest product, as bearing materials are rated")
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
         newtons("peak_bearing_load_n", bearing)
@@ -96,7 +98,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         ReportField::in_unit("blow_energy_mj", blows[0], "mJ")
             .line(
                 "energy of the blow",
-                "as the pin enters, wheel in the middle of its play: J ω²/2, ω its speed after; as much is lost",
+                "as the pin enters, wheel in mid-play: J ω²/2, ω its speed after, and as much is lost; none on the rim",
             )
             .needing(FORCE)
             .rounded(Rounding::Significant(3)),
@@ -195,25 +197,28 @@ fn blows(design: &WheelDesign) -> [Option<f64>; 2] {
         return [None; 2];
     };
     let energy = |jump: f64| inertia * jump * jump * speed * speed / 2.0 * MILLI;
-    let centred = sizes.entry(design.centre_error()).map(|entry| energy(entry.velocity_jump));
-    [centred, greatest_drifted(sizes).map(energy)]
+    let error = design.centre_error();
+    let centred = sizes.entry(error).and_then(|entry| jump(&entry));
+    [centred.map(energy), greatest_drifted(sizes, error).map(energy)]
 }
 
-/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play; none if the pin can then hit the rim,
-/// where its force has no arm about the wheel's axis.
-fn greatest_drifted(sizes: &Sizes) -> Option<f64> {
+/// The jump of the wheel's speed over the driver's, without its sign; none where the pin hits the rim, on which its force has no arm
+/// about the wheel's axis.
+fn jump(entry: &PinEntry) -> Option<f64> {
+    let jump = entry.velocity_jump.abs();
+    // The jump is the closing speed over the arm, in crank radii. On the rim the arm is zero but for rounding.
+    (jump * LEAST_ARM <= entry.closing_speed).then_some(jump)
+}
+
+/// The greatest jump of the wheel's speed over the driver's, wherever the wheel is in its play, with the axes so far in millimetres from
+/// their place; none if the pin can then hit the rim.
+fn greatest_drifted(sizes: &Sizes, centre_error: f64) -> Option<f64> {
     let play = sizes.dwell_play()?;
-    let mut greatest = 0.0_f64;
-    for k in 0..=DRIFTS {
-        let Some(entry) = sizes.drifted_entry(play.greatest * f64::from(k) / f64::from(DRIFTS)) else { continue };
-        let jump = entry.velocity_jump.abs();
-        // The jump is the closing speed over the arm, in crank radii. On the rim the arm is zero but for rounding.
-        if jump.is_nan() || jump * LEAST_ARM > entry.closing_speed {
-            return None;
-        }
-        greatest = greatest.max(jump);
-    }
-    Some(greatest)
+    // With the axes in their place the blow forwards is the greater one.
+    let senses: &[f64] = if centre_error == 0.0 { &[1.0] } else { &[1.0, -1.0] };
+    let drifts = senses.iter().flat_map(|sense| (0..=DRIFTS).map(move |k| sense * f64::from(k) / f64::from(DRIFTS)));
+    let entries = drifts.filter_map(|share| sizes.drifted_entry(centre_error, share * play.greatest));
+    entries.map(|entry| jump(&entry)).try_fold(0.0, |greatest: f64, jump| Some(greatest.max(jump?)))
 }
 
 #[cfg(test)]
@@ -244,6 +249,40 @@ mod tests {
     }
 
     /// From the numbers of the same sheet, by hand.
+    #[test]
+    fn a_blow_with_the_axes_in_another_place_has_an_energy_unless_the_pin_hits_the_rim() {
+        // The corner of a horn is hit at up to 10 mm, and beyond that the rim, where the blow goes through the wheel's axis.
+        let mut missing = 0;
+        for error in [0.0, 0.5, 2.0, 4.0, 8.0, 10.0, 11.0, 12.0, 15.0] {
+            let report =
+                answer(&format!("wheel --stations 6 --crank-radius 25 --rpm 60 --inertia .001 --centre-error {error}"))
+                    .unwrap();
+            let energy = |key: &str| report.field(key).and_then(ReportField::number);
+            let (centred, drifted) = (energy("blow_energy_mj"), energy("drifted_blow_energy_mj"));
+            assert!(centred.is_none_or(|energy| energy < 1e3), "{error}: {centred:?}");
+            // Anywhere in the play is in its middle, too.
+            assert!(
+                drifted.is_none_or(|most| centred.is_some_and(|energy| energy <= most)),
+                "{error}: {centred:?} {drifted:?}"
+            );
+            missing += u32::from(centred.is_none());
+        }
+        assert!((1..=5).contains(&missing), "{missing}");
+    }
+
+    #[test]
+    fn a_friction_that_leaves_no_lever_but_rounding_is_refused_with_a_value_that_works() {
+        // Three stations with 25 mm: the pin's friction of 3 takes the whole lever.
+        let asked = |friction: &str| {
+            answer(&format!("wheel --stations 3 --crank-radius 25 --rpm 60 --inertia 0.001 --pin-friction {friction}"))
+        };
+        for friction in ["3", "3.0000001"] {
+            let refused = asked(friction).unwrap_err().to_string();
+            assert!(refused.contains(&format!("--pin-friction {friction}")), "{refused}");
+        }
+        assert!(number(&asked("2.9").unwrap(), "peak_pin_force_n").is_finite());
+    }
+
     #[test]
     fn the_rows_follow_from_each_other() {
         let asked = "wheel --stations 6 --crank-radius 40 --rpm 50 --inertia 0.0225 --thickness 12 --pin-friction 0.15 --friction-torque 0.1";

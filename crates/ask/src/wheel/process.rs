@@ -136,7 +136,12 @@ pub fn yield_fields(found: Option<Yield>) -> [ReportField; 3] {
                  with a third of its error as standard deviation, and both axes are anywhere within their bore play{few}"
             ),
         ),
-        share("yield_low", interval.map(|[low, _]| low)).line("", "at least, with a probability of 97.5 %"),
-        share("yield_high", interval.map(|[_, high]| high)).line("", "at most, with a probability of 97.5 %"),
+        share("yield_low", interval.map(|[low, _]| low))
+            .line("", "at least, with a probability of about 97.5 % (Wilson's interval)"),
+        share("yield_high", interval.map(|[_, high]| high)).line(
+            "",
+            "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
+             the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns",
+        ),
     ]
 }

@@ -4,7 +4,8 @@ use super::design::WheelDesign;
 use super::kind::AnyWheel;
 use super::pin_load::weaknesses;
 use crate::Error;
-use geneva_kinematics::wheel::Warning;
+use crate::number_format::{as_typed, rounded_down};
+use geneva_kinematics::wheel::{Sizes, Warning};
 
 /// Stations up to which parts can be made: the same as are proposed for times.
 const MOST_MADE: u32 = 60;
@@ -26,16 +27,7 @@ impl WheelDesign {
         };
         let of_sizes = sizes.warnings().into_iter().filter(|warning| !is_usual(warning)).chain(loose);
         let of_sizes = of_sizes.map(|warning| warning.to_string());
-        // Parts without play touch; only what is deeper than the tolerance is an overlap.
-        let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
-        let error = self.centre_error();
-        let placed = if overlaps {
-            Some("with the axes at this distance, driver and wheel overlap; a clearance below zero says by how much")
-        } else if sizes.entry(error).is_none() {
-            Some("with the axes at this distance the pin does not meet the slot")
-        } else {
-            None
-        };
+        let placed = self.misplacement(sizes)?;
         let many = (self.wheel.indexing().stations() > MOST_MADE).then(|| {
             format!(
                 "with more than {MOST_MADE} stations, slots, horns and plays are too fine to be made: take this as geometry"
@@ -45,6 +37,64 @@ impl WheelDesign {
             AnyWheel::External(wheel) => weaknesses(self, wheel)?,
             AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
         };
-        Ok(placed.map(str::to_owned).into_iter().chain(of_sizes).chain(weak).chain(many).collect())
+        Ok(placed.into_iter().chain(of_sizes).chain(weak).chain(many).collect())
+    }
+    /// What is wrong with the place of the axes; none where it is within its limits.
+    fn misplacement(&self, sizes: &Sizes) -> Result<Option<String>, Error> {
+        let error = self.centre_error();
+        if error == 0.0 {
+            return Ok(None);
+        }
+        // Parts without play touch; only what is deeper than the tolerance is an overlap.
+        let overlaps = self.clearance()?.is_some_and(|(nearest, tolerance)| nearest.distance < -tolerance);
+        let what = if sizes.entry(error).is_none() {
+            "with the axes at this distance the pin does not meet the slot"
+        } else if overlaps {
+            "with the axes at this distance, driver and wheel overlap; a clearance below zero says by how much"
+        } else {
+            "with the axes at this distance the pin does not pass the corners of its slot freely"
+        };
+        let tolerance = self.centre_tolerance()?;
+        let limit = tolerance.map(|tolerance| if error > 0.0 { tolerance.farther } else { tolerance.nearer });
+        let sense = if error > 0.0 { "farther apart" } else { "nearer" };
+        Ok(match limit {
+            Some(limit) if error.abs() > limit => Some(format!(
+                "--centre-error {}: {what}. The axes may be {} mm {sense}",
+                as_typed(error),
+                rounded_down(limit)
+            )),
+            // What takes too long to find is not known to be kept.
+            None if overlaps || sizes.entry(error).is_none() => Some(what.to_owned()),
+            _ => None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{FieldValue, answer};
+
+    fn warnings(question: &str) -> String {
+        let report = answer(question).expect("an answer");
+        match &report.field("warnings").expect("warnings").value {
+            FieldValue::List(all) => all
+                .iter()
+                .map(|one| if let FieldValue::Text(text) = one { text.as_str() } else { "" })
+                .collect::<Vec<_>>()
+                .join("\n"),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn every_error_of_the_axes_beyond_its_limit_is_warned_of() {
+        let of = |error: f64| warnings(&format!("wheel --stations 6 --crank-radius 25 --centre-error {error}"));
+        // The limits of this wheel are 0.02 mm and 0.049 mm.
+        for error in [-5.0, -0.1, -0.03, 0.06, 0.1, 3.5, 4.0, 4.5, 5.0, 10.0, 12.0] {
+            assert!(of(error).contains(&format!("--centre-error {error}: ")), "{error}: {}", of(error));
+        }
+        for error in [-0.01, 0.0, 0.02, 0.04] {
+            assert!(!of(error).contains("--centre-error"), "{error}: {}", of(error));
+        }
     }
 }

@@ -104,6 +104,14 @@ impl Friction {
     }
 }
 
+/// The part of a lever that is rounding: what is left of it is none.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether friction takes all of a lever, both in the same unit: a rest that is only rounding would give forces without end.
+pub(super) fn is_self_locking(taken: f64, lever: f64) -> bool {
+    taken >= lever * (1.0 - ROUNDING)
+}
+
 /// Place and rates of a pin in its slot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
@@ -170,7 +178,10 @@ impl DwellContact {
         let (sin, cos) = (libm::sin(self.end_angle), libm::cos(self.end_angle));
         let lever = self.centre_distance * sin;
         let taken = self.friction * (self.centre_distance * cos - self.radius);
-        if taken < lever { Ok(torque / (lever - taken)) } else { Err(DynamicsError::SelfLocking { taken, lever }) }
+        if is_self_locking(taken, lever) {
+            return Err(DynamicsError::SelfLocking { taken, lever });
+        }
+        Ok(torque / (lever - taken))
     }
 
     /// Torque in N m that the driver needs in the dwell under a torque on the wheel, in N m, if its bearing's coefficient of

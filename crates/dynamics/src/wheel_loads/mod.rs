@@ -38,7 +38,7 @@ pub use friction::{DwellContact, Friction};
 pub use search::Peak;
 
 use crate::error::{DynamicsError, not_negative, positive};
-use friction::Place;
+use friction::{Place, is_self_locking};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::bisection::bisect;
 use geneva_kinematics::indexing::Indexing;
@@ -172,7 +172,7 @@ impl<'w, W: Indexing + ?Sized> WheelLoads<'w, W> {
         let radius = |crank: f64| wheel.pin_in_slot(crank).map_or(0.0, |pin| pin.radius);
         let lever = radius(0.0).min(radius(wheel.engagement_half_angle()));
         let taken = friction.pin * friction.pin_radius + friction.wheel_bearing * friction.bearing_factor();
-        if taken >= lever && taken > 0.0 {
+        if is_self_locking(taken, lever) && taken > 0.0 {
             return Err(DynamicsError::SelfLocking { taken, lever });
         }
         Ok(Self { wheel, inertia, inertia_torque, friction, driver_speed: speed })

@@ -95,7 +95,7 @@ impl Sizes {
     /// ```
     pub fn knock(&self) -> Option<Knock> {
         let play = self.dwell_play()?;
-        let entry = |drift: f64| self.drifted_entry(drift);
+        let entry = |drift: f64| self.drifted_entry(0.0, drift);
         let is_driven = |drift: f64| entry(drift).is_some_and(|entry| entry.is_driving_side);
         let centred = entry(0.0)?;
         let [low, _] = bisect_times(HALVINGS, [0.0, play.greatest], is_driven);
@@ -164,18 +164,14 @@ impl Sizes {
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
     /// ```
     pub fn entry(&self, centre_error: f64) -> Option<PinEntry> {
-        self.first_contact(centre_error, 0.0)
+        self.drifted_entry(centre_error, 0.0)
     }
 
     /// Entry of a pin into a wheel that has turned forwards by an angle in radians from the middle of its play, or backwards
-    /// (below zero). `None` if the pin meets nothing of it.
+    /// (below zero), the axes by so many millimetres too far apart. `None` if the pin meets nothing of it.
     ///
     /// In the slot's frame the driver's axis is then at c (cos(α − δ), sin(α − δ)), and the crank angle counts from δ less.
-    pub fn drifted_entry(&self, forwards: f64) -> Option<PinEntry> {
-        self.first_contact(0.0, forwards)
-    }
-
-    fn first_contact(&self, centre_error: f64, drift: f64) -> Option<PinEntry> {
+    pub fn drifted_entry(&self, centre_error: f64, drift: f64) -> Option<PinEntry> {
         let (a, rho, gap) = (self.crank_radius, self.pin_radius(), self.slot_gap());
         let (sin, cos) = libm::sincos(self.wheel.half_pitch_angle());
         let (drift_sin, drift_cos) = libm::sincos(drift);

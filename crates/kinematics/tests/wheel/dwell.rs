@@ -129,7 +129,7 @@ fn without_play_there_is_none_and_without_a_dwell_nothing_is_told() {
 fn a_wheel_that_can_miss_the_pin_is_found() {
     for sizes in wheels() {
         let play = sizes.dwell_play().unwrap();
-        let seen = sizes.drifted_entry(0.9999 * play.greatest).unwrap();
+        let seen = sizes.drifted_entry(0.0, 0.9999 * play.greatest).unwrap();
         let (theta, _) = marched_to_drifted(&sizes, 0.0, 0.9999 * play.greatest).unwrap();
         let beside = sizes.wheel.half_pitch_angle() - 0.9999 * play.greatest;
         let (c, a) = (sizes.centre_distance, sizes.crank_radius);
@@ -149,7 +149,7 @@ fn the_pin_knocks_where_its_path_meets_the_turned_wheel() {
         let (play, knock) = (sizes.dwell_play().unwrap(), sizes.knock().unwrap());
         for share in [-0.9, -0.4, 0.3, 0.6, 0.9] {
             let drift = share * if share > 0.5 { play.greatest } else { play.middle };
-            let found = sizes.drifted_entry(drift).unwrap();
+            let found = sizes.drifted_entry(0.0, drift).unwrap();
             let (theta, rate) = marched_to_drifted(&sizes, 0.0, drift).unwrap();
             approx::assert_relative_eq!(found.crank_angle, theta, epsilon = 2e-5);
             approx::assert_relative_eq!(found.closing_speed, rate, epsilon = 3e-3);
@@ -158,7 +158,7 @@ fn the_pin_knocks_where_its_path_meets_the_turned_wheel() {
         assert_eq!(knock.centred, sizes.entry(0.0).unwrap().closing_speed);
         for step in 0..=1000 {
             let share = f64::from(step) / 1000.0;
-            let speed = |drift: f64| sizes.drifted_entry(drift).unwrap().closing_speed;
+            let speed = |drift: f64| sizes.drifted_entry(0.0, drift).unwrap().closing_speed;
             let within = speed(play.middle * (2.0 * share - 1.0));
             assert!(within <= knock.within * (1.0 + 1e-3), "{within} {knock:?}");
             let drifted = speed(play.greatest * share);

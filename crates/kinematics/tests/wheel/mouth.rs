@@ -131,7 +131,7 @@ fn the_pin_lands_where_its_path_meets_points_of_the_outline() {
         for drift in [-play.middle, 0.0, 0.3 * play.greatest, 0.6 * play.greatest, 0.85 * play.greatest, play.greatest]
         {
             let name = format!("{}, drift {drift}", name(&sizes));
-            let said = sizes.drifted_entry(drift).unwrap();
+            let said = sizes.drifted_entry(0.0, drift).unwrap();
             let (theta, rate) = sampled.first_contact(&sizes, drift).unwrap();
             // At a glancing contact a gap of 2 nm is a longer way.
             let glance = 2e-6 / sizes.crank_radius / said.closing_speed.max(1e-3);

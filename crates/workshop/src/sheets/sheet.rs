@@ -341,7 +341,7 @@ fn limit_notes(view: &View, making: &Making<'_>) -> Vec<String> {
     notes.push(match numbers {
         None => format!("Letters: ISO 286. Frames: ISO 1101. All else: {general}."),
         Some(numbers) => format!(
-            "Process {}: it holds ±{}, and no limit is less. Frames: ISO 1101. All else: {general}.",
+            "Process {}: it holds ±{}, of radii half, and no limit is narrower. Frames: ISO 1101. All else: {general}.",
             numbers.process.name(),
             mm(whole_micrometres(numbers.error.value))
         ),

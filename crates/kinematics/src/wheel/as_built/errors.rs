@@ -15,7 +15,9 @@ pub enum BuiltError {
     },
     /// A direction that is half a pitch or more off, or not finite.
     #[error(
-        "{name} {asked} rad off: it must be within {most:.4} rad, half a pitch, of its right place; count the slots again"
+        "{name} {:.2}° off: it must be within {:.2}°, half a pitch, of its right place; count the slots again",
+        .asked.to_degrees(),
+        .most.to_degrees()
     )]
     Direction {
         /// Which direction.

@@ -3,7 +3,10 @@
 //! Notation: a crank radius, c centre distance, b wheel radius to the pin's centre at entry, p pin diameter, z radius of the disc,
 //! α half the angle between slots. In a right wheel the triangle of both axes and the pin at entry has its right angle at the pin.
 
+use super::contact::BuiltContact;
 use super::measured::{MeasuredSize, MeasuredWheel};
+use super::nearest::NearestWheel;
+use super::turn::{BuiltTurn, Jam};
 use crate::indexing::Indexing;
 
 /// A wrong formula.
@@ -85,8 +88,18 @@ const WITHIN: f64 = 3.0;
 /// Part of the centre distance by which a size is wrong for certain, dimensionless: our choice.
 const WRONG: f64 = 0.01;
 
+/// Whether a crescent contradicts the other sizes, or meets the horns.
+fn is_crescent_wrong(nearest: &NearestWheel, jam: Option<&Jam>) -> bool {
+    let is_crescent = |size| matches!(size, MeasuredSize::CrescentCentre | MeasuredSize::CrescentRadius);
+    let mut culprits = nearest.culprit.iter().chain(&nearest.further_culprits);
+    let is_met =
+        |jam: &Jam| [jam.free.backward, jam.free.forward].iter().any(|of| of.contact == BuiltContact::Crescent);
+    culprits.any(|culprit| is_crescent(culprit.size)) || jam.is_some_and(is_met)
+}
+
 impl MeasuredWheel {
-    /// The wrong formulas that give the measured sizes, the most telling first.
+    /// The wrong formulas that give the measured sizes, the most telling first: none unless the sizes contradict the nearest right wheel,
+    /// or jam as they were measured. A right wheel may have a size of a wrong formula by chance.
     ///
     /// ```
     /// use geneva_kinematics::wheel::Wheel;
@@ -95,10 +108,24 @@ impl MeasuredWheel {
     /// let mut measured = MeasuredWheel::new(Wheel::new(6)?);
     /// measured.add(MeasuredSize::CrankRadius, 25.0, 0.02)?; // mm
     /// measured.add(MeasuredSize::CentreDistance, 28.87, 0.02)?; // 25 mm over the cosine of 30°
-    /// assert_eq!(measured.known_mistakes(), [KnownMistake::CosineForSine]);
+    /// let nearest = measured.nearest()?;
+    /// let turn = measured.as_built(&nearest).turn()?;
+    /// assert_eq!(measured.known_mistakes(&nearest, Some(&turn)), [KnownMistake::CosineForSine]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn known_mistakes(&self) -> Vec<KnownMistake> {
+    pub fn known_mistakes(&self, nearest: &NearestWheel, turn: Option<&BuiltTurn>) -> Vec<KnownMistake> {
+        let jam = turn.and_then(|turn| turn.jam.as_ref());
+        let contradicts = nearest.culprit.is_some() || jam.is_some();
+        self.fitting_mistakes()
+            .into_iter()
+            .filter(|mistake| {
+                contradicts && (*mistake != KnownMistake::CrescentAboutWheelAxis || is_crescent_wrong(nearest, jam))
+            })
+            .collect()
+    }
+
+    /// The wrong formulas that give the measured sizes, whether these contradict each other or not.
+    fn fitting_mistakes(&self) -> Vec<KnownMistake> {
         let mean = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
         let spread = self.sizes().iter().filter(|of| !matches!(of.size, MeasuredSize::SlotDirection(_)));
         let uncertainty = spread.map(|of| of.uncertainty).fold(0.0, f64::max);

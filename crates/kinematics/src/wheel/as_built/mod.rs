@@ -8,6 +8,7 @@ mod assemblies;
 mod blow;
 mod claw;
 mod contact;
+mod designed_wheel;
 mod errors;
 mod free_angles;
 mod measured;

@@ -88,7 +88,7 @@ impl MeasuredWheel {
     ///
     /// [`MeasuredError::NoScale`] where nothing tells how large the wheel is.
     pub fn nearest(&self) -> Result<NearestWheel, MeasuredError> {
-        let fitted = self.fit(self.start()?);
+        let fitted = self.nearest_fit()?;
         let (found, kept, (free, left)) = self.contradictions(fitted);
         let rest = self.only(&kept);
         let right = Right { wheel: self.wheel(), free };
@@ -140,6 +140,26 @@ impl MeasuredWheel {
         })
     }
 
+    /// The fit to all measurements: the design that is nearest, if that does, and otherwise any right wheel.
+    fn nearest_fit(&self) -> Result<(Free, f64), MeasuredError> {
+        let start = self.start()?;
+        let designed = self.designed(start[0]).map(|free| (free, self.sum_of_squares(&free)));
+        match designed.filter(|(_, sum)| self.is_agreeing(*sum)) {
+            Some(designed) => Ok(designed),
+            None => {
+                let fitted = self.fit(start);
+                let again = designed.map(|(free, _)| self.fit(free)).filter(|again| again.1 < fitted.1);
+                Ok(again.unwrap_or(fitted))
+            }
+        }
+    }
+
+    /// Whether a sum of squares is so small that nothing contradicts: no measurement can take more away than there is.
+    fn is_agreeing(&self, sum: f64) -> bool {
+        let count = self.sizes().len();
+        sum <= single_limit(count).min(limit(count))
+    }
+
     /// The numbers of the culprits and of the other measurements, and the fit to these.
     fn contradictions(&self, fitted: (Free, f64)) -> (Vec<usize>, Vec<usize>, (Free, f64)) {
         let mut kept: Vec<usize> = (0..self.sizes().len()).collect();
@@ -160,6 +180,11 @@ impl MeasuredWheel {
                 (kept, best) = (with, again);
             }
         }
+        // What the rest leaves open is as a design has it.
+        if !found.is_empty() {
+            let rest = self.only(&kept);
+            best = rest.nearest_fit().ok().filter(|again| rest.is_agreeing(again.1)).unwrap_or(best);
+        }
         (found, kept, best)
     }
 
@@ -167,8 +192,7 @@ impl MeasuredWheel {
     fn worst(&self, fitted: (Free, f64)) -> Option<(usize, (Free, f64))> {
         let count = self.sizes().len();
         let most = single_limit(count);
-        // No measurement can take more away than there is.
-        if fitted.1 <= most.min(limit(count)) {
+        if self.is_agreeing(fitted.1) {
             return None;
         }
         let without = (0..count).map(|index| (index, self.fit_without(index, fitted.0)));
@@ -178,7 +202,12 @@ impl MeasuredWheel {
             let off = (of.value - Right { wheel: self.wheel(), free: *free }.size(of.size)) / of.uncertainty;
             off * off >= SHARE * (fitted.1 - sum)
         };
-        let best = without.filter(is_cause).min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
+        let causes: Vec<(usize, (Free, f64))> = without.filter(is_cause).collect();
+        let best = *causes.iter().min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
+        // Of two that do equally well, the place of the axes is the easier one to mend.
+        let is_as_good = |cause: &(usize, (Free, f64))| cause.1.1 - best.1.1 < TIE * (fitted.1 - best.1.1);
+        let of_axes = causes.iter().filter(|cause| self.sizes()[cause.0].size == MeasuredSize::CentreDistance);
+        let best = of_axes.copied().find(is_as_good).unwrap_or(best);
         (fitted.1 > limit(count) || fitted.1 - best.1.1 > most).then_some(best)
     }
 
@@ -224,6 +253,9 @@ impl MeasuredWheel {
 /// A culprit is off by at least this part of what the sum of squares falls without it, as a square: our choice, one in a linear fit.
 const SHARE: f64 = 0.5;
 
+/// Of what the culprit takes away, the part by which a second one may take less and still do equally well: our choice.
+const TIE: f64 = 1e-3;
+
 /// Suspects leave no more than this part of what the culprit takes away: our choice.
 const SUSPECT: f64 = 0.02;
 
@@ -261,7 +293,19 @@ const SHORTEST_DWELL: f64 = 1e-9;
 
 impl AsBuiltWheel {
     /// Sets a size, in millimetres, or radians for a direction; of all slots or arcs if none is named.
-    fn set(&mut self, size: MeasuredSize, value: f64) {
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize};
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?;
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// built.set(MeasuredSize::SlotWidth(Some(2)), 8.0); // mm
+    /// assert_eq!(built.slots()[2].width, 8.0);
+    /// assert_eq!(built.slots()[1].width, sizes.slot_width);
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn set(&mut self, size: MeasuredSize, value: f64) {
         let is_meant = |k: usize| size.number().is_none_or(|number| number == k);
         match size {
             MeasuredSize::CentreDistance => self.centre_distance = value,

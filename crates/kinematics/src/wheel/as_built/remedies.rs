@@ -32,6 +32,9 @@ const MOST: f64 = 0.4;
 const STEPS: u32 = 16;
 const HALVINGS: u32 = 16;
 
+/// By how much more of a change the wheel must turn, too, over the change: our choice.
+const MORE: f64 = 0.05;
+
 impl AsBuiltWheel {
     /// The single changes with which a wheel that jams turns, the least first; none for one that turns. Changes of up to 0.4 of the
     /// pin's diameter are tried.
@@ -62,19 +65,21 @@ impl AsBuiltWheel {
             .iter()
             .filter_map(|(size, sign)| {
                 // A change that makes a size impossible is none.
-                let jams = |by: f64| !self.changed(*size, sign * by).turns().unwrap_or(false);
+                let jams = |by: f64| !self.changed(SizeChange { size: *size, by: sign * by }).turns().unwrap_or(false);
                 let at = |k: u32| most * f64::from(k) / f64::from(STEPS);
                 let first = (1..=STEPS).find(|k| !jams(at(*k)))?;
                 let [_, by] = bisect_times(HALVINGS, [at(first - 1), at(first)], jams);
-                Some(SizeChange { size: *size, by: sign * by })
+                // A maker takes a little more, for play.
+                (!jams(by * (1.0 + MORE))).then_some(SizeChange { size: *size, by: sign * by })
             })
             .collect();
         found.sort_by(|one, other| one.by.abs().total_cmp(&other.by.abs()));
         Ok(found)
     }
 
-    /// The wheel with all sizes of a kind changed by as much, in millimetres.
-    fn changed(&self, size: MeasuredSize, by: f64) -> Self {
+    /// The wheel with all sizes of a kind changed by as much.
+    #[must_use]
+    pub fn changed(&self, SizeChange { size, by }: SizeChange) -> Self {
         let mut other = self.clone();
         match size {
             MeasuredSize::CentreDistance => other.centre_distance += by,

@@ -7,6 +7,7 @@
 
 use super::errors::MeasuredError;
 use super::measured::{MeasuredSize, MeasuredWheel};
+use super::process::{Process, ProcessNumbers};
 use crate::indexing::Indexing;
 use crate::wheel::{Choices, Play, Scale, Sizes, SizesError, Wheel};
 use nalgebra::{SMatrix, SVector};
@@ -66,23 +67,31 @@ impl Right<'_> {
         }
     }
 
-    /// The soft conditions, each over its uncertainty: zero where it holds.
-    fn conditions(&self, shallowest: f64) -> [f64; 5] {
+    /// The soft conditions, each over its uncertainty: zero where it holds. Slot and arc may be `loose` where both partners of a play
+    /// are measured: what is only loose contradicts nothing.
+    fn conditions(&self, shallowest: f64, loose: [bool; 2]) -> [f64; 5] {
         let [a, pin, slot, end, arc, disc, cut]: [f64; FREE] = self.free.into();
         let outside = |value: f64, least: f64, most: f64| value - value.max(least).min(most);
-        let ordinary = |play: f64| {
-            let off = outside(play, 0.0, ORDINARY_PLAY * pin);
+        let greatest = (ORDINARY_PLAY * pin).max(coarsest_play(self.centre_distance()));
+        let ordinary = |play: f64, is_loose: bool| {
+            let off = outside(play, 0.0, if is_loose { f64::INFINITY } else { greatest });
             off / (pin * if off < 0.0 { TIGHT_UNCERTAINTY } else { PLAY_UNCERTAINTY })
         };
         let deepest = self.centre_distance() - a;
         [
-            ordinary(slot - pin),
-            ordinary(2.0 * (arc - disc)),
+            ordinary(slot - pin, loose[0]),
+            ordinary(2.0 * (arc - disc), loose[1]),
             outside(deepest - end, 0.0, ORDINARY_DEPTH * pin) / (WIDE_UNCERTAINTY * pin),
             outside(a - slot / 2.0 - arc, LEAST_HORN * pin, f64::INFINITY) / (WIDE_UNCERTAINTY * pin),
             (cut - shallowest) / (CRESCENT_UNCERTAINTY * pin),
         ]
     }
+}
+
+/// The play in millimetres that the coarsest process takes for axes at this distance, in millimetres; zero for what is no distance.
+fn coarsest_play(centre_distance: f64) -> f64 {
+    let of = |process| ProcessNumbers::new(process, centre_distance).map_or(0.0, |numbers| numbers.slot_play.value);
+    Process::ALL.into_iter().map(of).fold(0.0, f64::max)
 }
 
 impl MeasuredWheel {
@@ -133,7 +142,12 @@ impl MeasuredWheel {
     fn rows(&self, free: &Free, shallowest: f64) -> Vec<f64> {
         let right = Right { wheel: self.wheel(), free: *free };
         let measured = self.sizes().iter().map(|of| (right.size(of.size) - of.value) / of.uncertainty);
-        measured.chain(right.conditions(shallowest)).collect()
+        let has = |is_it: fn(MeasuredSize) -> bool| self.sizes().iter().any(|of| is_it(of.size));
+        let loose = [
+            has(|size| size == MeasuredSize::PinDiameter) && has(|size| matches!(size, MeasuredSize::SlotWidth(_))),
+            has(|size| size == MeasuredSize::DiscRadius) && has(|size| matches!(size, MeasuredSize::ArcRadius(_))),
+        ];
+        measured.chain(right.conditions(shallowest, loose)).collect()
     }
 
     /// The normal matrix and the gradient of half the sum of squares.
@@ -156,6 +170,11 @@ impl MeasuredWheel {
         let variance = gradient.dot(&normal.cholesky()?.solve(&gradient));
         let uncertainty = variance.max(0.0).sqrt();
         (uncertainty < OPEN * free[1]).then_some(uncertainty)
+    }
+
+    /// The sum of the squares of the residuals and the soft conditions.
+    pub(super) fn sum_of_squares(&self, free: &Free) -> f64 {
+        self.rows(free, usual_cut(self.wheel(), free)).iter().map(|row| row * row).sum()
     }
 
     /// The least sum of squares from a beginning.

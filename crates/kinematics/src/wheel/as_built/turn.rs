@@ -59,6 +59,8 @@ pub struct StationTurn {
     pub station_error: f64,
     /// Whether the wheel can stand so in the dwell that the next pin meets its rim beside the slot: it then jams or loses an index.
     pub can_miss: bool,
+    /// Whether something holds the wheel in the middle of the dwell, to less than a pitch.
+    pub is_held: bool,
     /// The blow with which the pin comes in; none where it meets nothing.
     pub entry: Option<BuiltBlow>,
 }
@@ -83,6 +85,34 @@ impl BuiltTurn {
     /// The greatest of all blows, over the pin's speed, dimensionless; zero without any.
     pub fn greatest_blow(&self) -> f64 {
         self.stations.iter().filter_map(|station| station.entry).map(|entry| entry.greatest).fold(0.0, f64::max)
+    }
+
+    /// Whether a pin meets no part of the wheel.
+    pub fn misses(&self) -> bool {
+        self.stations.iter().any(|station| station.entry.is_none())
+    }
+
+    /// Whether the driver turns the wheel: nothing jams, each pin meets its slot, and between two pins something holds the wheel.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?;
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// assert!(built.turn()?.is_driven());
+    /// built.centre_distance = 80.0; // mm instead of 50 mm: nothing jams, but the pin passes outside the rim
+    /// let turn = built.turn()?;
+    /// assert!(turn.jam.is_none() && turn.misses() && !turn.is_driven());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_driven(&self) -> bool {
+        self.jam.is_none() && !self.misses() && self.is_held()
+    }
+
+    /// Whether something holds the wheel between two pins, at every station.
+    pub fn is_held(&self) -> bool {
+        self.stations.iter().all(|station| station.is_held)
     }
 
     /// Whether the wheel can miss a pin.
@@ -294,6 +324,7 @@ impl Assembled<'_> {
             greatest_dwell_backlash: greatest.max(rest.width()),
             station_error: rest.middle() - self.half_pitch,
             can_miss: self.can_miss(event),
+            is_held: rest.width() < 2.0 * self.half_pitch,
             entry: self.entry_blow(event),
         }
     }

@@ -114,7 +114,8 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
         for (size, value) in sizes {
             measured.add(*size, *value, 0.02).unwrap();
         }
-        measured.known_mistakes()
+        let nearest = measured.nearest().unwrap();
+        measured.known_mistakes(&nearest, measured.as_built(&nearest).turn().ok().as_ref())
     };
     use MeasuredSize::{
         CentreDistance, CrankRadius, CrescentCentre, CrescentRadius, DiscRadius, PinDiameter, TipRadius,
@@ -131,10 +132,15 @@ fn wheels_by_wrong_formulas_are_recognised_and_right_ones_are_not() {
         let c = a / half.sin();
         assert_eq!(wheel(stations, &[(CentreDistance, c), (TipRadius, b - 3.0)]), [KnownMistake::ShortRim]);
     }
-    // The school project: four slots, wheel radius 12 mm, pin 3 mm; and a crescent of the wheel's radius about its axis.
-    assert_eq!(wheel(4, &[(CrankRadius, 12.0), (PinDiameter, 3.0), (DiscRadius, 6.80)]), [KnownMistake::PinToThePower]);
+    // The school project: four slots, wheel radius 12 mm, pin 3 mm, stop arc 6.80 mm, and a cut of the wheel's radius and 0.2 mm
+    // about the wheel's axis. A disc of that size alone is right: its horns are only thick.
+    let arc = [(CrankRadius, 12.0), (PinDiameter, 3.0), (DiscRadius, 6.80)];
+    assert!(wheel(4, &arc).is_empty());
+    let project = [&arc[..], &[(TipRadius, 12.1), (CrescentCentre, 16.97), (CrescentRadius, 12.2)]].concat();
+    assert_eq!(wheel(4, &project), [KnownMistake::PinToThePower, KnownMistake::CrescentAboutWheelAxis]);
     assert!(wheel(4, &[(CrankRadius, 12.0), (PinDiameter, 3.0), (DiscRadius, 7.5)]).is_empty());
-    let cut = [(CrankRadius, 25.0), (TipRadius, 25.2), (CrescentCentre, 35.36), (CrescentRadius, 25.3)];
+    let cut =
+        [(CrankRadius, 25.0), (TipRadius, 25.2), (DiscRadius, 17.0), (CrescentCentre, 35.36), (CrescentRadius, 25.3)];
     assert_eq!(wheel(4, &cut), [KnownMistake::CrescentAboutWheelAxis]);
     for stations in [3, 4, 6, 9] {
         let sizes = sized(stations, 1, &Choices::default());

@@ -5,5 +5,6 @@ mod measured;
 mod others;
 mod points;
 mod process;
+mod some_sizes;
 mod sweep;
 mod yields;
