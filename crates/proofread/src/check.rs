@@ -172,7 +172,8 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
-    for at in check.unmended.of_a_misread_document(&check.report.tally) {
+    let tally = &check.report.tally;
+    for at in check.unmended.of_a_misread_document(tally.differing_pairs(), tally.pairs) {
         let finding = &mut check.report.findings[at];
         if finding.doubt.is_none() {
             demote_to_doubt(finding, Doubt::Frequent);

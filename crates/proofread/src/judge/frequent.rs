@@ -1,10 +1,7 @@
 //! Documents of which so much differs that they are more likely misread than wrong.
 //!
 //! Misprints are rare: where a third of the sums of a document come out otherwise, it computes in another arithmetic, or its lines belong
-//! together in another way. At the fifteenth first contact with texts of mathematics, none of the flags in such documents was real.
-
-use crate::judge::chain_verdict::ChainVerdict;
-use crate::tell::tally::CheckTally;
+//! together in another way. At the fifteenth first contact, none of the flags in such texts of mathematics was real, and one in a text of computing.
 
 /// The fewest pairs that must differ.
 const LEAST: usize = 6;
@@ -21,11 +18,9 @@ impl UnmendedFindings {
         self.0.push(finding);
     }
 
-    /// The findings that count as misread, after all of a document was compared.
-    pub(crate) fn of_a_misread_document(self, tally: &CheckTally) -> Vec<usize> {
-        let differing = [ChainVerdict::LastDigit, ChainVerdict::Inconsistent, ChainVerdict::Dimensions];
-        let differing: usize = differing.into_iter().map(|verdict| tally.pairs_with(verdict)).sum();
-        let is_misread = differing >= LEAST && differing as f64 >= SHARE * tally.pairs as f64;
+    /// The findings that count as misread, if so many of the compared pairs of a document differ.
+    pub(crate) fn of_a_misread_document(self, differing: usize, compared: usize) -> Vec<usize> {
+        let is_misread = differing >= LEAST && differing as f64 >= SHARE * compared as f64;
         if is_misread { self.0 } else { Vec::new() }
     }
 }

@@ -46,6 +46,12 @@ impl CheckTally {
         self.verdicts[verdict as usize]
     }
 
+    /// Pairs that differ in their numbers, also those that are set aside.
+    pub(crate) fn differing_pairs(&self) -> usize {
+        let differing = [ChainVerdict::LastDigit, ChainVerdict::Inconsistent, ChainVerdict::Dimensions];
+        differing.into_iter().map(|verdict| self.pairs_with(verdict)).sum()
+    }
+
     /// Adds the counts of another document.
     ///
     /// ```
