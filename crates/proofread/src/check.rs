@@ -6,10 +6,12 @@ use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides;
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
+use crate::judge::money::has_several_currencies;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -277,7 +279,7 @@ impl DocumentCheck<'_> {
         let last = chains.len().saturating_sub(1);
         let false_from = place_of_denial(&formula.tokens);
         for (at, chain) in chains.iter().enumerate() {
-            let with_units = units_in_letters(chain);
+            let with_units = units_in_letters(chain).or_else(|| without_counted_nouns(chain));
             let chain = with_units.as_ref().unwrap_or(chain);
             if !numeric(&chain) {
                 self.before = None;
@@ -389,6 +391,9 @@ impl DocumentCheck<'_> {
         if !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right) {
             self.compare_matrices(chain, formula, [left, right], relation);
             return None;
+        }
+        if has_several_currencies([left, right]) {
+            return Some(Obstacle::Unclear("several currencies"));
         }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {

@@ -10,6 +10,7 @@ mod chains;
 mod command;
 mod commas;
 mod conventions;
+mod counted;
 mod definitions;
 mod directives;
 mod doubts;

@@ -19,13 +19,13 @@ fn different(text: &str, format: TextFormat) -> usize {
 
 #[test]
 fn nothing_right_is_listed_of_a_page_and_what_stays_on_its_line_is_checked() {
-    for (right, wrong) in RIGHT.into_iter().zip(WRONG) {
+    for ((right, wrong), listed_wrong) in RIGHT.into_iter().zip(WRONG).zip([21, 20]) {
         assert_eq!(listed(right, TextFormat::Plain), [""; 0]);
         let found = listed(wrong, TextFormat::Plain);
         for result in ["13.8", "418", "3.5", "19", "0.609", "38.5 %", "14 m", "12 m/s", "21.12", "44", "18"] {
             assert!(found.iter().any(|of| of == result), "{result}: {found:?}");
         }
-        assert_eq!(found.len(), 19, "{found:#?}");
+        assert_eq!(found.len(), listed_wrong, "{found:#?}");
     }
 }
 

@@ -6,6 +6,7 @@ use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::money::has_money;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::{UnitDimension, is_percent, unit, without_prefix};
@@ -195,8 +196,7 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
         return true;
     }
     // A price.
-    let money = |tokens: &[Token]| has_word(tokens, &["$", "cents"]);
-    if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
+    if has_money(left) != has_money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {

@@ -2,6 +2,7 @@
 
 mod bracket_symbols;
 pub(crate) mod chain_verdict;
+pub(crate) mod counted_nouns;
 pub(crate) mod denial;
 pub(crate) mod doubt;
 mod equals_conventions;
@@ -9,6 +10,7 @@ pub(crate) mod explanation;
 mod flattened;
 pub(crate) mod letter_units;
 mod lost_digits;
+pub(crate) mod money;
 mod notation;
 mod number_marks;
 mod other_arithmetic;

@@ -4,7 +4,7 @@ use super::tags::decode_entities;
 use super::words::tokenise_words;
 use super::{Formula, FormulaSink, FormulaStyle};
 use crate::token::{MathFunction, SourceChar, Span, TOO_LONG, Token, TokenKind, signs};
-use crate::unit::{is_percent, unit};
+use crate::unit::{currency, is_percent, unit};
 use std::ops::Range;
 
 /// Longest line that is read, in bytes.
@@ -350,6 +350,7 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 {
                     TokenKind::Function(function)
                 } else if is_column
+                    || (before_number && currency(&word).is_some())
                     || (follows_unit
                         && unit(&word).is_some()
                         && (touching || closes || !PROSE.contains(&word.as_str())))
@@ -366,7 +367,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     } else {
                         TokenKind::Unknown(word)
                     }
-                } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
+                } else if before.is_some_and(|of| of.number().is_some() || (of.is_sign(')') && before_equals))
+                    && is_noun(&word)
+                {
                     // What is counted has no unit that is known.
                     TokenKind::Word(word)
                 } else {
