@@ -44,6 +44,7 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod sarif;
+mod silent;
 #[cfg(feature = "cli")]
 mod since;
 #[cfg(feature = "cli")]

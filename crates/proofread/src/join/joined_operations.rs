@@ -144,7 +144,8 @@ fn repeated(start: &str, period: &str) -> String {
     format!("{start}{more}")
 }
 
-/// Decimals that go on with dots: with a period that is printed twice they are known to the end.
+/// Decimals that go on with dots: with a period that makes up all of them twice, or is printed three times, they are known to the end. Two
+/// last digits that are equal say nothing: 1/17 is 0.0588…
 fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
     let first = rest.first()?;
     let number = first.number().filter(|digits| digits.contains('.') && !digits.contains('…'))?;
@@ -167,8 +168,13 @@ fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
     }
     let (_, decimals) = number.split_once('.')?;
     let repeats = |length: usize| {
-        let Some(start) = decimals.len().checked_sub(2 * length) else { return false };
-        decimals[start..start + length] == decimals[start + length..]
+        let times = |count: usize| {
+            let start = decimals.len().checked_sub(count * length);
+            start.is_some_and(|start| {
+                decimals[start..].bytes().zip(decimals[start + length..].bytes()).all(|(a, b)| a == b)
+            })
+        };
+        times(3) || (times(2) && decimals.len() == 2 * length)
     };
     let written = match (1..=6).find(|length| repeats(*length)) {
         Some(length) => repeated(number, &decimals[decimals.len() - length..]),

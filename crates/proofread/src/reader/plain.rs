@@ -109,6 +109,31 @@ fn is_code(line: &str) -> bool {
     ["==", "!=", "<=", ">=", ":=", "=>", "+=", "-=", "|=", "=\"", "='", "();"].iter().any(|sign| line.contains(sign))
 }
 
+/// Whether code in a line of text is nothing but arithmetic: `7 * 6 = 42`, but not `i = 0`, `7 // 2 = 3` or `1010 + 1 = 1011`.
+pub(super) fn is_arithmetic(code: &str) -> bool {
+    /// Most digits behind a point; a program that prints more shows what floating point is like.
+    const MOST_DECIMALS: usize = 10;
+    let is_sign = |c: char| c.is_ascii_digit() || " .,=()+-−*/×·÷≈".contains(c);
+    let numbers = || code.split(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | ',')).filter(|of| !of.is_empty());
+    let has_leading_zero = |of: &str| of.len() > 1 && of.starts_with('0') && !of.starts_with("0.");
+    let is_binary = |of: &str| of.chars().all(|c| matches!(c, '0' | '1'));
+    let decimals = |of: &str| of.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let computes =
+        code.contains(['+', '*', '×', '·', '÷', '−']) || code.trim_start_matches([' ', '-']).contains(['-', '/']);
+    code.contains('=')
+        && computes
+        && code.chars().all(is_sign)
+        && !is_code(code)
+        && !code.contains("//")
+        && !numbers().any(|of| has_leading_zero(of) || decimals(of) > MOST_DECIMALS)
+        && !(numbers().all(is_binary) && numbers().any(|of| of.len() > 2))
+}
+
+/// Reads code in a line of text that is nothing but arithmetic.
+pub(super) fn read_code(code: &str, base: usize, each: &mut FormulaSink<'_>) {
+    line_of(code, base, false, each);
+}
+
 /// Reads a line, or the piece of one that `starts` it or does not.
 fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
     if is_code(line) {
@@ -132,6 +157,7 @@ fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
 fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
     const SET_OFF: [&str; 11] = ["b", "strong", "i", "em", "u", "span", "font", "small", "big", "mark", "ins"];
     let decoded = if line.contains('&') { decode_entities(line, base) } else { signs(line, base) };
+    let decoded = if line.contains("](") { without_link_marks(&decoded) } else { decoded };
     if !line.contains('<') {
         return decoded;
     }
@@ -156,6 +182,39 @@ fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
         };
         out.extend(script.iter().map(|c| SourceChar { c: *c, span: sign.span }));
         at += end.unwrap_or(0) + 1;
+    }
+    out
+}
+
+/// The characters of a line without the marks of its links and images in Markdown, `[` and `](address)`.
+fn without_link_marks(signs: &[SourceChar]) -> Vec<SourceChar> {
+    let (mut out, mut open): (Vec<SourceChar>, Vec<usize>) = (Vec::with_capacity(signs.len()), Vec::new());
+    let mut at = 0;
+    while let Some(sign) = signs.get(at) {
+        let is_next = |c: char| signs.get(at + 1).is_some_and(|next| next.c == c);
+        match sign.c {
+            '[' => open.push(out.len()),
+            ']' => {
+                let from = open.pop();
+                let end = signs[at..].iter().position(|sign| sign.c == ')').filter(|_| is_next('('));
+                // What is in the brackets is no factor.
+                let is_address = |end: &usize| {
+                    let inside = &signs[at + 2..at + end];
+                    inside.iter().any(|sign| sign.c.is_alphabetic() || "#/".contains(sign.c))
+                };
+                if let (Some(from), Some(end)) = (from, end.filter(is_address)) {
+                    out.remove(from);
+                    if from.checked_sub(1).is_some_and(|mark| out[mark].c == '!') {
+                        out.remove(from - 1);
+                    }
+                    at += end + 1;
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        out.push(*sign);
+        at += 1;
     }
     out
 }
