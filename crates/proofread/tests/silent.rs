@@ -89,3 +89,18 @@ fn a_word_for_a_large_number_before_a_currency_may_count_the_other_side() {
     assert_eq!(wrong("So 40 − 15 = 25 thousand dollars.", TextFormat::Markdown), [""; 0]);
     assert_eq!(wrong("So 40 − 15 = 27 thousand dollars.", TextFormat::Markdown).len(), 1);
 }
+
+#[test]
+fn a_sum_of_fractions_is_not_rounded_to_zero() {
+    let found = |text: &str| {
+        let options = CheckOptions::default();
+        let findings = proofread(text, TextFormat::Markdown, options).expect("it can be read").findings;
+        findings.iter().map(|of| of.section.name()).collect::<Vec<_>>()
+    };
+    assert_eq!(found("$1/5 - 1/2 = 0$"), ["numbers"]);
+    assert_eq!(found(r"$\frac13 + \frac16 - \frac12 = 0$"), [""; 0]);
+    assert_eq!(found(r"$\sqrt{2} \cdot \sqrt{2} - 2 = 0$"), [""; 0]);
+    // An integer division.
+    assert_eq!(found("$1/4 = 0$"), ["doubts"]);
+    assert_eq!(found(r"$0.3 - 1/4 = 0$, $1/5 - 1/2 \approx 0$"), [""; 0]);
+}
