@@ -104,3 +104,25 @@ fn a_sum_of_fractions_is_not_rounded_to_zero() {
     assert_eq!(found("$1/4 = 0$"), ["doubts"]);
     assert_eq!(found(r"$0.3 - 1/4 = 0$, $1/5 - 1/2 \approx 0$"), [""; 0]);
 }
+
+#[test]
+fn a_chain_goes_on_in_the_next_line() {
+    for format in [TextFormat::Markdown, TextFormat::Plain] {
+        holds_and_fails("For all of the pumps it is 31 × 7 =\nRESULT hours in all.", "217", "218", format);
+        holds_and_fails(
+            "All of these are one product, 1.21 × 2.50 ×\n4 × 2.10 = RESULT, as told.",
+            "25.41",
+            "75.41",
+            format,
+        );
+        holds_and_fails("All of these are one product, 12 × 25\n× 4 = RESULT, as told.", "1200", "1300", format);
+    }
+    // What stands in short lines, in lists or below a heading is not one line.
+    for text in [
+        "We know 1.5 + 2 =\n7\n2",
+        "A heading of 3 lamps for 12 pumps\n===\n4 = 4",
+        "The pumps of the house number 12 +\n- 4 + 4 = 8",
+    ] {
+        assert_eq!(wrong(text, TextFormat::Plain), [""; 0], "{text}");
+    }
+}

@@ -15,10 +15,20 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
     let mut skipped = skip.iter().peekable();
     let mut start = 0;
     let mut has_open_tables = None;
-    for line in text.split_inclusive('\n') {
-        let whole = start..start + line.len();
-        start = whole.end;
+    let mut lines = text.split_inclusive('\n').peekable();
+    while let Some(line) = lines.next() {
+        let mut whole = start..start + line.len();
         while skipped.next_if(|range| range.end <= whole.start).is_some() {}
+        // A chain that goes on in the next line.
+        let next_skipped = skipped.peek().map_or(text.len(), |range| range.start);
+        while let Some(next) = lines.next_if(|next| {
+            let end = whole.end + next.len();
+            end <= next_skipped && end - whole.start <= LONGEST && goes_on_in(&text[whole.clone()], next)
+        }) {
+            whole.end += next.len();
+        }
+        start = whole.end;
+        let line = &text[whole.clone()];
         // What is between the stretches to skip.
         let mut from = whole.start;
         let mut pieces = Vec::new();
@@ -64,6 +74,24 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
             }
         }
     }
+}
+
+/// Whether a chain at the end of a full line goes on in the next line, since a sign of a sum, a product or an equation stands at the break.
+fn goes_on_in(line: &str, next: &str) -> bool {
+    /// Characters from which on a line is full: pieces of a formula in lines of their own are shorter.
+    const FULL: usize = 30;
+    const BREAKS: [char; 8] = ['=', '≈', '+', '×', '·', '−', '/', '*'];
+    let (line, next) = (line.trim(), next.trim());
+    let last = line.rsplit('\n').next().unwrap_or(line);
+    let is_full = last.chars().count() >= FULL && next.split_whitespace().nth(1).is_some();
+    let is_text = |of: &str| !of.contains('|') && !of.starts_with(['#', '>', '<', '`', '~', ':', '+', '-', '*']);
+    let ends = last.strip_suffix(BREAKS).is_some_and(|rest| {
+        rest.ends_with(' ') && rest.trim_end().ends_with(|c: char| c.is_alphanumeric() || "%°²³)".contains(c))
+    });
+    let begins = next.strip_prefix(['=', '≈', '×', '·']).is_some_and(|rest| rest.starts_with(' '));
+    let has_digit = |of: &str| of.contains(|c: char| c.is_ascii_digit());
+    let ends = ends && next.starts_with(|c: char| c.is_ascii_digit() || "(√".contains(c));
+    is_full && is_text(last) && is_text(next) && has_digit(last) && has_digit(next) && (ends || begins)
 }
 
 /// Whether a line is a row of a table in Markdown, with a sign at both ends and between its cells.
