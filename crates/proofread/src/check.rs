@@ -19,7 +19,9 @@ use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::named_counts::NamedCounts;
 use crate::order::sort_by_place;
-use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
+use crate::reader::{
+    self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText, without_shortcodes,
+};
 use crate::tell::finding::ChainFinding;
 use crate::tell::hint::{self, HintSearch};
 use crate::tell::tally::CheckTally;
@@ -133,6 +135,8 @@ const MOST_HINTS: usize = 300;
 /// ```
 pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
+    let shown = if format == TextFormat::Markdown { without_shortcodes(text) } else { None };
+    let text = shown.as_deref().unwrap_or(text);
     let lines = reader::running_text(text, format, options.definitions);
     let mut check = DocumentCheck {
         text,

@@ -126,3 +126,10 @@ fn a_chain_goes_on_in_the_next_line() {
         assert_eq!(wrong(text, TextFormat::Plain), [""; 0], "{text}");
     }
 }
+
+#[test]
+fn shortcodes_of_hugo_are_no_part_of_a_formula() {
+    holds_and_fails("It remains {{< math >}}$ 9 - 5 = RESULT ${{< /math >}}.", "4", "3", TextFormat::Markdown);
+    holds_and_fails("Text.\n\n{{< math >}}$9 - 5 = RESULT${{< /math >}}", "4", "3", TextFormat::Markdown);
+    holds_and_fails("So:\n\n$\n2^5 = RESULT \\\\\n$\n", "32", "31", TextFormat::Markdown);
+}
