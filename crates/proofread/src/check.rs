@@ -12,6 +12,8 @@ use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
 use crate::judge::money::has_several_currencies;
+use crate::judge::number_columns;
+use crate::judge::running_calculation::runs_on;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -406,6 +408,10 @@ impl DocumentCheck<'_> {
                 return None;
             }
         }
+        if let Some([left, right]) = number_columns::as_columns([left, right]) {
+            self.compare_matrices(chain, formula, [&left, &right], relation);
+            return None;
+        }
         let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
         let has_result = |(_, right): &&(SideValue, SideValue)| free && right.is_literal();
         let values = judgement.values.as_ref().filter(has_result).cloned();
@@ -498,7 +504,11 @@ impl DocumentCheck<'_> {
             return;
         }
         let place = PlacedPair { text: self.text, formula, chain, left, right };
-        let doubt = (list == ReportSection::Numbers).then(|| place.doubt(&judgement)).flatten();
+        let doubt = (list == ReportSection::Numbers).then(|| {
+            let runs_on = || runs_on(chain, right, &judgement).then_some(Doubt::Cut);
+            place.doubt(&judgement).or_else(runs_on)
+        });
+        let doubt = doubt.flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
         let hint = wanted.then(|| {

@@ -133,3 +133,21 @@ fn shortcodes_of_hugo_are_no_part_of_a_formula() {
     holds_and_fails("Text.\n\n{{< math >}}$9 - 5 = RESULT${{< /math >}}", "4", "3", TextFormat::Markdown);
     holds_and_fails("So:\n\n$\n2^5 = RESULT \\\\\n$\n", "32", "31", TextFormat::Markdown);
 }
+
+#[test]
+fn columns_a_calculation_that_runs_on_and_binary_multiples_are_told_apart() {
+    let found = |text: &str| {
+        let options = CheckOptions::default();
+        let findings = proofread(text, TextFormat::Markdown, options).expect("it can be read").findings;
+        findings.iter().map(|of| of.section.name()).collect::<Vec<_>>()
+    };
+    assert_eq!(found(r"$\binom{8+15}{14+25} = \binom{23}{39}$"), [""; 0]);
+    assert_eq!(found(r"$\binom{8+15}{14+25} = \binom{23}{29}$"), ["numbers"]);
+    assert_eq!(found(r"$\binom{5}{2} = \binom{5}{3}$, $\binom{3}{5} = 0$"), [""; 0]);
+    assert_eq!(found("So $95-64=31-16=15-8=7$."), ["doubts"; 2]);
+    // Each step must go on with the result.
+    assert_eq!(found("So $95-64=32-16=16$."), ["numbers"]);
+    assert_eq!(found("So $95-64=31-16$."), ["numbers"]);
+    assert_eq!(found("So 2^40 = 1T, 2^16 = 64 K and 2^20 = 1 M."), [""; 0]);
+    assert_eq!(found("So 2^41 = 1T."), ["numbers"]);
+}
