@@ -2,6 +2,7 @@
 
 use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;
+use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
 use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{Mounting, Part, PartLayout, dxf, parts, scad, stl};
 
@@ -48,6 +49,62 @@ fn the_files_are_those_of_the_workshop() {
     assert!(stdout(&tight, 0).len() > 1000);
 }
 
+/// The names after a line of the output that begins so, up to the next line that is not indented.
+fn listed(text: &str, after: &str) -> Vec<String> {
+    let lines = text.lines().skip_while(|line| !line.starts_with(after)).skip(1);
+    lines.take_while(|line| line.starts_with("  ")).map(|line| line.trim().to_owned()).collect()
+}
+
+#[test]
+fn an_internal_wheel_gets_every_file_of_an_external_one_and_what_is_lacking_of_others_is_said() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = |name: &str, options: &[&str]| {
+        let path = folder.path().join(name);
+        let asked = path.to_str().expect("UTF-8");
+        let text = stdout(&[&["wheel", "--stations", "6", "--out", asked][..], options].concat(), 0);
+        let mut found: Vec<String> = std::fs::read_dir(&path)
+            .expect("a folder")
+            .map(|file| file.expect("a file").file_name().to_string_lossy().into_owned())
+            .collect();
+        let mut told = listed(&text, "Written to");
+        found.sort_unstable();
+        told.sort_unstable();
+        assert_eq!(found, told, "{name}");
+        (found, listed(&text, "Not written"), text)
+    };
+    let sized = ["--crank-radius", "40", "--thickness", "6"];
+    let (external, none, _) = out("external", &sized);
+    assert!(none.is_empty());
+    let internal = [&sized[..], &["--type", "internal", "--process", "mill", "--locking-play", "0.3"]].concat();
+    let (all, none, _) = out("internal", &internal);
+    assert!(none.is_empty());
+    assert_eq!(all, external);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("internal").join(name)).expect("a text");
+    let sheets = read("drawings.html");
+    for words in ["Internal Geneva wheel, 6 stations", ">Ring plate<", "Process mill: it holds", "Locking segment"] {
+        assert!(sheets.contains(words), "{words}");
+    }
+    // The plays that were asked for and those of the process are in the files.
+    let model = read("wheel.scad");
+    let numbers = ProcessNumbers::new(Process::Mill, 80.0).expect("a length");
+    for line in ["locking_play = 0.3;".to_owned(), format!("axial_play = {};", numbers.axial_play.value)] {
+        assert!(model.contains(&line), "{line}: {model}");
+    }
+    for (name, options, why) in [
+        (
+            "spherical",
+            &["--type", "spherical", "--crank-radius", "40"][..],
+            "parts of a spherical wheel are not worked out",
+        ),
+        ("unsized", &["--type", "internal"], "--crank-radius MM"),
+    ] {
+        let (_, missing, text) = out(name, options);
+        assert!(text.contains(why), "{text}");
+        assert_eq!(missing.len(), 10, "{missing:?}");
+        assert!(missing.iter().all(|file| external.contains(file)), "{missing:?}");
+    }
+}
+
 #[test]
 fn a_sized_wheel_is_drawn_in_true_size_with_dimensions() {
     assert_is_drawn(&WHEEL, &dimensions(&sizes()));
@@ -72,7 +129,8 @@ fn what_a_file_needs_is_said() {
         (&["--format", "dxf"][..], "--crank-radius MM"),
         (&["--format", "stl", "--thickness", "5"], "--crank-radius MM"),
         (&["--format", "dxf", "--type", "internal"], "--crank-radius MM"),
-        (&["--format", "scad", "--type", "internal"], "internal wheels"),
+        (&["--format", "scad", "--type", "internal"], "--crank-radius MM"),
+        (&["--format", "scad", "--type", "internal", "--crank-radius", "50"], "--thickness MM"),
         (&["--format", "scad", "--type", "spherical"], "spherical wheels"),
         (&[&["--format", "dxf", "--type", "spherical", "--rpm", "6"][..], &sized].concat(), "spherical wheels"),
     ] {

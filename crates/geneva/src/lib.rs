@@ -169,6 +169,7 @@ Examples:
   geneva wheel --stations 6 --format svg --output wheel.svg
   geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
   geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
+  geneva wheel --stations 6 --type internal --crank-radius 40 --thickness 6 --out ring
   geneva wheel --index-time 0.4 --dwell-time 1
   geneva wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --out wheel
   geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1

@@ -46,7 +46,8 @@ pub(crate) struct WheelArguments {
     ]))]
     pub format: CommandFormat,
     /// Write the sheet, the numbers, the drawing and all files for making to this folder, which is made if it isn't there;
-    /// without a size, the wheel gets the one that suits its load
+    /// without a size, an external wheel gets the one that suits its load. An internal wheel needs a size and --thickness for its
+    /// files, and a spherical one has none but the sheet, the numbers and the drawing
     #[arg(long, value_name = "DIR", conflicts_with_all = ["format", "output"])]
     pub out: Option<PathBuf>,
     /// Where the output goes.
@@ -182,7 +183,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
     let recommends_size = question.process.is_some();
     let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
     if format == CommandFormat::Scad {
-        design.require_external(format.name())?;
+        design.require_parts(format.name())?;
     }
     reject_without_effect(&design.question, format)?;
     Ok(match format {
@@ -246,6 +247,15 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         file.add(bytes).map_err(Error::msg)?;
         file.finish().map_err(Error::msg)?;
         written += &format!("  {name}\n");
+    }
+    let missing: Vec<&str> = SHAPE_FILES.iter().filter(|file| !design.can_make(file)).map(|file| file.name).collect();
+    if !missing.is_empty() {
+        let why = match design.wheel.kind() {
+            WheelKind::Spherical => "because the parts of a spherical wheel are not worked out",
+            WheelKind::External | WheelKind::Internal => "because they need a size: add --crank-radius MM",
+        };
+        written += &format!("Not written, {why}:\n");
+        missing.iter().for_each(|name| written += &format!("  {name}\n"));
     }
     let sheet = fields::sheet(&answer, layout);
     Ok(format!("{sheet}\nWritten to {}\n{written}", folder.display()))
@@ -313,7 +323,11 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && is_of_parts(format));
     if !has_parts {
-        let why = "because only external wheels have parts in mm; leave it out, or choose --type external";
+        let why = if wanted.kind == Some(WheelKind::Internal) {
+            "on the numbers of an internal wheel, whose parts are in its files only; add --out DIR, or choose --type external"
+        } else {
+            "because the parts of a spherical wheel are not worked out; leave it out, or choose --type external"
+        };
         reject_any(wanted, acts_on(ActsOn::Parts), why)?;
         reject_materials(wanted, why)?;
     }
@@ -384,12 +398,13 @@ fn is_named(names: &[&str]) -> impl Fn(&Argument) -> bool {
 
 /// Whether a format gives shapes, and not numbers.
 fn is_shape(format: CommandFormat) -> bool {
-    format == CommandFormat::Svg || format == CommandFormat::Scad || is_of_parts(format)
+    format == CommandFormat::Svg || is_of_parts(format)
 }
 
 /// Whether a format gives the parts that external and internal wheels have.
 fn is_of_parts(format: CommandFormat) -> bool {
-    matches!(format, CommandFormat::Dxf | CommandFormat::Parts | CommandFormat::Step | CommandFormat::Stl)
+    use CommandFormat::{Dxf, Parts, Scad, Step, Stl};
+    matches!(format, Dxf | Parts | Scad | Step | Stl)
 }
 
 #[cfg(test)]

@@ -161,9 +161,24 @@ impl InternalSizes {
         FRAC_PI_2 - self.wheel.half_pitch_angle()
     }
 
+    /// The gap between pin and wall on either side of the pin in the middle of its slot, in millimetres: half of the slot's play.
+    pub fn slot_gap(&self) -> f64 {
+        self.play.slot / 2.0
+    }
+
+    /// The gap between the locking segment and the middle of the locking arc in the dwell, in millimetres: half of the locking play.
+    pub fn locking_gap(&self) -> f64 {
+        self.play.locking / 2.0
+    }
+
+    /// Between pin and bottom of the slot where the pin is deepest, in millimetres.
+    pub fn bottom_gap(&self) -> f64 {
+        self.slot_end + self.slot_width / 2.0 - self.centre_distance - self.crank_radius - self.pin_radius()
+    }
+
     /// Angle of the ends of a locking arc from its middle, seen from the wheel's axis, in radians, and seen from the arc's centre
     /// away from the wheel's axis.
-    fn locking_ends(&self) -> [f64; 2] {
+    pub(crate) fn locking_ends(&self) -> [f64; 2] {
         let (c, r, arc) = (self.centre_distance, self.mouth_radius, self.locking_arc_radius);
         let x = (c * c + r * r - arc * arc) / (2.0 * c);
         let y = (r * r - x * x).max(0.0).sqrt();
@@ -181,7 +196,8 @@ impl InternalSizes {
             let theta = most * f64::from(k) / f64::from(ANGLES);
             let (a, c) = (self.crank_radius, self.centre_distance);
             let phi = libm::atan2(a * libm::sin(theta), c + a * libm::cos(theta));
-            let slots = (0..self.wheel.stations()).map(|slot| phi + 2.0 * half_pitch * f64::from(slot));
+            // A tip that near to the driver's axis is seen from the wheel's within half a pitch of the line of centres.
+            let slots = (-1..=1).map(|slot| phi + 2.0 * half_pitch * f64::from(slot));
             for at in slots.flat_map(|slot| [slot - tip, slot + tip]) {
                 let (sine, cosine) = libm::sincos(at);
                 let (x, y) = (self.mouth_radius * cosine - c, self.mouth_radius * sine);

@@ -48,18 +48,25 @@ fn is_inside(polygon: &[Point], p: &Point) -> bool {
 }
 
 /// Ring and driver, and points on the segment's outline.
-struct Pair {
+pub(super) struct Pair {
     sizes: InternalSizes,
+    /// Distance of the axes.
+    axes: f64,
     outline: InternalOutline,
     hollow: Vec<Point>,
     segment: Vec<Point>,
 }
 
 impl Pair {
-    fn new(sizes: InternalSizes) -> Self {
+    pub(super) fn new(sizes: InternalSizes) -> Self {
+        Self::apart(sizes, sizes.centre_distance)
+    }
+
+    /// The parts as sized, with their axes at another distance.
+    pub(super) fn apart(sizes: InternalSizes, axes: f64) -> Self {
         let outline = sizes.outline();
-        // Chords leave their arcs by less than the gaps.
-        let hollow = outline.ring.holes[0].corners(0.02).unwrap();
+        // Chords leave their arcs by much less than the gaps.
+        let hollow = outline.ring.holes[0].corners(1e-3).unwrap();
         // A millimetre apart at most.
         let points = |edge: &Edge| -> Vec<Point> {
             (0..=60)
@@ -75,15 +82,22 @@ impl Pair {
                 .collect()
         };
         let segment = outline.segment.outer.edges.iter().flat_map(points).collect();
-        Self { sizes, outline, hollow, segment }
+        Self { sizes, axes, outline, hollow, segment }
     }
 
     /// The least distance at a crank angle, below zero where something of the driver is in the ring.
-    fn distance(&self, theta: f64) -> f64 {
+    pub(super) fn distance(&self, theta: f64) -> f64 {
         let wheel = &self.sizes.wheel;
         let motion = wheel.motion(0, theta).unwrap();
-        let phi = motion.angle + 2.0 * wheel.half_pitch_angle() * motion.stations as f64;
-        let axis = Point::new(self.sizes.centre_distance, 0.0);
+        let axis = Point::new(self.axes, 0.0);
+        let phi = if self.axes == self.sizes.centre_distance {
+            motion.angle + 2.0 * wheel.half_pitch_angle() * motion.stations as f64
+        } else if theta > wheel.engagement_half_angle() {
+            wheel.half_pitch_angle()
+        } else {
+            let pin = axis + turned(&Point::new(self.sizes.crank_radius, 0.0), theta);
+            pin.y.atan2(pin.x)
+        };
         let on_ring = |p: &Point| turned(&(turned(p, theta) + axis), -phi);
         let on_driver = |p: &Point| turned(&(turned(p, phi) - axis), -theta);
         let ring = &self.outline.ring.holes[0];

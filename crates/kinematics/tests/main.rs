@@ -7,6 +7,7 @@ mod accuracy;
 mod bisection;
 mod escapement;
 mod indexing;
+mod internal_clearance;
 mod internal_sizes;
 mod internal_wheel;
 mod internal_wheel_proofs;

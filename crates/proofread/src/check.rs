@@ -10,6 +10,7 @@ use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
+use crate::judge::frequent::UnmendedFindings;
 use crate::judge::letter_units::units_in_letters;
 use crate::judge::money::has_several_currencies;
 use crate::judge::number_columns;
@@ -148,6 +149,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         before: None,
         results: EarlierResults::default(),
         factors: Factors::default(),
+        unmended: UnmendedFindings::default(),
         open_pairs: 0,
         budget: options.hint_effort,
         is_plain_text: format == TextFormat::Plain,
@@ -176,6 +178,12 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     })?;
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
+    }
+    for at in check.unmended.of_a_misread_document(&check.report.tally) {
+        let finding = &mut check.report.findings[at];
+        if finding.doubt.is_none() {
+            demote_to_doubt(finding, Doubt::Frequent);
+        }
     }
     check.report.not_read = not_read;
     if let Some(at) = in_lines {
@@ -255,6 +263,8 @@ struct DocumentCheck<'t> {
     results: EarlierResults,
     /// The factors between the sides that differ.
     factors: Factors,
+    /// The findings that no single edit mends.
+    unmended: UnmendedFindings,
     /// How many pairs were compared of which it stays open whether they agree.
     open_pairs: usize,
     /// What the search for hints may still cost.
@@ -511,20 +521,23 @@ impl DocumentCheck<'_> {
         let doubt = doubt.flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
-        let hint = wanted.then(|| {
+        let edits = wanted.then(|| {
             let neighbours = neighbours(chain, left, right);
             let around = text_around(self.text, formula.span);
             let judgement = &judgement;
-            HintSearch { left, right, relation, judgement, neighbours, around }.hint(&mut self.budget)
+            HintSearch { left, right, relation, judgement, neighbours, around }.single_edits(&mut self.budget)
         });
-        let hint = hint.flatten();
-        let hint = hint.filter(|hint| !hint.stands_in(self.text));
+        let may_be_mended = edits.as_ref().is_none_or(|edits| edits.may_fit);
+        let hint = edits.and_then(|edits| edits.likely).filter(|hint| !hint.stands_in(self.text));
         let mut finding = ChainFinding::new(chain, left, right, &judgement, list, hint);
         match doubt {
             Some(doubt) => demote_to_doubt(&mut finding, doubt),
             None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
                 self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
+                if !may_be_mended {
+                    self.unmended.record(at);
+                }
             }
             None => {}
         }

@@ -138,6 +138,26 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
 }
 
 #[test]
+fn a_document_of_which_a_third_differs_is_misread_but_for_single_edits() {
+    // The sums are in another arithmetic, so no digit explains their results.
+    let wrong = ["34 + 58 = 1", "71 + 67 = 22", "83 + 45 = 14", "96 + 38 = 2", "62 + 79 = 27", "57 + 75 = 18"];
+    let right: Vec<String> = (1..=15).map(|n| format!("{n}4 + {n}3 = {}", 20 * n + 7)).collect();
+    let of = |wrong: &[&str], rights: usize| {
+        let right = right[..rights].iter().map(String::as_str);
+        let chains = wrong.iter().copied().chain(right);
+        doubts(&chains.map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), TextFormat::Markdown)
+    };
+    assert_eq!(of(&wrong, 14), [Some(Doubt::Frequent); 6]);
+    assert_eq!(of(&wrong, 15), [None; 6]);
+    assert_eq!(of(&wrong[..5], 0), [None; 5]);
+    // Misprints may be as many as they want.
+    let slips = ["34 + 58 = 93", "71 + 67 = 238", "83 + 45 = 182", "96 + 38 = 143", "62 + 79 = 131", "57 + 75 = 1.32"];
+    assert_eq!(of(&slips, 0), [None; 6]);
+    let one_misread: Vec<_> = slips[..5].iter().chain(&wrong[..1]).copied().collect();
+    assert_eq!(of(&one_misread, 0), [None, None, None, None, None, Some(Doubt::Frequent)]);
+}
+
+#[test]
 fn points_are_misplaced_more_than_once() {
     let text = "$2.5 + 1.5 = 40$\n\n$6.0 + 3.0 = 90$\n\n$3.5 + 1.5 = 50$\n";
     assert_eq!(doubts(text, TextFormat::Markdown), [None; 3]);

@@ -32,10 +32,10 @@ pub use parts::{
     BasePlate, Fastener, Hole, HolePurpose, KEYED_SHAFTS, Keyway, Layer, Mounting, MountingError, Part, PartList,
     Pattern, PinMount, Place, ScrewHole, ShaftFit, ThinWall, Thread, Widening, internal_parts, parts, test_piece,
 };
-pub use scad::scad;
+pub use scad::{internal_scad, scad};
 pub use sheets::{
-    DrawingScale, LimitOrigin, Measured, Paper, PrintedDimension, Sheet, SheetLimits, SheetMaterial, SheetText, sheets,
-    sheets_html, sheets_svg,
+    DrawingScale, LimitOrigin, Measured, Paper, PrintedDimension, Sheet, SheetLimits, SheetMaterial, SheetText,
+    internal_sheets, sheets, sheets_html, sheets_svg,
 };
 pub use step::step;
 pub use stl::stl;

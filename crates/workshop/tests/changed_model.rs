@@ -1,8 +1,14 @@
 //! Does a model whose variables are changed either refuse itself or still run? OpenSCAD itself runs it, and says what wheel and
 //! driver have in common at moments of a turn. Without OpenSCAD on the path these tests say that they are skipped.
 
-use geneva_kinematics::wheel::{Choices, Mouth, Scale, Sizes, Wheel};
-use geneva_workshop::{Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit, Thread, scad};
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::internal_wheel::InternalWheel;
+use geneva_kinematics::wheel::{Choices, Edge, Mouth, Scale, Sizes, Wheel};
+use geneva_workshop::{
+    Drawing, Fastener, Layer, Mounting, PartLayout, Pattern, PinMount, ScrewHole, ShaftFit, Thread, dxf,
+    internal_parts, internal_scad, scad,
+};
+use nalgebra::Vector2;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -128,36 +134,202 @@ fn a_model_with_mouths_runs_too() {
     }
 }
 
+/// Changes each variable of a model, the numbers of stations and pins to other whole numbers and the others by a fifth, and counts
+/// how often it runs and refuses itself.
+fn change_each(name: &str, text: &str) -> [u32; 2] {
+    let (mut runs, mut refuses) = (0, 0);
+    for (variable, value) in variables(text) {
+        let others = match variable.as_str() {
+            "stations" => vec![3.0, 5.0, 8.0, 12.0],
+            "pins" => vec![1.0, 2.0, 3.0, 4.0],
+            _ if value == 0.0 => continue,
+            _ => vec![0.8 * value, 1.2 * value],
+        };
+        for other in others.into_iter().filter(|other| *other != value) {
+            match overlap(name, text, &[(&variable, other)]) {
+                Said::Runs => runs += 1,
+                Said::Refused(why) => {
+                    assert!(why.contains("make ") || why.contains("must be") || why.contains("change "), "{why}");
+                    refuses += 1;
+                }
+                Said::Overlaps(what) => panic!("{name}, {variable} = {other}: {what}"),
+            }
+        }
+    }
+    println!("{name}: {runs} run, {refuses} refuse themselves");
+    [runs, refuses]
+}
+
 #[test]
 fn a_model_with_a_changed_variable_refuses_itself_or_runs() {
     if !has_openscad() {
         return;
     }
-    let (mut runs, mut refuses) = (0, 0);
-    for (stations, pins) in [(4, 1), (6, 2)] {
+    let counts = [(4, 1), (6, 2)].map(|(stations, pins)| {
         let sizes = sizes(stations, pins, &shafts());
-        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes)).unwrap();
-        for (name, value) in variables(&text) {
-            let others = match name.as_str() {
-                "stations" => vec![3.0, 5.0, 8.0, 12.0],
-                "pins" => vec![1.0, 2.0, 3.0, 4.0],
-                _ if value == 0.0 => continue,
-                _ => vec![0.8 * value, 1.2 * value],
-            };
-            for other in others.into_iter().filter(|other| *other != value) {
-                match overlap("changed", &text, &[(&name, other)]) {
-                    Said::Runs => runs += 1,
-                    Said::Refused(why) => {
-                        assert!(why.contains("make ") || why.contains("must be") || why.contains("change "), "{why}");
-                        refuses += 1;
-                    }
-                    Said::Overlaps(what) => panic!("{stations} stations, {pins} pins, {name} = {other}: {what}"),
-                }
+        change_each("changed", &scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes)).unwrap())
+    });
+    let [runs, refuses] = [0, 1].map(|k| counts[0][k] + counts[1][k]);
+    assert!(runs > 40 && refuses > 0, "{runs} run, {refuses} refuse themselves");
+}
+
+fn internal(stations: u32, choices: &Choices) -> InternalSizes {
+    InternalSizes::new(InternalWheel::new(stations).expect("possible"), 60.0, choices).expect("possible")
+}
+
+/// An internal wheel with shafts and holes of all kinds.
+fn mounted_internal() -> (InternalSizes, Mounting) {
+    let sizes = internal(6, &Choices { wheel_shaft: Some(10.0), plate_shaft: Some(12.0), ..Choices::default() });
+    let fastener = Fastener::Screw(Thread::M3, ScrewHole::NutTrap);
+    let mounting = Mounting {
+        wheel_fit: ShaftFit::Key,
+        driver_fit: ShaftFit::Flat { across: 11.0 },
+        wheel_hub: Some(Pattern { count: 3, circle: 30.0, fastener }),
+        disc_dowels: Some(Pattern { count: 6, circle: 2.0 * sizes.slot_end, fastener: Fastener::Dowel(4.0) }),
+        pins: PinMount::Screw(Thread::M4, ScrewHole::Clearance),
+        ..Mounting::default()
+    };
+    (sizes, mounting)
+}
+
+#[test]
+fn an_internal_model_runs_and_with_a_changed_variable_it_refuses_itself_or_runs_too() {
+    if !has_openscad() {
+        return;
+    }
+    for stations in [3, 4, 5, 8, 24] {
+        let sizes = internal(stations, &Choices::default());
+        let text = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        assert_eq!(overlap("internal", &text, &[]), Said::Runs, "{stations} stations");
+        // A segment a little too thick is found.
+        let wrong = text.replace("solid(segment_outer)", "solid(segment_outer + locking_play)");
+        assert_ne!(wrong, text);
+        assert!(matches!(overlap("internal-wrong", &wrong, &[]), Said::Overlaps(_)), "{stations} stations");
+    }
+    let bare = internal(4, &Choices::default());
+    let bare = internal_scad(&bare, 6.0, 0.1 * bare.play.slot, &Mounting::default()).unwrap();
+    let (sizes, mounting) = mounted_internal();
+    let mounted = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting).unwrap();
+    let counts = [change_each("internal-bare", &bare), change_each("internal-mounted", &mounted)];
+    let [runs, refuses] = [0, 1].map(|k| counts[0][k] + counts[1][k]);
+    assert!(runs > 30 && refuses > 0, "{runs} run, {refuses} refuse themselves");
+}
+
+/// The model without what it shows, so that a line can show something else.
+fn shown_nothing(text: &str) -> &str {
+    text.split("\nif (part == \"ring\")").next().expect("a model")
+}
+
+/// Distance of a point from an edge.
+fn from_edge(edge: &Edge, p: Vector2<f64>) -> f64 {
+    match *edge {
+        Edge::Line { from, to } => {
+            let along = to - from;
+            let share = ((p - from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+            (p - from - along * share).norm()
+        }
+        Edge::Arc { centre, radius, start, sweep } => {
+            let from = p - centre;
+            let (begin, length) = if sweep < 0.0 { (start + sweep, -sweep) } else { (start, sweep) };
+            if (from.y.atan2(from.x) - begin).rem_euclid(std::f64::consts::TAU) <= length {
+                (from.norm() - radius).abs()
+            } else {
+                (p - edge.start_point()).norm().min((p - edge.end_point()).norm())
             }
         }
     }
-    println!("{runs} run, {refuses} refuse themselves");
-    assert!(runs > 40 && refuses > 0, "{runs} run, {refuses} refuse themselves");
+}
+
+/// The corners of all closed lines in an SVG of OpenSCAD, whose second axis points down, the area between them and their length.
+fn corners_and_area(svg: &str) -> (Vec<Vector2<f64>>, f64, f64) {
+    let path = svg.split(" d=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a path");
+    let (mut all, mut twice, mut length) = (Vec::new(), 0.0, 0.0);
+    for line in path.split('M').skip(1) {
+        let corners: Vec<Vector2<f64>> = line
+            .split(|c: char| c == 'L' || c == 'z' || c.is_whitespace())
+            .filter(|word| !word.is_empty())
+            .map(|word| word.split_once(',').expect("two numbers"))
+            .map(|(x, y)| Vector2::new(x.parse().expect("a number"), -y.parse::<f64>().expect("a number")))
+            .collect();
+        for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            twice += a.perp(b);
+            length += (b - a).norm();
+        }
+        all.extend(corners);
+    }
+    (all, twice.abs() / 2.0, length)
+}
+
+#[test]
+fn the_outlines_of_an_internal_model_are_those_of_the_dxf() {
+    if !has_openscad() {
+        return;
+    }
+    for (stations, mounting) in [(3, Mounting::default()), (6, mounted_internal().1), (12, Mounting::default())] {
+        let sizes = if stations == 6 { mounted_internal().0 } else { internal(stations, &Choices::default()) };
+        let list = internal_parts(&sizes, 6.0, &mounting).unwrap().parts;
+        let drawing = Drawing::read(&dxf(&list, PartLayout::Assembled)).unwrap();
+        let text = internal_scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let at_driver = "translate([centre_distance, 0]) rotate(180)";
+        for (layer, line) in [
+            (Layer::Wheel, "rotate(turn(180)) ring_outline();".to_owned()),
+            (Layer::LockingSegment, format!("{at_driver} segment_outline();")),
+        ] {
+            let model = format!("{}\n{line}\n", shown_nothing(&text));
+            let (is_done, said, result) = run("internal-outline", &model, &[], "none", "outline.svg");
+            assert!(is_done, "{said}");
+            let (corners, area, length) = corners_and_area(&result.unwrap());
+            let on: Vec<&Edge> =
+                drawing.edges.iter().filter(|drawn| drawn.layer == layer.name()).map(|drawn| &drawn.edge).collect();
+            for corner in &corners {
+                let far = on.iter().map(|edge| from_edge(edge, *corner)).fold(f64::INFINITY, f64::min);
+                assert!(
+                    far < 0.004,
+                    "{stations} stations, {layer:?}: {corner} is {far} mm from each edge of the drawing"
+                );
+            }
+            // And back: no edge of the drawing is missing.
+            for edge in on {
+                let far =
+                    corners.iter().map(|corner| (edge.start_point() - corner).norm()).fold(f64::INFINITY, f64::min);
+                assert!(far < 2.0, "{stations} stations, {layer:?}: {edge:?} has no corner near its start");
+            }
+            let part = list.iter().find(|part| part.layer == layer).unwrap();
+            // A chord leaves its arc by 0.002 mm at most.
+            assert!((area - part.face().area()).abs() < 0.002 * length, "{stations} stations, {layer:?}: {area}");
+        }
+    }
+}
+
+#[test]
+fn the_solids_of_an_internal_model_are_as_large_as_the_parts() {
+    if !has_openscad() {
+        return;
+    }
+    let (sizes, mounting) = mounted_internal();
+    for (sizes, mounting) in [(sizes, mounting), (internal(4, &Choices::default()), Mounting::default())] {
+        let text = internal_scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let list = internal_parts(&sizes, 6.0, &mounting).unwrap().parts;
+        let volume_of = |layer| list.iter().find(|part| part.layer == layer).unwrap().volume();
+        let pin = volume_of(Layer::Pins);
+        let is_solid = mounting.pins == PinMount::Solid;
+        // In one piece the pin fills its hole in the plate.
+        let filled = if is_solid { pin + std::f64::consts::PI * sizes.pin_radius().powi(2) * 6.0 } else { 0.0 };
+        let driver = volume_of(Layer::Plate) + volume_of(Layer::LockingSegment) + filled;
+        for (show, ours) in [
+            ("ring", volume_of(Layer::Wheel)),
+            ("ring_plate", volume_of(Layer::RingPlate)),
+            ("driver", driver),
+            ("pin", pin),
+        ] {
+            if show == "pin" && is_solid {
+                continue;
+            }
+            let (is_done, said, result) = run("internal-solids", &text, &[], show, "part.stl");
+            assert!(is_done, "{said}");
+            approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
+        }
+    }
 }
 
 #[test]

@@ -184,8 +184,13 @@ impl WheelDesign {
     ///
     /// A measured play that is not above zero.
     pub(super) fn process_numbers(&self) -> Result<Option<ProcessNumbers>, Error> {
-        let of = |sizes: Sizes| process_numbers(&self.question, sizes.centre_distance);
-        Ok(self.sizes.map(of).transpose()?.flatten())
+        let of_external = self.sizes.map(|sizes| sizes.centre_distance);
+        let of_internal = match &self.wheel {
+            AnyWheel::Internal(wheel) => self.crank_radius.map(|radius| radius * wheel.centre_distance_ratio()),
+            AnyWheel::External(_) | AnyWheel::Spherical(_) => None,
+        };
+        let of = |distance| process_numbers(&self.question, distance);
+        Ok(of_external.or(of_internal).map(of).transpose()?.flatten())
     }
 
     /// Gap between wheel and plate along the axes in millimetres, if the wheel has a size.

@@ -3,15 +3,17 @@
 use super::design::WheelDesign;
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting_error::with_arguments;
-use super::sized::{choices, with_arguments as with_choices};
+use super::mouth::given_mouths;
+use super::sized::{self, with_arguments as with_choices};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::{Process, Yield};
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
-    Mounting, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf, internal_parts, parts,
-    scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts, test_piece, three_mf,
+    Mounting, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf, internal_parts,
+    internal_scad, internal_sheets, parts, scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts, test_piece,
+    three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -45,8 +47,6 @@ pub enum MadeOf {
     Any,
     /// Of external and internal wheels with a size, whose parts are known.
     Parts,
-    /// Of external wheels with a size.
-    External,
 }
 
 /// All files from which a wheel is made: what the command writes to a folder and the page offers.
@@ -60,13 +60,13 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
     ShapeFile {
         name: "drawings.html",
         label: "Drawings for the workshop, to print (HTML)",
-        of: MadeOf::External,
+        of: MadeOf::Parts,
         make: |design| design.drawings_html().map(String::into_bytes),
     },
     ShapeFile {
         name: "drawings.svg",
         label: "Drawings for the workshop (SVG)",
-        of: MadeOf::External,
+        of: MadeOf::Parts,
         make: |design| design.drawings_svg().map(String::into_bytes),
     },
     ShapeFile {
@@ -102,19 +102,19 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
     ShapeFile {
         name: "test-piece.svg",
         label: "Test piece for the play, to cut (SVG)",
-        of: MadeOf::External,
+        of: MadeOf::Parts,
         make: |design| design.test_piece_svg().map(String::into_bytes),
     },
     ShapeFile {
         name: "test-piece.stl",
         label: "Test piece for the play, to print (STL)",
-        of: MadeOf::External,
+        of: MadeOf::Parts,
         make: |design| design.test_piece_stl().map(String::into_bytes),
     },
     ShapeFile {
         name: "wheel.scad",
         label: "Moving model (OpenSCAD)",
-        of: MadeOf::External,
+        of: MadeOf::Parts,
         make: |design| design.scad().map(String::into_bytes),
     },
 ];
@@ -124,7 +124,6 @@ impl WheelDesign {
     pub fn can_make(&self, file: &ShapeFile) -> bool {
         match file.of {
             MadeOf::Any => true,
-            MadeOf::External => self.sizes.is_some(),
             MadeOf::Parts => self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some()),
         }
     }
@@ -137,7 +136,7 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
+    /// A spherical wheel, one that has no size, or can't be mounted as it is asked for.
     pub fn dxf(&self) -> Result<String, Error> {
         Ok(dxf(&self.listed("dxf")?.parts, PartLayout::Apart))
     }
@@ -147,9 +146,9 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size, or can't be mounted as it is asked for.
+    /// A spherical wheel, one that has no size, or can't be mounted as it is asked for.
     pub fn drawings(&self) -> Result<Vec<Sheet>, Error> {
-        let sizes = self.sized("drawings")?;
+        let sizes = self.made_sizes("drawings")?;
         let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
         let names = self.materials.map(|material| material.name.replace('-', " "));
         let hardness = self.materials.map(|material| (material.modulus >= METAL).then_some("not specified"));
@@ -157,8 +156,17 @@ impl WheelDesign {
             [0, 1].map(|k| SheetMaterial { name: names[k].as_str(), hardness: hardness[k] });
         let text = SheetText { project: &self.project(), wheel_material, pin_material };
         let (process, yield_share) = (self.process_numbers()?, self.assemblies_that_turn()?.map(Yield::share));
-        let limits = SheetLimits { shared: self.shared_tolerance()?.flatten(), process, yield_share };
-        sheets(sizes, thickness, &mounting, &limits, &text).map_err(|error| with_arguments(error, &self.question))
+        let drawn = match sizes {
+            MadeSizes::External(sizes) => {
+                let limits = SheetLimits { shared: self.shared_tolerance()?.flatten(), process, yield_share };
+                sheets(sizes, thickness, &mounting, &limits, &text)
+            }
+            MadeSizes::Internal(sizes) => {
+                let shared = sizes.shared_tolerance_within(self.question.effort.tolerance).ok().flatten();
+                internal_sheets(&sizes, thickness, &mounting, &SheetLimits { shared, process, yield_share }, &text)
+            }
+        };
+        drawn.map_err(|error| with_arguments(error, &self.question))
     }
 
     /// The [drawings](Self::drawings) one below the other, true to scale.
@@ -183,7 +191,8 @@ impl WheelDesign {
     fn project(&self) -> String {
         let stations = self.wheel.indexing().stations();
         let crank = self.crank_radius.map(|radius| format!(", crank radius {} mm", as_typed(rounded(radius))));
-        format!("Geneva wheel, {stations} stations{}", crank.unwrap_or_default())
+        let kind = if self.is_internal() { "Internal Geneva" } else { "Geneva" };
+        format!("{kind} wheel, {stations} stations{}", crank.unwrap_or_default())
     }
 
     /// The parts to be cut from sheets as SVG, true to scale, with a colour for each operation.
@@ -200,19 +209,22 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size or no thickness, or can't be mounted as it is asked for.
+    /// A spherical wheel, one that has no size or no thickness, or can't be mounted as it is asked for.
     pub fn scad(&self) -> Result<String, Error> {
-        let sizes = self.sized("scad")?;
-        let (thickness, mounting) = (self.thickness("scad")?, self.mounting()?);
-        scad(sizes, thickness, tolerance(sizes.play.slot, sizes.centre_distance), &mounting)
-            .map_err(|error| with_arguments(error, &self.question))
+        let sizes = self.made_sizes("scad")?;
+        let (thickness, mounting, chords) = (self.thickness("scad")?, self.mounting()?, sizes.chords());
+        let model = match sizes {
+            MadeSizes::External(sizes) => scad(sizes, thickness, chords, &mounting),
+            MadeSizes::Internal(sizes) => internal_scad(&sizes, thickness, chords, &mounting),
+        };
+        model.map_err(|error| with_arguments(error, &self.question))
     }
 
     /// Meshes of the parts, in millimetres.
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size or no thickness, takes more corners than a printer has use for, or can't be
+    /// A spherical wheel, one that has no size or no thickness, takes more corners than a printer has use for, or can't be
     /// mounted as it is asked for.
     pub fn stl(&self) -> Result<String, Error> {
         let (parts, tolerance) = self.printed("stl")?;
@@ -248,7 +260,7 @@ impl WheelDesign {
 
     /// A ladder of slots and pins of the wheel's diameter and thickness: the least play at which the pin runs is measured on it.
     fn test_piece(&self) -> Result<Vec<Part>, Error> {
-        let pin = self.sized("test-piece")?.pin_diameter;
+        let pin = self.made_sizes("test-piece")?.pin_diameter();
         Ok(test_piece(pin, self.thickness("test-piece")?)?)
     }
 
@@ -256,7 +268,7 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, has no size, and a kerf that is too wide.
+    /// A spherical wheel, one that has no size, and a kerf that is too wide.
     pub fn test_piece_svg(&self) -> Result<String, Error> {
         svg_parts(&self.test_piece()?, self.kerf()?).map_err(|error| with_arguments(error, &self.question))
     }
@@ -265,10 +277,9 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// A wheel that isn't external, or has no size.
+    /// A spherical wheel, or one without a size.
     pub fn test_piece_stl(&self) -> Result<String, Error> {
-        let sizes = self.sized("test-piece")?;
-        let chords = tolerance(sizes.play.slot, sizes.centre_distance);
+        let chords = self.made_sizes("test-piece")?.chords();
         stl(&self.test_piece()?, chords).map_err(|error| with_arguments(error, &self.question))
     }
 
@@ -293,8 +304,9 @@ impl WheelDesign {
     fn mounting(&self) -> Result<Mounting, Error> {
         // What is cut out of a sheet has one height.
         let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
+        let of_process = self.process_numbers()?.map(|numbers| numbers.axial_play.value);
         Ok(Mounting {
-            axial_play: self.axial_play().or(self.question.axial_play),
+            axial_play: self.axial_play().or(self.question.axial_play).or(of_process),
             is_stacked: self.question.mounting.stacked.unwrap_or(is_of_sheet),
             ..self.question.mounting.mounting()?
         })
@@ -303,15 +315,27 @@ impl WheelDesign {
     /// The sizes of an internal wheel with a size.
     fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
         let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
-        let sizes = InternalSizes::new(*wheel, radius, &choices(&self.question));
+        let question = &self.question;
+        if let Some(shaft) = question.driver_shaft.filter(|shaft| *shaft > 0.0) {
+            return Err(refused!(
+                "--driver-shaft {0}: the ring of an internal wheel passes over the driver's axis, so its shaft ends in the plate; \
+                 give --plate-shaft {0} instead",
+                as_typed(shaft)
+            ));
+        }
+        if let Some((name, size)) = given_mouths(question).next() {
+            return Err(refused!(
+                "--{name} {}: the slots of an internal wheel have sharp mouths; leave it out, or choose --type external",
+                as_typed(size)
+            ));
+        }
+        let sizes = sized::internal_sizes(*wheel, radius, question);
         sizes.map(Some).map_err(|error| with_choices(error, &self.question))
     }
 
     /// The parts for a file with this ending.
     fn listed(&self, ending: &str) -> Result<PartList, Error> {
-        if self.wheel.kind() == WheelKind::Spherical {
-            self.require_external(ending)?;
-        }
+        self.require_parts(ending)?;
         self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
@@ -325,12 +349,8 @@ impl WheelDesign {
         let wider = -self.hole_growth()?;
         let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect::<Vec<_>>();
         self.thickness(ending)?;
-        let of = |play: f64, centres: f64| (play, tolerance(play, centres));
-        let (play, tolerance) = match (&self.sizes, self.internal_sizes()?) {
-            (Some(sizes), _) => of(sizes.play.slot, sizes.centre_distance),
-            (None, Some(sizes)) => of(sizes.play.slot, sizes.centre_distance),
-            (None, None) => return Err(without_size(ending)),
-        };
+        let sizes = self.made_sizes(ending)?;
+        let (play, tolerance) = (sizes.slot_play(), sizes.chords());
         let corners = corners(&parts, tolerance);
         if corners > MOST_CORNERS {
             return Err(refused!(
@@ -342,25 +362,30 @@ impl WheelDesign {
         Ok((parts, tolerance))
     }
 
-    /// Refuses a file with this ending of a wheel that isn't external.
+    /// Refuses a file with this ending of a spherical wheel, whose parts are not worked out.
     ///
     /// # Errors
     ///
     /// What to choose instead.
-    pub fn require_external(&self, ending: &str) -> Result<(), Error> {
-        if self.wheel.kind() == WheelKind::External {
+    pub fn require_parts(&self, ending: &str) -> Result<(), Error> {
+        if self.wheel.kind() != WheelKind::Spherical {
             return Ok(());
         }
         Err(refused!(
-            "--format {ending} is not available for {} wheels, whose parts are not worked out; choose --type external, or \
+            "--format {ending} is not available for {} wheels, whose parts are not worked out; choose --type external or --type internal, or \
              --format svg for a drawing",
             self.wheel.kind().name()
         ))
     }
 
-    fn sized(&self, ending: &str) -> Result<&Sizes, Error> {
-        self.require_external(ending)?;
-        self.sizes.as_ref().ok_or_else(|| without_size(ending))
+    /// The sizes of an external or an internal wheel, for a file with this ending.
+    fn made_sizes(&self, ending: &str) -> Result<MadeSizes<'_>, Error> {
+        self.require_parts(ending)?;
+        let made = match &self.sizes {
+            Some(sizes) => Some(MadeSizes::External(sizes)),
+            None => self.internal_sizes()?.map(MadeSizes::Internal),
+        };
+        made.ok_or_else(|| without_size(ending))
     }
 
     /// The thickness of the parts; the program chooses none for an internal wheel.
@@ -370,6 +395,37 @@ impl WheelDesign {
 
     fn thickness(&self, ending: &str) -> Result<f64, Error> {
         self.made_thickness().ok_or_else(|| refused!("--format {ending} needs a thickness; add --thickness MM"))
+    }
+}
+
+/// The sizes of a wheel whose parts are known.
+enum MadeSizes<'a> {
+    External(&'a Sizes),
+    Internal(InternalSizes),
+}
+
+impl MadeSizes<'_> {
+    fn pin_diameter(&self) -> f64 {
+        match self {
+            Self::External(sizes) => sizes.pin_diameter,
+            Self::Internal(sizes) => sizes.pin_diameter,
+        }
+    }
+
+    fn slot_play(&self) -> f64 {
+        match self {
+            Self::External(sizes) => sizes.play.slot,
+            Self::Internal(sizes) => sizes.play.slot,
+        }
+    }
+
+    /// How far a chord may leave its arc, in millimetres.
+    fn chords(&self) -> f64 {
+        let centres = match self {
+            Self::External(sizes) => sizes.centre_distance,
+            Self::Internal(sizes) => sizes.centre_distance,
+        };
+        tolerance(self.slot_play(), centres)
     }
 }
 
@@ -432,13 +488,26 @@ mod tests {
             ..WheelQuestion::default()
         };
         let internal = WheelDesign::new(question(WheelKind::Internal)).expect("a wheel");
-        for file in [internal.dxf(), internal.svg_parts(), internal.stl(), internal.step()] {
+        let drawings = internal.drawings_html();
+        for file in [internal.dxf(), internal.svg_parts(), internal.stl(), internal.step(), internal.scad(), drawings] {
             assert!(file.expect("a file").len() > 1000);
         }
-        assert!(internal.three_mf().is_ok() && internal.scad().is_err());
+        assert!(internal.three_mf().is_ok());
+        let refused = |more: &str| {
+            let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
+            let question = WheelQuestion::parse(&text).expect("a question");
+            WheelDesign::new(question).expect("a wheel").dxf().expect_err("refused").to_string()
+        };
+        assert!(refused("--driver-shaft 8").contains("--plate-shaft 8"));
+        assert!(
+            refused("--mouth-radius 1")
+                .starts_with("--mouth-radius 1: the slots of an internal wheel have sharp mouths")
+        );
         let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
-        let said = spherical.step().expect_err("no parts").to_string();
-        assert!(said.contains("spherical wheels"), "{said}");
+        for file in [spherical.step(), spherical.scad(), spherical.drawings_svg()] {
+            let said = file.expect_err("no parts").to_string();
+            assert!(said.contains("spherical wheels"), "{said}");
+        }
     }
 
     #[test]

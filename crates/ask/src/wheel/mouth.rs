@@ -22,19 +22,24 @@ pub(super) fn asked_mouth(question: &WheelQuestion) -> Option<Mouth> {
     chamfer.or(round).or(lead_in)
 }
 
+/// The arguments that give a mouth its shape, and what was given.
+fn mouth_shapes(question: &WheelQuestion) -> [(&'static str, Option<f64>); 3] {
+    [("mouth-chamfer", question.mouth_chamfer), ("mouth-radius", question.mouth_radius), ("lead-in", question.lead_in)]
+}
+
+/// The arguments with which a mouth is not sharp, and their sizes in millimetres.
+pub(super) fn given_mouths(question: &WheelQuestion) -> impl Iterator<Item = (&'static str, f64)> {
+    mouth_shapes(question).into_iter().filter_map(|(name, size)| Some((name, size.filter(|size| *size != 0.0)?)))
+}
+
 /// Refuses two shapes for one mouth, and sizes of a shape that the mouth does not have.
 pub(super) fn check_mouth(question: &WheelQuestion) -> Result<(), Error> {
-    let shapes = [
-        ("mouth-chamfer", question.mouth_chamfer),
-        ("mouth-radius", question.mouth_radius),
-        ("lead-in", question.lead_in),
-    ];
-    let mut given = shapes.iter().filter_map(|(name, size)| Some((name, size.filter(|size| *size != 0.0)?)));
+    let mut given = given_mouths(question);
     if let (Some((one, first)), Some((other, second))) = (given.next(), given.next()) {
         let (first, second) = (as_typed(first), as_typed(second));
         return Err(refused!("--{one} {first} and --{other} {second}: a mouth has one shape; give one of them"));
     }
-    let is_without = shapes.iter().all(|(_, size)| size.is_none());
+    let is_without = mouth_shapes(question).iter().all(|(_, size)| size.is_none());
     let details =
         [("mouth-angle", question.mouth_angle, "mouth-chamfer"), ("lead-in-flare", question.lead_in_flare, "lead-in")];
     match details.iter().find_map(|(name, size, of)| Some((name, (*size)?, of))) {

@@ -12,7 +12,7 @@ const ENOUGH: f64 = 0.9;
 /// The seed under which they are drawn: any will do, and the same gives the same assemblies.
 const SEED: u64 = 1;
 
-/// How many of 1000 assemblies turn whose sizes are made by a process.
+/// How many of 1000 assemblies turn whose sizes are made by a process, with wheel and driver loose on their shafts by the bore play.
 ///
 /// ```
 /// use geneva_ask::wheel::{WheelDesign, WheelQuestion, assemblies_that_turn};
@@ -34,7 +34,7 @@ pub fn assemblies_that_turn(sizes: &Sizes, numbers: &ProcessNumbers) -> Result<Y
     let too_small = |error: BuiltError| {
         refused!("{error}. The errors of process {} are too large for so small parts", numbers.process.name())
     };
-    let assemblies = Assemblies::new(sizes, numbers.errors(), ErrorShape::Normal, SEED);
+    let assemblies = Assemblies::new(sizes, numbers.errors(), ErrorShape::Normal, SEED).with_bore_play(sizes.play.bore);
     assemblies.count(0..ASSEMBLIES).map_err(too_small)
 }
 
@@ -60,7 +60,8 @@ impl WheelDesign {
 /// A measured play that is not above zero, and the errors of [`assemblies_that_turn`].
 pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let sized = design.sizes.as_ref();
-    let (numbers, found) = (design.process_numbers()?, design.assemblies_that_turn()?);
+    let numbers = design.process_numbers()?.filter(|_| sized.is_some());
+    let found = design.assemblies_that_turn()?;
     let mm = |key, name, of: fn(&ProcessNumbers) -> SourcedNumber| {
         let number = numbers.as_ref().map(of);
         let field = ReportField::in_unit(key, number.map(|number| number.value), "mm");
@@ -94,7 +95,7 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
             "yield",
             format!(
                 "share of {ASSEMBLIES} simulated assemblies that turn with the play of this wheel; each size is normally distributed, \
-                 with a third of its error as standard deviation{few}"
+                 with a third of its error as standard deviation, and both axes are anywhere within their bore play{few}"
             ),
         ),
         share("yield_low", interval.map(|[low, _]| low)).line("", "at least, with a probability of 97.5 %"),

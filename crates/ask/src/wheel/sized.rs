@@ -1,9 +1,11 @@
-//! The sizes of an external wheel from what a question gives: choices, plays and pins of a process, own inertia.
+//! The sizes of an external or an internal wheel from what a question gives: choices, plays and pins of a process, own inertia.
 
 use super::mouth::{asked_mouth, mouth_argument};
 use super::question::{WheelQuestion, given};
 use crate::Error;
 use geneva_kinematics::KinematicsError;
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::ProcessNumbers;
 use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel};
 
@@ -14,7 +16,7 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
 }
 
 /// What was chosen of the parts.
-pub(super) fn choices(question: &WheelQuestion) -> Choices {
+fn choices(question: &WheelQuestion) -> Choices {
     Choices {
         pin_diameter: question.pin_diameter,
         play: question.play.map(Play::from_slot),
@@ -29,26 +31,51 @@ pub(super) fn choices(question: &WheelQuestion) -> Choices {
 }
 
 pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Result<Sizes, SizesError> {
+    let usual = |choices: &Choices| {
+        Sizes::new(wheel, scale, choices).map(|sizes| (sizes.pin_diameter, sizes.play, sizes.centre_distance))
+    };
+    Sizes::new(wheel, scale, &with_plays(question, usual)?)
+}
+
+/// Sizes of an internal wheel with a crank radius in millimetres.
+pub(super) fn internal_sizes(
+    wheel: InternalWheel,
+    crank_radius: f64,
+    question: &WheelQuestion,
+) -> Result<InternalSizes, SizesError> {
+    let usual = |choices: &Choices| {
+        let sizes = InternalSizes::new(wheel, crank_radius, choices)?;
+        Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
+    };
+    InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)
+}
+
+/// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel
+/// with some choices are what `usual` says, in millimetres.
+fn with_plays(
+    question: &WheelQuestion,
+    usual: impl Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
+) -> Result<Choices, SizesError> {
     let mut choices = choices(question);
     let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
     let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
     if locking.or(bore).or(slot).is_none() && !is_of_process {
-        return Sizes::new(wheel, scale, &choices);
+        return Ok(choices);
     }
     // What is not given is as it is without, or as the process has it.
     let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
-    let others = Sizes::new(wheel, scale, &bare)?;
+    let (usual_pin, usual_play, centre_distance) = usual(&bare)?;
     if question.process.is_some() && question.pin_diameter.is_none() {
-        choices.pin_diameter = stock_pin(others.pin_diameter);
+        choices.pin_diameter = stock_pin(usual_pin);
     }
-    let pin = choices.pin_diameter.unwrap_or(others.pin_diameter);
-    let of_process = process_numbers(question, others.centre_distance)?.filter(|_| question.play.is_none());
-    let mut play = of_process.map_or(others.play, |numbers| numbers.play());
+    let pin = choices.pin_diameter.unwrap_or(usual_pin);
+    let of_process = process_numbers(question, centre_distance)?.filter(|_| question.play.is_none());
+    let mut play = of_process.map_or(usual_play, |numbers| numbers.play());
     if let Some(width) = slot {
         play = Play::from_slot(width - pin);
     }
     let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
-    Sizes::new(wheel, scale, &Choices { play: Some(play), ..choices })
+    Ok(Choices { play: Some(play), ..choices })
 }
 
 /// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.

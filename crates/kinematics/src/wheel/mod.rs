@@ -43,6 +43,8 @@ pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use mouth::Mouth;
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{EntryContact, Knock, PinEntry};
+pub(crate) use search::{Minimum, Search};
+pub(crate) use shared_tolerance::SharedGaps;
 pub use shared_tolerance::SharedTolerance;
 pub use sizes::{Choices, Crescent, LockingDisc, Play, Scale, Sizes};
 pub use standard_fit::{play_of_h8_e8, play_of_h8_e8_at};

@@ -9,7 +9,7 @@ use std::cell::Cell;
 const INTERVALS: u32 = 16;
 
 /// How exactly a least value is looked for, and at how many places.
-pub(super) struct Search<'a> {
+pub(crate) struct Search<'a> {
     /// How much less than what is found a value may be, in the function's own unit.
     pub tolerance: f64,
     /// A value that is enough, in the function's own unit: where no lesser one is possible, nothing is looked for.
@@ -20,7 +20,7 @@ pub(super) struct Search<'a> {
 
 /// A value, in the function's own unit, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Minimum {
+pub(crate) struct Minimum {
     /// The value, in the function's own unit.
     pub value: f64,
     /// Its place, in the unit of places.
@@ -38,7 +38,7 @@ impl Search<'_> {
     /// The least value of a function between two places that changes no faster than `rate` says between two of them, or
     /// what is known to be less; a value below the tolerance will do where `enough` is one, and any where no places are
     /// left.
-    pub(super) fn minimize(
+    pub(crate) fn minimize(
         &self,
         from: f64,
         to: f64,

@@ -40,7 +40,7 @@ pub struct SharedTolerance {
     pub width: f64,
     /// By what angle one slot may be off its place between the locking arcs, to either side, in radians.
     pub direction: f64,
-    /// How much farther from the wheel's axis the slot's end may be, in millimetres.
+    /// How much less deep a slot may be, in millimetres: its end farther from the wheel's axis, or nearer to it in an internal wheel.
     pub slot_end: f64,
 }
 
@@ -52,6 +52,74 @@ const AT_ENTRY: f64 = 5.0;
 const OF_BOTTOM: f64 = 0.98;
 /// Parts of the equal shares that are tried.
 const PARTS: u32 = 64;
+
+/// The gaps that errors share, and what their parts depend on.
+pub(crate) struct SharedGaps {
+    /// Sine of half the angle between slots, dimensionless.
+    pub sine: f64,
+    /// Its cosine, dimensionless.
+    pub cosine: f64,
+    /// Distance of a pin's centre from the driver's axis, in millimetres.
+    pub crank_radius: f64,
+    /// Distance of a pin's centre from the wheel's axis as it enters, in millimetres.
+    pub wheel_radius: f64,
+    /// Gap of the driver in a locking arc, in millimetres.
+    pub locking: f64,
+    /// Gap of the pin on either side of it in its slot, in millimetres.
+    pub slot: f64,
+    /// Gap between pin and bottom of the slot, in millimetres.
+    pub bottom: f64,
+    /// Play of a bore, in millimetres.
+    pub bore: f64,
+    /// Whether the pin goes deeper where the axes are farther apart: in an internal wheel.
+    pub is_deeper_apart: bool,
+}
+
+impl SharedGaps {
+    /// The largest equal parts of the gaps with which a wheel runs; none where loose bores take all, or the wheel runs with none.
+    pub(crate) fn divided(
+        &self,
+        runs_with: impl Fn(&SharedTolerance) -> Result<bool, KinematicsError>,
+    ) -> Result<Option<SharedTolerance>, KinematicsError> {
+        let Self { sine, cosine, bore, slot: gap, .. } = *self;
+        let locking = (self.locking - bore) / IN_DWELL;
+        // Axes that are too far apart by e let the pin in later: it is then (e cos α)²/(2 a) more beside the slot's middle.
+        let late = (bore + gap / (AT_ENTRY * sine)) * cosine;
+        let entry = (gap - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
+        if locking <= 0.0 || entry <= 0.0 {
+            return Ok(None);
+        }
+        let (mut runs, mut fails) = (0, PARTS + 1);
+        while fails - runs > 1 {
+            let middle = (runs + fails) / 2;
+            let part = f64::from(middle) / f64::from(PARTS);
+            let limit = self.shares(part * locking, part * entry);
+            if runs_with(&limit)? { runs = middle } else { fails = middle }
+        }
+        let part = f64::from(runs) / f64::from(PARTS);
+        Ok((runs > 0).then(|| self.shares(part * locking, part * entry)))
+    }
+
+    /// The tolerances from the share of a size in the dwell and at entry, in millimetres.
+    fn shares(&self, locking: f64, entry: f64) -> SharedTolerance {
+        let farther = entry / self.sine;
+        // The internal wheel's driver comes nearer to its arc where the axes are farther apart, and near the arc's ends where
+        // they are nearer.
+        let nearer = locking.min(farther);
+        let farther = if self.is_deeper_apart { nearer } else { farther };
+        let deeper = if self.is_deeper_apart { farther } else { nearer };
+        SharedTolerance {
+            locking,
+            nearer,
+            farther,
+            crank: entry,
+            width: 2.0 * entry,
+            direction: libm::asin(entry / self.wheel_radius),
+            // A pin that is too thick and a slot that is too narrow take half of their errors, and there are two.
+            slot_end: (OF_BOTTOM * self.bottom - self.bore - deeper - 3.0 * entry).max(0.0),
+        }
+    }
+}
 
 impl Sizes {
     /// How far all sizes may be wrong together so that nothing touches. None without a locking disc, and where loose bores alone
@@ -67,41 +135,20 @@ impl Sizes {
     ///
     /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
     pub fn shared_tolerance_within(&self, angles: u32) -> Result<Option<SharedTolerance>, KinematicsError> {
-        let Some(locking_gap) = self.locking_gap() else { return Ok(None) };
+        let Some(locking) = self.locking_gap() else { return Ok(None) };
         let (sine, cosine) = libm::sincos(self.wheel.half_pitch_angle());
-        let (gap, bore) = (self.slot_gap(), self.play.bore);
-        let locking = (locking_gap - bore) / IN_DWELL;
-        // Axes that are too far apart by e let the pin in later: it is then (e cos α)²/(2 a) more beside the slot's middle.
-        let late = (bore + gap / (AT_ENTRY * sine)) * cosine;
-        let entry = (gap - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
-        if locking <= 0.0 || entry <= 0.0 {
-            return Ok(None);
-        }
-        let (mut runs, mut fails) = (0, PARTS + 1);
-        while fails - runs > 1 {
-            let middle = (runs + fails) / 2;
-            let part = f64::from(middle) / f64::from(PARTS);
-            let limit = self.shares(part * locking, part * entry);
-            if self.runs_with(&limit, angles)? { runs = middle } else { fails = middle }
-        }
-        let part = f64::from(runs) / f64::from(PARTS);
-        Ok((runs > 0).then(|| self.shares(part * locking, part * entry)))
-    }
-
-    /// The tolerances from the share of a size in the dwell and at entry, in millimetres.
-    fn shares(&self, locking: f64, entry: f64) -> SharedTolerance {
-        let sine = libm::sin(self.wheel.half_pitch_angle());
-        let nearer = locking.min(entry / sine);
-        SharedTolerance {
+        let gaps = SharedGaps {
+            sine,
+            cosine,
+            crank_radius: self.crank_radius,
+            wheel_radius: self.wheel_radius,
             locking,
-            nearer,
-            farther: entry / sine,
-            crank: entry,
-            width: 2.0 * entry,
-            direction: libm::asin(entry / self.wheel_radius),
-            // A pin that is too thick and a slot that is too narrow take half of their errors, and there are two.
-            slot_end: (OF_BOTTOM * self.bottom_gap() - self.play.bore - nearer - 3.0 * entry).max(0.0),
-        }
+            slot: self.slot_gap(),
+            bottom: self.bottom_gap(),
+            bore: self.play.bore,
+            is_deeper_apart: false,
+        };
+        gaps.divided(|limit| self.runs_with(limit, angles))
     }
 
     /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius and centre distance.

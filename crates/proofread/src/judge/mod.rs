@@ -8,6 +8,7 @@ pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
+pub(crate) mod frequent;
 pub(crate) mod letter_units;
 mod lost_digits;
 pub(crate) mod money;

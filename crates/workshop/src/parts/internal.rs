@@ -2,7 +2,7 @@
 
 use super::error::MountingError;
 use super::holes::{Hole, HolePurpose, bore};
-use super::list::{PartList, pin_fastener, pin_hole, place, screw_holes};
+use super::list::{PartList, axial_play, pin_fastener, pin_hole, place, screw_holes};
 use super::mounting::{Mounting, PinMount};
 use super::part::{Layer, Part, Place};
 use super::walls::thin_walls;
@@ -44,7 +44,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
     }
     mounting.validate()?;
     let (outline, half_pitch) = (sizes.outline(), sizes.wheel.half_pitch_angle());
-    let play = mounting.axial_play.unwrap_or(sizes.play.slot);
+    let play = axial_play(sizes.play.slot, mounting);
     let still = Place { turn: half_pitch, at: Point::zeros(), bottom: 0.0 };
     let driver = Place { turn: PI, at: Point::new(sizes.centre_distance, 0.0), bottom: -play };
     let plain = |layer, outer: Loop, place: Place| Part {

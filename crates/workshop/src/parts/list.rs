@@ -52,7 +52,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     let (outline, pins) = (sizes.outline(), sizes.wheel.pins());
     let (half_pitch, between) = (sizes.wheel.half_pitch_angle(), PI / f64::from(pins));
     let driver = Place { turn: PI - between, at: Point::new(sizes.centre_distance, 0.0), bottom: 0.0 };
-    let play = axial_play(sizes, mounting);
+    let play = axial_play(sizes.play.slot, mounting);
     let plain = |layer, face: Face, places| Part {
         layer,
         outer: face.outer,
@@ -116,9 +116,9 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
     Ok(PartList { parts: all, thin_walls })
 }
 
-/// The gap between wheel and plate along the axes, in millimetres.
-pub(crate) fn axial_play(sizes: &Sizes, mounting: &Mounting) -> f64 {
-    mounting.axial_play.unwrap_or(sizes.play.slot)
+/// The gap between wheel and plate along the axes, in millimetres: what is chosen, or the play of the slots.
+pub(crate) fn axial_play(slot_play: f64, mounting: &Mounting) -> f64 {
+    mounting.axial_play.unwrap_or(slot_play)
 }
 
 /// A pin: a dowel through the plate, what stands on the plate in one piece with it, or a bush on a screw; none where the screw
@@ -132,7 +132,7 @@ fn pin(
 ) -> Result<Option<Part>, MountingError> {
     let Some(holes) = screw_holes(sizes.pin_diameter, mounting.pins)? else { return Ok(None) };
     let is_joined = mounting.pins == PinMount::Solid && !mounting.disc_is_apart();
-    let play = axial_play(sizes, mounting);
+    let play = axial_play(sizes.play.slot, mounting);
     let through = if is_joined || !holes.is_empty() { 0.0 } else { thickness };
     // The head of a bush's screw runs as far above the wheel as the plate is below it.
     let above = if holes.is_empty() { 0.0 } else { play };

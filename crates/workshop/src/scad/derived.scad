@@ -97,9 +97,7 @@ assert(plate_radius - crank_radius > max(pin_hole, nut_width / cos(30)) / 2,
   "a pin's hole or nut breaks out of the plate: make pin_hole or nut_width smaller");
 assert(nut_depth < thickness, "nut_depth must be less than thickness");
 
-// Of a hole: how far its pocket reaches from its middle, and whether it keeps off slots, locking arcs, crescents and bores.
-function reach(hole) = max(hole[2] / 2, hole[3] / 2 / cos(30));
-function at(radius, angle) = radius * [cos(angle), sin(angle)];
+// Whether a hole keeps off slots, locking arcs, crescents and bores.
 function beyond_slot(p, angle) =
   let (x = p[0] * cos(angle) + p[1] * sin(angle), y = p[1] * cos(angle) - p[0] * sin(angle))
   (x > slot_end ? abs(y) : norm([x - slot_end, y])) - slot_width / 2;
@@ -119,8 +117,6 @@ function in_plate(hole) =
     for (k = [0 : pins - 1])
       norm(p - at(crank_radius, 360 / pins * k)) - max(pin_diameter / 2, pin_hole / 2, nut_width / 2 / cos(30))])
     > reach(hole);
-function all(tests) = len([for (test = tests) if (!test) test]) == 0;
-function deepest_pocket(holes) = max([0, for (hole = holes) hole[4]]);
 assert(all([for (hole = wheel_holes) in_wheel(hole)]), "a hole breaks out of the wheel: change wheel_holes");
 assert(all([for (hole = plate_holes) in_plate(hole)]), "a hole breaks out of the plate: change plate_holes");
 assert(!has_dwell || all([for (hole = disc_holes) in_disc(hole)]), "a hole breaks out of the locking disc: change disc_holes");

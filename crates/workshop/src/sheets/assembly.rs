@@ -8,7 +8,7 @@ use super::making::Making;
 use super::text::SheetText;
 use super::view::{Target, View, polylines};
 use crate::geometry::{Point, direction, encloses, turned};
-use crate::parts::{Layer, Part, Place};
+use crate::parts::{HolePurpose, Layer, Part, Place};
 use geneva_kinematics::wheel::Loop;
 use std::f64::consts::PI;
 
@@ -16,12 +16,21 @@ use std::f64::consts::PI;
 struct Placed<'a> {
     part: &'a Part,
     outer: Loop,
+    /// The hollow of a ring.
+    inside: Option<Loop>,
     at: Point,
 }
 
 impl<'a> Placed<'a> {
     fn new(part: &'a Part, place: &Place) -> Self {
-        Self { part, outer: part.outer.transform(place.turn, place.at), at: place.at }
+        let inside = part.holes.iter().find(|hole| hole.purpose == HolePurpose::Inside);
+        let moved = |of: &Loop| of.transform(place.turn, place.at);
+        Self { part, outer: moved(&part.outer), inside: inside.map(|hole| moved(&hole.outline)), at: place.at }
+    }
+
+    /// Whether it hides what is below it at a point.
+    fn covers(&self, p: Point) -> bool {
+        encloses(&self.outer, p) && !self.inside.as_ref().is_some_and(|inside| encloses(inside, p))
     }
 
     /// Its place that is farthest in a direction.
@@ -38,12 +47,12 @@ impl<'a> Placed<'a> {
 }
 
 /// Lines that are seen or hidden by the outlines above them.
-fn seen(of: &Loop, above: &[&Loop]) -> Vec<(Pen, Vec<Point>)> {
+fn seen(of: &Loop, above: &[&Placed<'_>]) -> Vec<(Pen, Vec<Point>)> {
     let mut lines: Vec<(Pen, Vec<Point>)> = Vec::new();
     for (_, points) in polylines(Pen::Thick, of) {
         for pair in points.windows(2) {
             let middle = (pair[0] + pair[1]) / 2.0;
-            let pen = if above.iter().any(|of| encloses(of, middle)) { Pen::Hidden } else { Pen::Thick };
+            let pen = if above.iter().any(|part| part.covers(middle)) { Pen::Hidden } else { Pen::Thick };
             match lines.last_mut() {
                 Some((last, line)) if *last == pen && line.last() == Some(&pair[0]) => line.push(pair[1]),
                 _ => lines.push((pen, pair.to_vec())),
@@ -64,15 +73,16 @@ impl Making<'_> {
         };
         let placed: Vec<Placed<'_>> = list.iter().flat_map(all).collect();
         let of = |layer: Layer| placed.iter().filter(move |placed| placed.part.layer == layer);
-        let outlines = |layers: &[Layer]| -> Vec<&Loop> {
-            layers.iter().flat_map(|layer| of(*layer)).map(|placed| &placed.outer).collect()
-        };
-        let above_plate = outlines(&[Layer::Wheel, Layer::LockingDisc]);
-        let above_base = outlines(&[Layer::Wheel, Layer::LockingDisc, Layer::Plate]);
+        let in_layers = |layers: &[Layer]| -> Vec<&Placed<'_>> { layers.iter().flat_map(|layer| of(*layer)).collect() };
+        let above_plate = in_layers(&[Layer::Wheel, Layer::LockingDisc, Layer::LockingSegment]);
+        let above_base = in_layers(&[Layer::Wheel, Layer::LockingDisc, Layer::Plate]);
         for placed in &placed {
             match placed.part.layer {
-                Layer::Wheel => {}
-                Layer::LockingDisc | Layer::Pins => view.lines.extend(polylines(Pen::Thick, &placed.outer)),
+                // The ring plate would hide all others.
+                Layer::Wheel | Layer::RingPlate => {}
+                Layer::LockingDisc | Layer::LockingSegment | Layer::Pins => {
+                    view.lines.extend(polylines(Pen::Thick, &placed.outer))
+                }
                 Layer::BasePlate => view.lines.extend(seen(&placed.outer, &above_base)),
                 _ => view.lines.extend(seen(&placed.outer, &above_plate)),
             }
@@ -86,10 +96,10 @@ impl Making<'_> {
         });
         let bores: Vec<Loop> = holes.map(|(hole, place)| hole.outline.transform(place.turn, place.at)).collect();
         bores.iter().for_each(|bore| view.lines.extend(polylines(Pen::Thick, bore)));
-        let driver = Point::new(self.sizes.centre_distance, 0.0);
+        let driver = Point::new(self.sizes.centre_distance(), 0.0);
         view.part.marks.push(driver);
 
-        let axes = PrintedDimension::new(Measured::AxisDistance, "", self.sizes.centre_distance, "");
+        let axes = PrintedDimension::new(Measured::AxisDistance, "", self.sizes.centre_distance(), "");
         view.add(
             Target::Across([Point::zeros(), driver]),
             Side::Right,
@@ -97,8 +107,9 @@ impl Making<'_> {
         );
         self.add_list(&mut view, list, &placed, text);
         view.notes.push(format!(
-            "Axial play between wheel and plate: {}. Drawn in the middle of a dwell, from the wheel's side.",
-            mm(self.axial_play())
+            "Axial play between wheel and plate: {}. Drawn in the middle of a dwell, from the wheel's side{}.",
+            mm(self.axial_play()),
+            if self.sizes.is_internal() { ", without the ring plate" } else { "" }
         ));
         Some(view)
     }
@@ -112,10 +123,12 @@ impl Making<'_> {
             // The plate beside wheel and pins; what is below, at its far corner.
             let (target, side) = match part.layer {
                 Layer::Wheel => (first.edge(0.85 * PI), Side::Left),
+                Layer::RingPlate => (first.edge(1.15 * PI), Side::Left),
                 Layer::LockingDisc => (first.edge(-0.45 * PI), Side::Right),
-                Layer::Pins => (first.at + direction(0.15 * PI) * self.sizes.pin_radius(), Side::Right),
+                Layer::LockingSegment => (first.edge(-0.2 * PI), Side::Right),
+                Layer::Pins => (first.at + direction(0.15 * PI) * (self.sizes.pin_diameter() / 2.0), Side::Right),
                 Layer::BasePlate => (first.edge(-0.22 * PI), Side::Right),
-                _ => (first.at + turned(direction(0.25 * PI) * self.sizes.plate_radius, 0.0), Side::Right),
+                _ => (first.at + turned(direction(0.25 * PI) * self.sizes.plate_radius(), 0.0), Side::Right),
             };
             let material = if part.layer == Layer::Pins { text.pin_material } else { text.wheel_material };
             let pieces =
@@ -124,7 +137,9 @@ impl Making<'_> {
             rows.extend(self.joined_names(part, list).map(Row::Words));
             rows.push(Row::Words(format!("{pieces}, {}", material.name)));
             let size = if part.is_cut() { "t = " } else { "length " };
-            let on_it = list.iter().find(|other| other.is_joined && other.layer == Layer::LockingDisc);
+            let on_it = list
+                .iter()
+                .find(|other| other.is_joined && matches!(other.layer, Layer::LockingDisc | Layer::LockingSegment));
             let on_it = on_it.filter(|_| part.layer == Layer::Plate);
             let on_it = on_it.map_or_else(String::new, |disc| format!(" + {}", mm(disc.thickness)));
             rows.push(Row::Words(format!("{size}{}{on_it}", mm(part.thickness))));
@@ -137,6 +152,7 @@ impl Making<'_> {
             Layer::Plate if self.is_one_piece() => "Driver",
             Layer::Plate => "Driver plate",
             Layer::LockingDisc => "Locking disc",
+            Layer::RingPlate => "Ring plate, not drawn",
             _ => self.name(part),
         }
     }

@@ -49,6 +49,14 @@ pub enum Measured {
     CrescentCentre,
     /// From one edge of the crescent's opening to the other.
     Opening,
+    /// Inner diameter of an internal wheel's ring.
+    RingInside,
+    /// Outer radius of the locking segment.
+    SegmentOuter,
+    /// Inner radius of the locking segment.
+    SegmentInner,
+    /// From one end of the locking segment's outer arc to the other.
+    SegmentChord,
     /// Diameter of the plate.
     Plate,
     /// From the driver's axis to the middle of a pin.

@@ -1,8 +1,9 @@
 //! By how much a size may be off: the letters of ISO 286, the chains of all sizes, and general tolerances.
 
+use super::drawn_sizes::DrawnSizes;
 use super::length::{deviation, mm};
 use geneva_kinematics::wheel::ToleranceLetter::{LowerH, LowerM, UpperH, UpperJs, UpperP};
-use geneva_kinematics::wheel::{SharedTolerance, Sizes, ToleranceClass};
+use geneva_kinematics::wheel::{SharedTolerance, ToleranceClass};
 
 /// Classes of slots, shafts and holes: our choice among those that shops use.
 pub(super) const SLOT: ToleranceClass = ToleranceClass { letter: UpperH, grade: 8 };
@@ -170,7 +171,7 @@ pub(super) struct Chain {
 
 impl Chain {
     /// The limits of the chains; where they leave nothing, what is usual, or nothing if a process says what is held.
-    pub(super) fn new(sizes: &Sizes, shared: Option<SharedTolerance>, has_process: bool) -> Self {
+    pub(super) fn new(sizes: DrawnSizes<'_>, shared: Option<SharedTolerance>, has_process: bool) -> Self {
         let otherwise = || if has_process { Self::NOTHING } else { Self::chosen(sizes) };
         Self::of_chains(sizes, shared).filter(|chain| chain.least() > 0.0).unwrap_or_else(otherwise)
     }
@@ -188,22 +189,22 @@ impl Chain {
     };
 
     /// What is usual where the chains leave nothing that can be written in micrometres.
-    fn chosen(sizes: &Sizes) -> Self {
+    fn chosen(sizes: DrawnSizes<'_>) -> Self {
         let place = |nominal| Limits::class(PLACE, nominal).upper;
         Self {
-            axes: [place(sizes.centre_distance); 2],
+            axes: [place(sizes.centre_distance()); 2],
             bore: f64::INFINITY,
-            crank: place(sizes.crank_radius),
+            crank: place(sizes.crank_radius()),
             width: f64::INFINITY,
-            slot_end: general_tolerance(sizes.slot_end),
+            slot_end: general_tolerance(sizes.slot_end()),
             locking: f64::INFINITY,
-            slot_zone: to_micrometres(place(sizes.wheel_radius)),
-            arc_zone: to_micrometres(2.0 * place(sizes.wheel_radius)),
+            slot_zone: to_micrometres(place(sizes.wheel_radius())),
+            arc_zone: to_micrometres(2.0 * place(sizes.wheel_radius())),
             is_known: false,
         }
     }
 
-    fn of_chains(sizes: &Sizes, shared: Option<SharedTolerance>) -> Option<Self> {
+    fn of_chains(sizes: DrawnSizes<'_>, shared: Option<SharedTolerance>) -> Option<Self> {
         let shared = shared?;
         let least = shared.nearer.min(shared.farther);
         Some(Self {
@@ -214,9 +215,9 @@ impl Chain {
             slot_end: shared.slot_end,
             locking: shared.locking,
             // Half of the direction's limit to either side, so the zone is as wide as the limit at the mouth.
-            slot_zone: to_micrometres(sizes.wheel_radius * libm::sin(shared.direction)),
+            slot_zone: to_micrometres(sizes.wheel_radius() * libm::sin(shared.direction)),
             // The arc's middle may be off towards the wheel by the disc's limit, and sideways by half of the direction's.
-            arc_zone: to_micrometres((2.0 * shared.locking).min(sizes.centre_distance * shared.direction)),
+            arc_zone: to_micrometres((2.0 * shared.locking).min(sizes.centre_distance() * shared.direction)),
             is_known: true,
         })
     }

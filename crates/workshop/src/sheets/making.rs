@@ -2,12 +2,12 @@
 
 use super::callout::Row;
 use super::dimension::{Measured, PrintedDimension};
+use super::drawn_sizes::DrawnSizes;
 use super::length::mm;
 use super::limits::{Chain, LimitOrigin, Limits, general_tolerance, whole_micrometres};
 use crate::parts::{Layer, Mounting, Part, Pattern, PinMount, axial_play};
-use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::SharedTolerance;
 use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
-use geneva_kinematics::wheel::{SharedTolerance, Sizes};
 
 /// What the limits on the sheets come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ pub struct SheetLimits {
 
 /// All that the views are made from.
 pub(super) struct Making<'a> {
-    pub sizes: &'a Sizes,
+    pub sizes: DrawnSizes<'a>,
     pub mounting: &'a Mounting,
     pub chain: Chain,
     pub limits: SheetLimits,
@@ -77,7 +77,7 @@ impl Making<'_> {
 
     /// The gap between wheel and plate along the axes, in millimetres.
     pub(super) fn axial_play(&self) -> f64 {
-        axial_play(self.sizes, self.mounting)
+        axial_play(self.sizes.slot_play(), self.mounting)
     }
 
     /// Class of the general tolerances: ISO 2768-1.
@@ -95,8 +95,8 @@ impl Making<'_> {
         let of = |before, behind| PrintedDimension::new(Measured::Thickness, before, part.thickness, behind);
         let size = |behind| of("t = ", behind);
         Row::Size(match part.layer {
-            Layer::LockingDisc if part.is_joined => {
-                of("above the plate t = ", "").limited(self.general(part.thickness))
+            Layer::LockingDisc | Layer::LockingSegment if part.is_joined => {
+                of("above the plate t = ", "").limited(self.height(part.thickness))
             }
             _ if self.is_of_sheet() => size(", that of the sheet"),
             _ => size("").limited(self.general(part.thickness)),
@@ -107,6 +107,20 @@ impl Making<'_> {
     pub(super) fn general(&self, nominal: f64) -> Limits {
         let by = general_tolerance(nominal);
         self.held(Limits::new([-by, by]), [f64::INFINITY; 2])
+    }
+
+    /// General tolerances of what stands on the plate. The plate that closes an internal wheel's ring leaves no room above that.
+    pub(super) fn height(&self, nominal: f64) -> Limits {
+        let general = self.general(nominal);
+        if self.sizes.is_internal() {
+            return Limits { lower: general.lower - general.upper, upper: 0.0, ..general };
+        }
+        general
+    }
+
+    /// How far pins in one piece with a plate of this thickness stand above it, in millimetres.
+    pub(super) fn pin_height(&self, thickness: f64) -> f64 {
+        if self.sizes.is_internal() { thickness } else { thickness + self.axial_play() }
     }
 
     /// What surfaces are to be like: how rough those of metal may be, in micrometres, and what is done to others.
@@ -129,9 +143,9 @@ impl Making<'_> {
         matches!(self.process(), None | Some(Process::Ground | Process::Mill))
     }
 
-    /// Whether locking disc and plate are one piece.
+    /// Whether locking disc or segment and plate are one piece. Dowels are between the two plates of an internal wheel.
     pub(super) fn is_one_piece(&self) -> bool {
-        !self.mounting.disc_is_apart()
+        if self.sizes.is_internal() { !self.mounting.is_stacked } else { !self.mounting.disc_is_apart() }
     }
 
     /// Whether the pins are one piece with the plate.
@@ -141,13 +155,16 @@ impl Making<'_> {
 
     /// The pattern of holes that holds a part on its hub.
     pub(super) fn hub(&self, layer: Layer) -> Option<Pattern> {
-        if layer == Layer::Wheel { self.mounting.wheel_hub } else { self.mounting.driver_hub }
+        let is_of_wheel = matches!(layer, Layer::Wheel | Layer::RingPlate);
+        if is_of_wheel { self.mounting.wheel_hub } else { self.mounting.driver_hub }
     }
 
     /// What the sheet of a part is called.
     pub(super) fn name(&self, part: &Part) -> &'static str {
         match part.layer {
+            Layer::Wheel if self.sizes.is_internal() => "Ring",
             Layer::Wheel => "Wheel",
+            Layer::LockingSegment if part.is_joined => "Locking segment, in one piece with the driver plate",
             Layer::LockingDisc if part.is_joined => "Locking disc, in one piece with the driver plate",
             Layer::LockingDisc => "Locking disc",
             Layer::Pins if part.is_bush() => "Bush of a pin",
@@ -157,14 +174,29 @@ impl Making<'_> {
             Layer::RingPlate => "Ring plate",
             Layer::TestPiece => "Test piece",
             Layer::Plate | Layer::Centres | Layer::Pockets if !self.is_one_piece() => "Driver plate",
-            _ => match (self.sizes.locking_disc.is_some(), self.has_solid_pins(), self.sizes.wheel.pins()) {
-                (true, true, 1) => "Driver plate, in one piece with locking disc and pin",
-                (true, true, _) => "Driver plate, in one piece with locking disc and pins",
-                (true, false, _) => "Driver plate, in one piece with the locking disc",
-                (false, true, 1) => "Driver plate, in one piece with the pin",
-                (false, true, _) => "Driver plate, in one piece with the pins",
-                (false, false, _) => "Driver plate",
-            },
+            _ => self.driver_name(),
+        }
+    }
+
+    /// What the plate is called that has the locking disc or segment in one piece with it.
+    fn driver_name(&self) -> &'static str {
+        let has_disc = match self.sizes {
+            DrawnSizes::External(sizes) => sizes.locking_disc.is_some(),
+            DrawnSizes::Internal(_) => {
+                return if self.has_solid_pins() {
+                    "Driver plate, in one piece with locking segment and pin"
+                } else {
+                    "Driver plate, in one piece with the locking segment"
+                };
+            }
+        };
+        match (has_disc, self.has_solid_pins(), self.sizes.pins()) {
+            (true, true, 1) => "Driver plate, in one piece with locking disc and pin",
+            (true, true, _) => "Driver plate, in one piece with locking disc and pins",
+            (true, false, _) => "Driver plate, in one piece with the locking disc",
+            (false, true, 1) => "Driver plate, in one piece with the pin",
+            (false, true, _) => "Driver plate, in one piece with the pins",
+            (false, false, _) => "Driver plate",
         }
     }
 }

@@ -3,6 +3,7 @@
 mod assembly;
 mod callout;
 mod dimension;
+mod drawn_sizes;
 mod ink;
 mod length;
 mod limits;
@@ -12,6 +13,9 @@ mod paper;
 mod part_views;
 #[cfg(test)]
 mod process_tests;
+#[cfg(test)]
+mod ring_tests;
+mod ring_views;
 mod sheet;
 #[cfg(test)]
 mod tests;
@@ -24,5 +28,5 @@ pub use limits::LimitOrigin;
 pub use making::SheetLimits;
 pub use page::{sheets_html, sheets_svg};
 pub use paper::{DrawingScale, Paper};
-pub use sheet::{Sheet, sheets};
+pub use sheet::{Sheet, internal_sheets, sheets};
 pub use text::{SheetMaterial, SheetText};

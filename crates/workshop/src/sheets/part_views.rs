@@ -2,6 +2,7 @@
 
 use super::callout::{Row, Side};
 use super::dimension::{Measured, PrintedDimension};
+use super::drawn_sizes::DrawnSizes;
 use super::ink::Pen;
 use super::length::mm;
 use super::limits::{BORE, DISC, Limits, RIM, SLOT, general_tolerance, to_micrometres};
@@ -10,13 +11,13 @@ use super::view::{Target, View, on_circle, pocket_rows, polylines};
 use crate::geometry::{Point, direction, point_along};
 use crate::parts::{Hole, HolePurpose, Layer, Part, PinMount, ScrewHole};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, ToleranceClass, ToleranceLetter};
+use geneva_kinematics::wheel::{Edge, LockingDisc, Loop, Sizes, ToleranceClass, ToleranceLetter};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Turned so, what is on the first axis points up.
-const UPRIGHT: f64 = FRAC_PI_2;
+pub(super) const UPRIGHT: f64 = FRAC_PI_2;
 /// Below the view's right, and above its left, in radians: where leaders find a rim.
-const LOWER_RIGHT: f64 = -0.2 * PI;
+pub(super) const LOWER_RIGHT: f64 = -0.2 * PI;
 /// A crescent's centre that is farther from the axis, over the disc's radius, is given in words.
 const FAR: f64 = 1.4;
 /// Length of a pin's chamfers over its diameter: our choice.
@@ -25,65 +26,67 @@ const CHAMFER: f64 = 0.05;
 impl Making<'_> {
     /// The view of a part.
     pub(super) fn view(&self, part: &Part) -> View {
-        match part.layer {
-            Layer::Wheel => self.wheel(part),
-            Layer::LockingDisc => self.disc(part),
-            Layer::Pins => self.pin(part),
-            Layer::BasePlate => self.base(part),
-            // An internal wheel has other sizes and no sheets.
-            Layer::Plate
-            | Layer::LockingSegment
-            | Layer::RingPlate
-            | Layer::Centres
-            | Layer::Pockets
-            | Layer::TestPiece => self.plate(part),
+        match (part.layer, self.sizes) {
+            (Layer::Wheel, DrawnSizes::External(sizes)) => self.wheel(part, sizes),
+            (Layer::LockingDisc, DrawnSizes::External(sizes)) => self.disc(part, sizes),
+            (Layer::Wheel, DrawnSizes::Internal(sizes)) => self.ring(part, sizes),
+            (Layer::RingPlate, DrawnSizes::Internal(sizes)) => self.ring_plate(part, sizes),
+            (Layer::LockingSegment, DrawnSizes::Internal(sizes)) => self.segment(part, sizes),
+            (Layer::Pins, _) => self.pin(part),
+            (Layer::BasePlate, _) => self.base(part),
+            _ => self.plate(part),
         }
     }
 
-    fn wheel(&self, part: &Part) -> View {
-        let (sizes, chain) = (self.sizes, &self.chain);
-        let (stations, pitch) = (sizes.wheel.stations(), 2.0 * sizes.wheel.half_pitch_angle());
+    /// The rows about the slots of a wheel, of this width in millimetres.
+    pub(super) fn slot_rows(&self, width: f64) -> Vec<Row> {
+        let wheel = self.sizes.indexing();
+        let slot = PrintedDimension::new(Measured::SlotWidth, &format!("{}× ", wheel.stations()), width, "")
+            .limited(self.held(Limits::class(SLOT, width), [self.chain.width, f64::INFINITY]));
+        vec![
+            Row::Size(slot),
+            self.position("", self.chain.slot_zone, &["A"]),
+            Row::Words(format!("at exact {}°", mm(2.0 * wheel.half_pitch_angle().to_degrees()))),
+            Row::Datum("B"),
+        ]
+    }
+
+    /// The rows about the end of a slot of this width, in millimetres: `chain` is what a tolerance chain leaves below and above.
+    pub(super) fn slot_end_rows(&self, width: f64, chain: [f64; 2]) -> Vec<Row> {
+        let end = PrintedDimension::new(Measured::SlotEnd, "", self.sizes.slot_end(), "");
+        let general = general_tolerance(self.sizes.slot_end());
+        let end = end.limited(self.held(Limits::new([-general, general]), chain));
+        let radius = PrintedDimension::new(Measured::SlotEndRadius, "slot end R", width / 2.0, "");
+        vec![Row::Size(end), Row::Size(radius)]
+    }
+
+    /// The rows about the locking arcs of a wheel, of this radius in millimetres.
+    pub(super) fn arc_rows(&self, radius: f64) -> Vec<Row> {
+        let many = format!("{}× R", self.sizes.indexing().stations());
+        let limits = self.held_radius(Limits::of_radius(SLOT, radius), [self.chain.locking, f64::INFINITY]);
+        let arc = PrintedDimension::new(Measured::LockingArc, &many, radius, "").limited(limits);
+        let centres = 2.0 * self.sizes.centre_distance();
+        let centres = PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", centres, "");
+        vec![
+            Row::Size(arc),
+            self.position("Ø", self.chain.arc_zone, &["A", "B"]),
+            Row::Size(centres),
+            Row::Words("midway between slots".to_owned()),
+        ]
+    }
+
+    fn wheel(&self, part: &Part, sizes: &Sizes) -> View {
         let mut view = View::new(part, UPRIGHT);
         let half = sizes.slot_width / 2.0;
         let corner = |x: f64| Point::new(x, sizes.wheel_radius - sizes.mouth_length());
-        let slot = PrintedDimension::new(Measured::SlotWidth, &format!("{stations}× "), sizes.slot_width, "")
-            .limited(self.held(Limits::class(SLOT, sizes.slot_width), [chain.width, f64::INFINITY]));
-        view.add(
-            Target::Across([corner(-half), corner(half)]),
-            Side::Right,
-            vec![
-                Row::Size(slot),
-                self.position("", chain.slot_zone, &["A"]),
-                Row::Words(format!("at exact {}°", mm(pitch.to_degrees()))),
-                Row::Datum("B"),
-            ],
-        );
-        let end = PrintedDimension::new(Measured::SlotEnd, "", sizes.slot_end, "");
-        let general = general_tolerance(sizes.slot_end);
-        let end = end.limited(self.held(Limits::new([-general, general]), [f64::INFINITY, chain.slot_end]));
+        view.add(Target::Across([corner(-half), corner(half)]), Side::Right, self.slot_rows(sizes.slot_width));
         view.add(
             Target::Along([Point::zeros(), Point::new(0.0, sizes.slot_end)]),
             Side::Left,
-            vec![Row::Size(end), Row::Size(PrintedDimension::new(Measured::SlotEndRadius, "slot end R", half, ""))],
+            self.slot_end_rows(sizes.slot_width, [f64::INFINITY, self.chain.slot_end]),
         );
         let arc = nearest_arc(&view.part.outer, sizes.locking_arc_radius, direction(0.12 * PI));
-        let radius =
-            PrintedDimension::new(Measured::LockingArc, &format!("{stations}× R"), sizes.locking_arc_radius, "")
-                .limited(
-                    self.held_radius(Limits::of_radius(SLOT, sizes.locking_arc_radius), [chain.locking, f64::INFINITY]),
-                );
-        let centres =
-            PrintedDimension::new(Measured::LockingArcCentres, "centres on exact Ø", 2.0 * sizes.centre_distance, "");
-        view.add(
-            Target::Edge(arc),
-            Side::Right,
-            vec![
-                Row::Size(radius),
-                self.position("Ø", chain.arc_zone, &["A", "B"]),
-                Row::Size(centres),
-                Row::Words("midway between slots".to_owned()),
-            ],
-        );
+        view.add(Target::Edge(arc), Side::Right, self.arc_rows(sizes.locking_arc_radius));
         let rim = rim_point(&view.part.outer, sizes.tip_radius, direction(LOWER_RIGHT));
         let rim_size = PrintedDimension::new(Measured::Rim, "Ø", 2.0 * sizes.tip_radius, "");
         let mut rows = vec![
@@ -94,7 +97,7 @@ impl Making<'_> {
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
-        self.add_mouth(&mut view);
+        self.add_mouth(&mut view, sizes);
         view.add_holes(self);
         view.notes.push(self.surface("Slot walls, locking arcs", 1.6));
         if self.is_machined() {
@@ -104,10 +107,9 @@ impl Making<'_> {
     }
 
     /// The mouths of the slots where they are not sharp: on the left of the upper slot.
-    fn add_mouth(&self, view: &mut View) {
-        let Some(face) = self.sizes.mouth_face() else { return };
-        let length =
-            PrintedDimension::new(Measured::MouthLength, "mouths ", self.sizes.mouth_length(), " along the slot");
+    fn add_mouth(&self, view: &mut View, sizes: &Sizes) {
+        let Some(face) = sizes.mouth_face() else { return };
+        let length = PrintedDimension::new(Measured::MouthLength, "mouths ", sizes.mouth_length(), " along the slot");
         let shape = match face {
             Edge::Line { from, to } => {
                 let angle = libm::atan2(to.y - from.y, to.x - from.x).to_degrees();
@@ -121,10 +123,10 @@ impl Making<'_> {
         view.add(Target::Edge(Point::new(-middle.y, middle.x)), Side::Left, vec![Row::Size(length), shape]);
     }
 
-    fn disc(&self, part: &Part) -> View {
+    fn disc(&self, part: &Part, sizes: &Sizes) -> View {
         let mut view = View::new(part, UPRIGHT);
-        let Some(disc) = self.sizes.locking_disc else { return view };
-        let pins = self.sizes.wheel.pins();
+        let Some(disc) = sizes.locking_disc else { return view };
+        let pins = sizes.wheel.pins();
         let cut = disc.crescent;
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let rim = rim_point(&view.part.outer, disc.radius, direction(LOWER_RIGHT));
@@ -183,26 +185,26 @@ impl Making<'_> {
 
     fn plate(&self, part: &Part) -> View {
         let (sizes, chain) = (self.sizes, &self.chain);
-        let pins = sizes.wheel.pins();
+        let pins = sizes.pins();
         let many = if pins > 1 { format!("{pins}× ") } else { String::new() };
         let mut view = View::new(part, UPRIGHT);
-        let rim = direction(LOWER_RIGHT) * sizes.plate_radius;
+        let rim = direction(LOWER_RIGHT) * sizes.plate_radius();
         let mut rows = vec![
-            Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")),
+            Row::Size(PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius(), "")),
             self.thickness(part),
         ];
         if !view.has_bore() {
             rows[0] = Row::Size(
-                PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius, "")
-                    .limited(self.held(Limits::class(RIM, 2.0 * sizes.plate_radius), [f64::INFINITY; 2])),
+                PrintedDimension::new(Measured::Plate, "Ø", 2.0 * sizes.plate_radius(), "")
+                    .limited(self.held(Limits::class(RIM, 2.0 * sizes.plate_radius()), [f64::INFINITY; 2])),
             );
             rows.insert(1, Row::Datum("A"));
         }
         view.add(Target::Edge(rim), Side::Right, rows);
-        let crank = PrintedDimension::new(Measured::CrankRadius, "", sizes.crank_radius, "");
+        let crank = PrintedDimension::new(Measured::CrankRadius, "", sizes.crank_radius(), "");
         let limits = self.held_place([chain.crank; 2]);
         view.add(
-            Target::Along([Point::zeros(), Point::new(0.0, sizes.crank_radius)]),
+            Target::Along([Point::zeros(), Point::new(0.0, sizes.crank_radius())]),
             Side::Left,
             vec![Row::Size(crank.limited(limits))],
         );
@@ -219,10 +221,10 @@ impl Making<'_> {
             let free = [f64::INFINITY; 2];
             let mut rows = match self.mounting.pins {
                 _ if self.has_solid_pins() => {
-                    let height = part.thickness + self.axial_play();
+                    let height = self.pin_height(part.thickness);
                     let limits = self.held(Limits::class(DISC, diameter), [f64::INFINITY, chain.width]);
                     let height = PrintedDimension::new(Measured::PinLength, "above the plate h = ", height, "")
-                        .limited(self.general(height));
+                        .limited(self.height(height));
                     vec![Row::Size(size(Measured::Pin).limited(limits)), Row::Size(height)]
                 }
                 PinMount::Screw(_, ScrewHole::Tapped) => vec![Row::Size(size(Measured::PinHole))],
@@ -240,7 +242,7 @@ impl Making<'_> {
             rows.extend(pocket_rows(&hole));
             view.add(Target::Edge(on_circle(&hole, Side::Right, 0.6)), Side::Right, rows);
         }
-        view.circles.push(sizes.crank_radius);
+        view.circles.push(sizes.crank_radius());
         view.add_holes(self);
         view.notes.push(match self.mounting.pins {
             _ if self.has_solid_pins() => self.surface("Pins", 1.6),
@@ -250,28 +252,30 @@ impl Making<'_> {
                 } else {
                     String::new()
                 };
-                let pins = if thread.diameter() == sizes.pin_diameter {
+                let pins = if thread.diameter() == sizes.pin_diameter() {
                     format!("Pins: the shanks of screws {}.", thread.name())
                 } else {
-                    format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter), thread.name())
+                    format!("Pins: bushes Ø{} on screws {}.", mm(sizes.pin_diameter()), thread.name())
                 };
                 tapped + &pins
             }
             _ if self.is_machined() => "Pins pressed or bonded in, square within 0.01 on 10.".to_owned(),
             _ => "Holes fitted to the pins; pins pressed or bonded in, square.".to_owned(),
         });
-        if self.is_one_piece()
-            && let Some(disc) = self.sizes.outline().disc
-        {
-            let disc = disc.outer.transform(UPRIGHT, Point::zeros());
-            view.lines.extend(polylines(Pen::Thick, &disc));
-            view.notes.push("The locking disc on it has a sheet of its own.".to_owned());
+        let standing = match self.sizes {
+            DrawnSizes::External(sizes) => sizes.outline().disc.map(|disc| (disc, "disc")),
+            DrawnSizes::Internal(sizes) => Some((sizes.outline().segment, "segment")),
+        };
+        if let (true, Some((face, name))) = (self.is_one_piece(), standing) {
+            let standing = face.outer.transform(UPRIGHT, Point::zeros());
+            view.lines.extend(polylines(Pen::Thick, &standing));
+            view.notes.push(format!("The locking {name} on it has a sheet of its own."));
         }
         view
     }
 
     fn pin(&self, part: &Part) -> View {
-        let (radius, length) = (self.sizes.pin_radius(), part.thickness);
+        let (radius, length) = (self.sizes.pin_diameter() / 2.0, part.thickness);
         // From the side: the outline is that of its middle plane.
         let mut side = part.clone();
         let cut = chamfer(2.0 * radius);
@@ -299,8 +303,11 @@ impl Making<'_> {
         view.add(Target::Along([p(cut, -radius), p(cut, radius)]), Side::Left, vec![Row::Size(size)]);
         let across = Target::Across([p(0.0, radius - cut), p(length, radius - cut)]);
         let long = PrintedDimension::new(Measured::PinLength, "", length, "");
-        // A bush that is too short would let its screw's head hold the wheel.
-        let limits = if part.is_bush() { Limits { lower: 0.0, ..self.general(length) } } else { self.general(length) };
+        // A bush that is too short would let its screw's head hold the wheel; an internal wheel is closed above it.
+        let limits = match part.is_bush() && !self.sizes.is_internal() {
+            true => Limits { lower: 0.0, ..self.general(length) },
+            false => self.height(length),
+        };
         view.add(across, Side::Right, vec![Row::Size(long.limited(limits))]);
         if let Some(inner) = part.holes.first().and_then(Hole::diameter) {
             let half = inner / 2.0;
@@ -330,10 +337,10 @@ impl Making<'_> {
         let (sizes, chain) = (self.sizes, &self.chain);
         let mut view = View::new(part, 0.0);
         let [least, greatest] = view.extent();
-        let axes = PrintedDimension::new(Measured::AxisDistance, "", sizes.centre_distance, "");
+        let axes = PrintedDimension::new(Measured::AxisDistance, "", sizes.centre_distance(), "");
         let limits = self.held_place(chain.axes);
         view.add(
-            Target::Across([Point::zeros(), Point::new(sizes.centre_distance, 0.0)]),
+            Target::Across([Point::zeros(), Point::new(sizes.centre_distance(), 0.0)]),
             Side::Right,
             vec![Row::Size(axes.limited(limits))],
         );
@@ -417,7 +424,7 @@ fn cut_point(disc: &LockingDisc) -> Point {
 }
 
 /// The middle of that arc of a radius whose middle is nearest to a direction.
-fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
+pub(super) fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
     let middles = of.edges.iter().filter_map(|edge| match *edge {
         Edge::Arc { centre, radius, start, sweep }
             if (radius - wanted).abs() < 1e-9 * wanted && centre.norm() > radius =>
@@ -430,7 +437,7 @@ fn nearest_arc(of: &Loop, wanted: f64, towards: Point) -> Point {
 }
 
 /// The middle of that arc about the axis whose middle is nearest to a direction, or the place there if the arc passes it.
-fn rim_point(of: &Loop, wanted: f64, towards: Point) -> Point {
+pub(super) fn rim_point(of: &Loop, wanted: f64, towards: Point) -> Point {
     let places = of.edges.iter().filter_map(|edge| match *edge {
         Edge::Arc { centre, radius, start, sweep }
             if centre.norm() < 1e-9 && (radius - wanted).abs() < 1e-9 * wanted =>

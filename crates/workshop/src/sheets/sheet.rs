@@ -2,6 +2,7 @@
 
 use super::callout::{Callout, Side, draw_columns};
 use super::dimension::PrintedDimension;
+use super::drawn_sizes::DrawnSizes;
 use super::ink::{Ink, Pen};
 use super::length::mm;
 use super::limits::{Chain, LimitOrigin, whole_micrometres};
@@ -11,7 +12,8 @@ use super::text::SheetText;
 use super::title::{Title, frame};
 use super::view::{Feature, Target, View};
 use crate::geometry::Point;
-use crate::parts::{Layer, Mounting, MountingError, Part, parts};
+use crate::parts::{Layer, Mounting, MountingError, Part, internal_parts, parts};
+use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::{Edge, Loop, Sizes};
 
 /// Between a part and the first dimension line, and between dimension lines, in millimetres on paper.
@@ -102,11 +104,52 @@ pub fn sheets(
     text: &SheetText<'_>,
 ) -> Result<Vec<Sheet>, MountingError> {
     let list = parts(sizes, thickness, mounting)?.parts;
+    Ok(sheets_of(DrawnSizes::External(sizes), &list, mounting, limits, text))
+}
+
+/// The drawings of an internal wheel and its driver, as [`sheets()`] of an external one.
+///
+/// ```
+/// use geneva_kinematics::internal_sizes::InternalSizes;
+/// use geneva_kinematics::internal_wheel::InternalWheel;
+/// use geneva_kinematics::wheel::Choices;
+/// use geneva_workshop::{Layer, Mounting, SheetLimits, SheetMaterial, SheetText, internal_sheets};
+///
+/// let sizes = InternalSizes::new(InternalWheel::new(6)?, 30.0, &Choices::default())?; // mm
+/// let steel = SheetMaterial { name: "steel", hardness: Some("58 HRC") };
+/// let text = SheetText { project: "Turret", wheel_material: steel, pin_material: steel };
+/// let sheets = internal_sheets(&sizes, 8.0, &Mounting::default(), &SheetLimits::default(), &text).expect("bare parts");
+/// let layers: Vec<Layer> = sheets.iter().filter_map(|sheet| sheet.layer).collect(); // the first has all parts
+/// assert_eq!(layers, [Layer::Wheel, Layer::RingPlate, Layer::LockingSegment, Layer::Plate]);
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`MountingError`] for a choice that does not fit these sizes.
+pub fn internal_sheets(
+    sizes: &InternalSizes,
+    thickness: f64,
+    mounting: &Mounting,
+    limits: &SheetLimits,
+    text: &SheetText<'_>,
+) -> Result<Vec<Sheet>, MountingError> {
+    let list = internal_parts(sizes, thickness, mounting)?.parts;
+    Ok(sheets_of(DrawnSizes::Internal(sizes), &list, mounting, limits, text))
+}
+
+fn sheets_of(
+    sizes: DrawnSizes<'_>,
+    list: &[Part],
+    mounting: &Mounting,
+    limits: &SheetLimits,
+    text: &SheetText<'_>,
+) -> Vec<Sheet> {
     let chain = Chain::new(sizes, limits.shared, limits.process.is_some());
     let has_metal_pins = text.pin_material.hardness.is_some();
     let making = Making { sizes, mounting, chain, limits: *limits, has_metal_pins };
     let has_sheet = |part: &&Part| !(part.is_joined && part.layer == Layer::Pins);
-    let assembly = making.assembly(&list, text).map(|view| (None, view));
+    let assembly = making.assembly(list, text).map(|view| (None, view));
     let each = list.iter().filter(has_sheet).map(|part| (Some(part), making.view(part)));
     let (shown, views): (Vec<Option<&Part>>, Vec<View>) = assembly.into_iter().chain(each).unzip();
     let scales = |paper| views.iter().map(|view| scale(view, paper)).collect::<Vec<_>>();
@@ -129,7 +172,7 @@ pub fn sheets(
         };
         draw(&view, &making, &title)
     };
-    Ok(views.into_iter().zip(scales).enumerate().map(sheet).collect())
+    views.into_iter().zip(scales).enumerate().map(sheet).collect()
 }
 
 /// The room between the columns of a sheet, for a view and the dimension lines beside and above it: left, right, top, bottom.
@@ -293,7 +336,7 @@ fn draw(view: &View, making: &Making<'_>, title: &Title<'_>) -> Sheet {
 /// What the limits on a sheet mean and what their marks say.
 fn limit_notes(view: &View, making: &Making<'_>) -> Vec<String> {
     let general = making.general_class();
-    let mut notes = vec![edges_note(making.sizes.pin_diameter)];
+    let mut notes = vec![edges_note(making.sizes.pin_diameter())];
     let numbers = making.limits.process;
     notes.push(match numbers {
         None => format!("Letters: ISO 286. Frames: ISO 1101. All else: {general}."),

@@ -1,5 +1,6 @@
 //! Tests of the sheets: dimensions against outlines, room, limits at their worst.
 
+use super::drawn_sizes::DrawnSizes;
 use super::length::mm;
 use super::limits::Chain;
 use super::part_views::crescent_shift;
@@ -15,7 +16,7 @@ use geneva_kinematics::wheel::{Choices, Loop, Mouth, Play, Scale, SharedToleranc
 use roxmltree::Document;
 use std::f64::consts::PI;
 
-const TEXT: SheetText<'static> = SheetText {
+pub(super) const TEXT: SheetText<'static> = SheetText {
     project: "Geneva wheel of many stations with a crank radius of 40 mm",
     wheel_material: SheetMaterial { name: "stainless-steel", hardness: Some("58 HRC") },
     pin_material: SheetMaterial { name: "acetal", hardness: None },
@@ -94,12 +95,12 @@ fn drawn_for(sizes: &Sizes, mounting: &Mounting, process: Process, shared: Optio
 }
 
 /// A polygon that leaves a line by a hundred thousandth of a millimetre at most.
-fn polygon(of: &Loop) -> Vec<Point> {
+pub(super) fn polygon(of: &Loop) -> Vec<Point> {
     of.corners(1e-5).unwrap()
 }
 
 /// The nearest place at which a ray at an angle meets a polygon, from a distance on.
-fn hit(of: &[Point], angle: f64, from: f64) -> Point {
+pub(super) fn hit(of: &[Point], angle: f64, from: f64) -> Point {
     let u = direction(angle);
     let next = of.iter().cycle().skip(1);
     let crossing = |(a, b): (&Point, &Point)| {
@@ -111,13 +112,13 @@ fn hit(of: &[Point], angle: f64, from: f64) -> Point {
 }
 
 /// The corner of a polygon, which is on the outline's arc, that is nearest to where a ray meets it first.
-fn corner(of: &[Point], angle: f64) -> Point {
+pub(super) fn corner(of: &[Point], angle: f64) -> Point {
     let at = hit(of, angle, 0.0);
     of.iter().copied().min_by(|a, b| (a - at).norm().total_cmp(&(b - at).norm())).unwrap()
 }
 
 /// Middle and radius of the circle through three points.
-fn circle([a, b, c]: [Point; 3]) -> (Point, f64) {
+pub(super) fn circle([a, b, c]: [Point; 3]) -> (Point, f64) {
     let (p, q) = (b - a, c - a);
     let twice = 2.0 * p.perp(&q);
     let middle = a + Point::new(
@@ -128,23 +129,23 @@ fn circle([a, b, c]: [Point; 3]) -> (Point, f64) {
 }
 
 /// Extent of points in a direction.
-fn across(of: &[Point], angle: f64) -> f64 {
+pub(super) fn across(of: &[Point], angle: f64) -> f64 {
     let along = of.iter().map(|p| p.dot(&direction(angle)));
     along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
 }
 
-fn farthest(of: &[Point]) -> f64 {
+pub(super) fn farthest(of: &[Point]) -> f64 {
     of.iter().map(|p| p.norm()).fold(0.0, f64::max)
 }
 
 /// The middle of the box about points.
-fn middle(of: &[Point]) -> Point {
+pub(super) fn middle(of: &[Point]) -> Point {
     let corner = |pick: fn(&Point, &Point) -> Point| of.iter().copied().reduce(|a, b| pick(&a, &b)).unwrap();
     (corner(|a, b| a.inf(b)) + corner(|a, b| a.sup(b))) / 2.0
 }
 
 /// The least extent of points over all directions in quarters of a degree, one of which is that of each flat here.
-fn narrowest(of: &[Point]) -> f64 {
+pub(super) fn narrowest(of: &[Point]) -> f64 {
     (0..720).map(|k| across(of, PI * f64::from(k) / 720.0)).fold(f64::INFINITY, f64::min)
 }
 
@@ -241,6 +242,9 @@ fn measure(sheet: &Sheet, sizes: &Sizes, list: &[Part], what: Measured) -> Optio
             across(&bore, key(&bore))
         }
         Measured::AcrossBore => narrowest(&first(HolePurpose::Bore)),
+        Measured::RingInside | Measured::SegmentOuter | Measured::SegmentInner | Measured::SegmentChord => {
+            panic!("{what:?} is of internal wheels")
+        }
         Measured::AxisDistance => {
             let middles: Vec<f64> = part.marks.iter().map(|mark| mark.x).collect();
             middles[1] - middles[0]
@@ -313,6 +317,28 @@ fn crosses([a, b]: [Point; 2], [least, greatest]: [Point; 2]) -> bool {
     })
 }
 
+/// Asserts that texts overlap nothing and all is inside the frame.
+#[track_caller]
+pub(super) fn assert_is_legible(sheet: &Sheet, name: &str) {
+    assert!(sheet.has_room, "{name}");
+    let ([least, greatest], _) = frame(sheet.paper);
+    let inside = |p: &Point| {
+        p.x >= least.x - 1e-9 && p.y >= least.y - 1e-9 && p.x <= greatest.x + 1e-9 && p.y <= greatest.y + 1e-9
+    };
+    for (at, text) in sheet.ink.texts.iter().enumerate() {
+        assert!(text.corners.iter().all(inside), "{name}: {text:?}");
+        for other in &sheet.ink.texts[..at] {
+            let [[a, b], [c, d]] = [text.corners, other.corners];
+            let is_apart = a.x >= d.x || c.x >= b.x || a.y >= d.y || c.y >= b.y;
+            assert!(is_apart, "{name}: {text:?} and {other:?}");
+        }
+        for line in &sheet.ink.segments {
+            assert!(!crosses(*line, text.corners), "{name}: {text:?} and {line:?}");
+        }
+    }
+    assert!(sheet.ink.segments.iter().flatten().all(inside), "{name}");
+}
+
 #[test]
 fn texts_overlap_nothing_and_all_is_inside_the_frame() {
     let mut papers = Vec::new();
@@ -328,26 +354,7 @@ fn texts_overlap_nothing_and_all_is_inside_the_frame() {
         for drawn in two {
             for sheet in drawn {
                 let name = format!("{k}: {:?} {} {}", sheet.layer, sizes.wheel.stations(), sizes.wheel.pins());
-                assert!(sheet.has_room, "{name}");
-                let ([least, greatest], _) = frame(sheet.paper);
-                let inside = |p: &Point| {
-                    p.x >= least.x - 1e-9
-                        && p.y >= least.y - 1e-9
-                        && p.x <= greatest.x + 1e-9
-                        && p.y <= greatest.y + 1e-9
-                };
-                for (at, text) in sheet.ink.texts.iter().enumerate() {
-                    assert!(text.corners.iter().all(inside), "{name}: {text:?}");
-                    for other in &sheet.ink.texts[..at] {
-                        let [[a, b], [c, d]] = [text.corners, other.corners];
-                        let is_apart = a.x >= d.x || c.x >= b.x || a.y >= d.y || c.y >= b.y;
-                        assert!(is_apart, "{name}: {text:?} and {other:?}");
-                    }
-                    for line in &sheet.ink.segments {
-                        assert!(!crosses(*line, text.corners), "{name}: {text:?} and {line:?}");
-                    }
-                }
-                assert!(sheet.ink.segments.iter().flatten().all(inside), "{name}");
+                assert_is_legible(&sheet, &name);
                 papers.push((sheet.paper.name(), sheet.scale.to_string()));
             }
         }
@@ -372,7 +379,7 @@ fn with_all_limits_at_their_worst_nothing_touches() {
         let Ok(sizes) = Sizes::new(wheel, Scale::CrankRadius(f64::from(crank)), &choices) else { panic!("{k}") };
         let mounting = Mounting { base: Some(BasePlate::default()), is_stacked: true, ..Mounting::default() };
         let shared = sizes.shared_tolerance().expect("room for errors");
-        let chain = Chain::new(&sizes, Some(shared), false);
+        let chain = Chain::new(DrawnSizes::External(&sizes), Some(shared), false);
         assert!(chain.is_known, "{k}");
         let sheets = drawn(&sizes, &mounting, Some(shared));
         let limits = |layer, what: Measured| -> [f64; 2] {

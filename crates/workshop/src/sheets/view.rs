@@ -8,7 +8,6 @@ use super::limits::{BORE, KEYWAY, LimitOrigin, Limits, general_tolerance};
 use super::making::Making;
 use crate::geometry::{Point, direction, into_arc, point_along};
 use crate::parts::{Fastener, Hole, HolePurpose, Layer, Part};
-use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Edge, Loop};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -174,8 +173,8 @@ impl View {
             _ => {}
         }
         if !lines.is_empty() {
-            let place = match (self.part.layer, making.sizes.wheel.pins()) {
-                (Layer::Wheel, _) => "midway between two slots",
+            let place = match (self.part.layer, making.sizes.pins()) {
+                (Layer::Wheel | Layer::RingPlate, _) => "midway between two slots",
                 (_, 1) => "opposite to the pin",
                 _ => "midway between two pins",
             };

@@ -101,7 +101,7 @@ pub struct NamedChoice {
 pub enum ActsOn {
     /// The size of the wheel: one such argument gives it.
     Size,
-    /// The parts in millimetres, which only an external wheel with a size has.
+    /// The parts in millimetres, which external wheels with a size have, and internal ones in their files.
     Parts,
     /// The files from which parts are made, and nothing else.
     Files,

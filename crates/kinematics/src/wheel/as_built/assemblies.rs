@@ -2,10 +2,15 @@
 //!
 //! Every size of every assembly is drawn by itself. Assembly i of a seed has numbers of its own, so the share does not depend on
 //! which is drawn first, or by which thread.
+//!
+//! A part that is loose on its shaft has its axis somewhere within the play of its bore, in any direction. Wheel and driver see of
+//! both shifts only the distance between their axes: turning the line of centres turns the angles of both alike.
 
 use super::errors::{BuiltError, ErrorShape, SizeErrors};
 use super::parts::{AsBuiltWheel, BuiltArc, BuiltCrescent, BuiltPin, BuiltSlot};
 use super::random::SplitMix64;
+use nalgebra::Vector2;
+use std::f64::consts::PI;
 
 /// Assemblies of one design, each made with errors of its own.
 ///
@@ -27,6 +32,7 @@ pub struct Assemblies {
     shape: ErrorShape,
     seed: u64,
     is_alike: bool,
+    bore_play: f64,
 }
 
 /// How many assemblies were tried, and how many of them turn.
@@ -67,7 +73,7 @@ impl Yield {
 impl Assemblies {
     /// Assemblies of a design with these greatest errors, so spread, under a seed.
     pub fn new(drawn: impl Into<AsBuiltWheel>, errors: SizeErrors, shape: ErrorShape, seed: u64) -> Self {
-        Self { drawn: drawn.into(), errors, shape, seed, is_alike: false }
+        Self { drawn: drawn.into(), errors, shape, seed, is_alike: false, bore_play: 0.0 }
     }
 
     /// The assemblies whose slots have the same errors of width, end and rim, and whose arcs the same of their radius, as if all were
@@ -76,10 +82,52 @@ impl Assemblies {
         Self { is_alike: true, ..self }
     }
 
+    /// The assemblies with wheel and driver loose on their shafts by this play, the bore's diameter less the shaft's, in millimetres.
+    /// Each axis is then anywhere within half of it from where it should be, all places being equally likely, and stays there.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors};
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), pin_diameter: Some(6.0), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(4)?, Scale::CrankRadius(25.0), &choices)?;
+    /// let tight = Assemblies::new(&sizes, SizeErrors::from_greatest(0.05), ErrorShape::Uniform, 1);
+    /// let loose = tight.clone().with_bore_play(0.3); // mm
+    /// assert!(loose.count(0..50)?.turning < tight.count(0..50)?.turning);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_bore_play(self, bore_play: f64) -> Self {
+        Self { bore_play, ..self }
+    }
+
     /// The assembly with a number.
     pub fn assembly(&self, number: u64) -> AsBuiltWheel {
+        let (mut built, [wheel, driver]) = self.loose_assembly(number);
+        if self.bore_play != 0.0 {
+            built.centre_distance = (driver - wheel).norm();
+        }
+        built
+    }
+
+    /// The assembly with a number, its centre distance being that of the shafts, and the places of the wheel's and of the driver's
+    /// axis in millimetres: the wheel's shaft is at the origin, the driver's on the first axis.
+    pub fn loose_assembly(&self, number: u64) -> (AsBuiltWheel, [Vector2<f64>; 2]) {
         let mut random = SplitMix64::of_index(self.seed, number);
-        let mut error = |greatest: f64| greatest * part(&mut random, self.shape);
+        let built = self.of_random(&mut random);
+        // After all sizes, which are then the same with every play.
+        let mut place = || {
+            let (share, turn) = (random.next_unit(), random.next_unit());
+            let (sine, cosine) = libm::sincos(2.0 * PI * turn);
+            Vector2::new(cosine, sine) * (self.bore_play / 2.0 * share.sqrt())
+        };
+        let (wheel, driver) = (place(), place());
+        let shaft = Vector2::new(built.centre_distance, 0.0);
+        (built, [wheel, shaft + driver])
+    }
+
+    /// An assembly whose sizes are drawn with these numbers.
+    fn of_random(&self, random: &mut SplitMix64) -> AsBuiltWheel {
+        let mut error = |greatest: f64| greatest * part(random, self.shape);
         let (mut built, errors) = (self.drawn.clone(), self.errors);
         built.centre_distance += error(errors.centre_distance);
         if let Some(disc) = &mut built.disc_radius {

@@ -30,6 +30,8 @@ pub(super) struct Outlines<'a> {
     pins: Vec<Point>,
     directions: Vec<f64>,
     middles: Vec<Point>,
+    /// The wheel's axis and the driver's.
+    axes: [Point; 2],
 }
 
 impl<'a> Outlines<'a> {
@@ -47,7 +49,8 @@ impl<'a> Outlines<'a> {
             .zip(0..)
             .map(|(arc, k)| unit(half_pitch * f64::from(2 * k + 1) + arc.direction_error) * arc.centre)
             .collect();
-        let mut all = Self { built, wheel: vec![], disc: vec![], pins: vec![], directions, middles };
+        let axes = [Point::zeros(), Point::new(built.centre_distance, 0.0)];
+        let mut all = Self { built, wheel: vec![], disc: vec![], pins: vec![], directions, middles, axes };
         all.wheel = all.wheel_points();
         let pitch = 2.0 * PI / built.pins().len() as f64;
         for (pin, k) in built.pins().iter().zip(0..) {
@@ -66,6 +69,11 @@ impl<'a> Outlines<'a> {
             all.disc = points.into_iter().filter(|p| all.in_disc(p) > -1e-9).collect();
         }
         all
+    }
+
+    /// The parts with their axes elsewhere; crank angles and wheel angles are still counted from the first axis.
+    pub(super) fn placed(self, axes: [Point; 2]) -> Self {
+        Self { axes, ..self }
     }
 
     fn wheel_points(&self) -> Vec<Point> {
@@ -159,7 +167,7 @@ impl<'a> Outlines<'a> {
     /// by about so much.
     pub(super) fn depth(&self, event: i32, theta: f64, wheel: f64) -> f64 {
         let pins = self.built.pins().len() as f64;
-        let axis = Point::new(self.built.centre_distance, 0.0);
+        let axis = self.axes[1] - self.axes[0];
         let driver_turn = PI - theta - 2.0 * PI / pins * f64::from(event);
         let wheel_turn = wheel + 2.0 * self.built.wheel().half_pitch_angle() * f64::from(event);
         let mut deepest = f64::NEG_INFINITY;

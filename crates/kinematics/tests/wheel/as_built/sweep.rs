@@ -118,6 +118,62 @@ fn a_wheel_jams_if_points_of_its_outlines_cannot_pass() {
     assert!(judged >= 100 && jammed >= 30 && judged - jammed >= 30, "{judged} judged, {jammed} jam");
 }
 
+/// Loose axes are put where they are on the page, and the parts there are swept by points; the program has only their distance.
+#[test]
+fn a_wheel_whose_axes_are_loose_in_their_bores_jams_if_its_points_cannot_pass() {
+    const BAND: f64 = 0.002;
+    let counts = [(4, 1), (6, 1), (3, 1), (8, 1), (6, 2)];
+    let (mut jammed, mut judged, mut by_bores) = (0, 0, 0);
+    for k in 0.. {
+        if judged == 50 {
+            break;
+        }
+        let (stations, pins) = counts[k as usize % counts.len()];
+        let sizes = sized(stations, pins, &Choices { play: Some(Play::from_slot(0.3)), ..Choices::default() });
+        let tight = Assemblies::new(&sizes, SizeErrors::from_greatest(0.1), ErrorShape::Uniform, 23);
+        let loose = tight.clone().with_bore_play(0.4);
+        let (parts, axes) = loose.loose_assembly(k);
+        let tightest = loose.assembly(k).turn().unwrap().tightest;
+        if tightest.free.room().abs() < BAND {
+            continue;
+        }
+        judged += 1;
+        let (half, half_pitch) = (std::f64::consts::PI / f64::from(pins), parts.wheel().half_pitch_angle());
+        let outlines = Outlines::new(&parts).placed(axes);
+        let line = axes[1] - axes[0];
+        let askew = line.y.atan2(line.x);
+        // From the line of centres to the page, on which crank angles are counted backwards.
+        let depth = |event: i32, theta: f64, around: f64| {
+            least_depth(&outlines, event, theta - askew, around + askew, 0.12 * half_pitch)
+        };
+        let mut worst: f64 = 0.0;
+        for (event, place) in (0..parts.events() as i32).flat_map(|event| (0..=32).map(move |place| (event, place))) {
+            let theta = half * (f64::from(place) / 16.0 - 1.0);
+            let right = parts.wheel().motion(0, theta).unwrap();
+            worst = worst.max(depth(event, theta, right.angle + 2.0 * half_pitch * right.stations as f64));
+            if worst > 0.0 {
+                break;
+            }
+        }
+        let jams = tightest.free.width() < 0.0;
+        if jams && worst <= 0.0 {
+            // The points were at some crank angles only: where the program says that it is, the jam must be.
+            let event = (0..parts.events() as i32).find(|event| {
+                event.rem_euclid(pins as i32) as usize == tightest.pin
+                    && (-event).rem_euclid(stations as i32) as usize == tightest.slot
+            });
+            worst = depth(event.unwrap(), tightest.crank_angle, tightest.free.middle());
+        }
+        assert_eq!(jams, worst > 0.0, "assembly {k}, {axes:?}: {tightest:?}, {worst} mm deep");
+        jammed += usize::from(jams);
+        by_bores += usize::from(jams && tight.assembly(k).turns().unwrap());
+    }
+    assert!(
+        jammed >= 15 && judged - jammed >= 15 && by_bores >= 5,
+        "{jammed} of {judged} jam, {by_bores} by their bores"
+    );
+}
+
 #[test]
 fn nothing_is_tighter_than_the_tightest_place() {
     use geneva_kinematics::wheel::as_built::WIDTH_TOLERANCE;

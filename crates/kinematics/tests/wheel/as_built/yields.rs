@@ -70,6 +70,37 @@ fn sizes_are_drawn_within_their_errors() {
 }
 
 #[test]
+fn axes_are_anywhere_within_the_play_of_their_bores_and_all_else_is_as_without_it() {
+    let tight = Assemblies::new(&four(0.2), SizeErrors::from_greatest(0.05), ErrorShape::Normal, 3);
+    let loose = tight.clone().with_bore_play(0.3);
+    let (mut far, mut right, count) = (0.0_f64, 0, 2000);
+    for k in 0..count {
+        let (parts, axes) = loose.loose_assembly(k);
+        assert_eq!(parts, tight.assembly(k), "{k}");
+        let shifts = [axes[0], axes[1] - nalgebra::Vector2::new(parts.centre_distance, 0.0)];
+        for shift in shifts {
+            assert!(shift.norm() <= 0.15, "{shift}");
+            far = far.max(shift.norm());
+        }
+        right += usize::from(shifts[0].x > 0.0);
+        let distance = loose.assembly(k).centre_distance;
+        assert!((distance - parts.centre_distance).abs() <= 0.3 && distance != parts.centre_distance);
+    }
+    // A quarter of the places is within half of the greatest shift, and half on either side.
+    let near = (0..count).filter(|k| loose.loose_assembly(*k).1[0].norm() < 0.075).count();
+    assert!((near as f64 / count as f64 - 0.25).abs() < 0.04, "{near}");
+    assert!((right as f64 / count as f64 - 0.5).abs() < 0.05 && far > 0.149, "{right} {far}");
+}
+
+#[test]
+fn more_play_of_the_bores_lets_fewer_assemblies_turn() {
+    let tight = Assemblies::new(&four(0.3), SizeErrors::from_greatest(0.1), ErrorShape::Uniform, 1);
+    let shares =
+        [0.8, 0.5, 0.3, 0.1, 0.0].map(|play| tight.clone().with_bore_play(play).count(0..300).unwrap().share());
+    assert!(shares.is_sorted() && shares[0] < shares[4] - 0.1, "{shares:?}");
+}
+
+#[test]
 fn shares_are_near_those_of_another_simulation() {
     // Another program drew 40 assemblies for each case, of one error of each kind for all slots, and swept polygons over the turn: shares in
     // per cent for plays of 0.1 to 0.8 mm, with errors of 0.05, 0.1 and 0.2 mm of lengths, diameters and places.
