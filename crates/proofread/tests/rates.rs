@@ -147,7 +147,11 @@ fn the_readme_says_how_reliable_the_program_is() {
 #[test]
 fn every_record_names_its_contact_and_judges_each_flag() {
     for flag in read::<Flag>(FLAGS) {
-        assert!(["twelfth", "thirteenth", "fourteenth", "fifteenth"].contains(&flag.contact.as_str()), "{}", flag.contact);
+        assert!(
+            ["twelfth", "thirteenth", "fourteenth", "fifteenth"].contains(&flag.contact.as_str()),
+            "{}",
+            flag.contact
+        );
         assert!(["real", "rounding", "convention", "purpose", "misread"].contains(&flag.judgement.as_str()));
         assert!(["yes", "no"].contains(&flag.repeats.as_str()));
     }

@@ -130,6 +130,13 @@ fn a_chain_goes_on_in_the_next_line() {
 #[test]
 fn shortcodes_of_hugo_are_no_part_of_a_formula() {
     holds_and_fails("It remains {{< math >}}$ 9 - 5 = RESULT ${{< /math >}}.", "4", "3", TextFormat::Markdown);
+    let before = "So {{< math >}}$ 42 \\bmod 13 ${{< /math >}} or ";
+    holds_and_fails(
+        &format!("{before}{{{{< math >}}}}$ 42 - 39 = RESULT ${{{{< /math >}}}}."),
+        "3",
+        "4",
+        TextFormat::Markdown,
+    );
     holds_and_fails("Text.\n\n{{< math >}}$9 - 5 = RESULT${{< /math >}}", "4", "3", TextFormat::Markdown);
     holds_and_fails("So:\n\n$\n2^5 = RESULT \\\\\n$\n", "32", "31", TextFormat::Markdown);
 }
@@ -150,4 +157,9 @@ fn columns_a_calculation_that_runs_on_and_binary_multiples_are_told_apart() {
     assert_eq!(found("So $95-64=31-16$."), ["numbers"]);
     assert_eq!(found("So 2^40 = 1T, 2^16 = 64 K and 2^20 = 1 M."), [""; 0]);
     assert_eq!(found("So 2^41 = 1T."), ["numbers"]);
+}
+
+#[test]
+fn degrees_of_temperature_may_lack_their_scale() {
+    assert_eq!(wrong("It costs about 0.5 g × 4.184 J/g/K × 230° = 480 J, roughly.", TextFormat::Plain), [""; 0]);
 }

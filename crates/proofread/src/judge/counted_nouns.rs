@@ -38,11 +38,11 @@ const WORTH: [f64; 16] =
 fn is_counted_noun(word: &str) -> bool {
     let mut letters = word.chars();
     letters.next();
-    let lower = word.to_lowercase();
+    let lower = word.to_ascii_lowercase();
     let listed = |list: &str| list.split_ascii_whitespace().any(|known| known == lower);
     (word.chars().count() >= SHORTEST || lower == "men")
         && word.chars().all(char::is_alphabetic)
-        && letters.all(char::is_lowercase)
+        && letters.all(|c| !c.is_ascii_uppercase())
         && unit(word).is_none()
         && !listed(NUMBER_WORDS)
         && !listed(UNIT_WORDS)

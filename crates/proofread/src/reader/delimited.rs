@@ -1,5 +1,6 @@
 //! TeX between the marks that documents put around it: dollar signs, `\(`, `\[`, and the environments of displays.
 
+use super::shortcodes::WIDE;
 use std::ops::Range;
 
 /// Longest formula that is read, in bytes.
@@ -161,6 +162,8 @@ const TAKES_KINDS: [&str; 4] = ["IEEEeqnarray", "IEEEeqnarray*", "IEEEeqnarraybo
 fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
     let bytes = text.as_bytes();
     let first = *bytes.get(at + 1)?;
+    // Behind a shortcode of Hugo it is a mark.
+    let spaced = spaced || text[..at].ends_with(WIDE);
     // A sum of money stands before the sign: 5 $ and 6 $.
     let opens_apart = first.is_ascii_whitespace() && !spaced;
     if opens_apart

@@ -2,8 +2,8 @@
 
 /// Longest shortcode, in bytes.
 const LONGEST: usize = 300;
-/// Space of three bytes, which does not set a line of Markdown in as spaces would.
-const WIDE: &str = "\u{2003}";
+/// Space of three bytes, which does not set a line of Markdown in as spaces would. What stands in place of a shortcode ends with it.
+pub(crate) const WIDE: &str = "\u{2003}";
 
 /// The text with space of as many bytes in place of its shortcodes; none if there are none.
 pub(crate) fn without_shortcodes(text: &str) -> Option<String> {
@@ -23,8 +23,8 @@ pub(crate) fn without_shortcodes(text: &str) -> Option<String> {
         }
         let out = out.get_or_insert_with(|| String::with_capacity(text.len()));
         out.push_str(&text[from..at]);
-        (0..length / WIDE.len()).for_each(|_| out.push_str(WIDE));
         (0..length % WIDE.len()).for_each(|_| out.push(' '));
+        (0..length / WIDE.len()).for_each(|_| out.push_str(WIDE));
         (from, searched) = (at + length, at + length);
     }
     out.map(|out| out + &text[from..])
