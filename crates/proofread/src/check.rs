@@ -404,8 +404,11 @@ impl DocumentCheck<'_> {
         if left.tokens.is_empty() || right.tokens.is_empty() {
             return None;
         }
-        if !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right) {
-            self.compare_matrices(chain, formula, [left, right], relation);
+        let columns = number_columns::as_columns([left, right]);
+        let are_matrices = !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right);
+        let entries = columns.as_ref().map(|[left, right]| [left, right]).or(are_matrices.then_some([left, right]));
+        if let Some(sides) = entries {
+            self.compare_matrices(chain, formula, sides, relation);
             return None;
         }
         if has_several_currencies([left, right]) {
@@ -417,10 +420,6 @@ impl DocumentCheck<'_> {
             if bindings.is_none() || single_name(&left.tokens).is_some() || !bound(left) || !bound(right) {
                 return None;
             }
-        }
-        if let Some([left, right]) = number_columns::as_columns([left, right]) {
-            self.compare_matrices(chain, formula, [&left, &right], relation);
-            return None;
         }
         let judgement = judge(&left.tokens, &right.tokens, relation, bindings);
         let has_result = |(_, right): &&(SideValue, SideValue)| free && right.is_literal();

@@ -161,7 +161,7 @@ fn is_binary_multiple(side: &[Token], other: &SideValue) -> bool {
         TokenKind::Word(letter) | TokenKind::Name(letter) => LETTERS.iter().position(|known| known == letter),
         _ => None,
     };
-    let number = number.number().and_then(|digits| digits.replace(',', "").parse::<f64>().ok());
+    let number = number.number().and_then(|digits| parse_decimal(&digits.replace(',', "")));
     let (Some(letter), Some(number), Ok(value)) = (letter, number, other.number()) else { return false };
     let multiple = number * libm::exp2(10.0 * (letter as f64 + 1.0));
     !other.has_unit && (value.point - multiple).abs() < 1e-9 * multiple
