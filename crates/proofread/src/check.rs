@@ -6,12 +6,16 @@ use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::frequent::UnmendedFindings;
 use crate::judge::letter_units::units_in_letters;
+use crate::judge::money::has_several_currencies;
+use crate::judge::number_columns;
 use crate::judge::permutation;
+use crate::judge::running_calculation::runs_on;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
@@ -19,7 +23,9 @@ use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::named_counts::NamedCounts;
 use crate::order::sort_by_place;
-use crate::reader::{self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText};
+use crate::reader::{
+    self, Definitions, Formula, FormulaStyle, SpanSource, TextFormat, UnreadParts, UnreadableText, without_shortcodes,
+};
 use crate::tell::finding::ChainFinding;
 use crate::tell::hint::{self, HintSearch};
 use crate::tell::tally::CheckTally;
@@ -133,6 +139,8 @@ const MOST_HINTS: usize = 300;
 /// ```
 pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> Result<CheckReport, UnreadableText> {
     let steps = effort::steps();
+    let shown = if format == TextFormat::Markdown { without_shortcodes(text) } else { None };
+    let text = shown.as_deref().unwrap_or(text);
     let lines = reader::running_text(text, format, options.definitions);
     let mut check = DocumentCheck {
         text,
@@ -289,7 +297,7 @@ impl DocumentCheck<'_> {
         let last = chains.len().saturating_sub(1);
         let false_from = place_of_denial(&formula.tokens);
         for (at, chain) in chains.iter().enumerate() {
-            let with_units = units_in_letters(chain);
+            let with_units = units_in_letters(chain).or_else(|| without_counted_nouns(chain));
             let chain = with_units.as_ref().unwrap_or(chain);
             if !numeric(&chain) {
                 self.before = None;
@@ -398,9 +406,15 @@ impl DocumentCheck<'_> {
         if left.tokens.is_empty() || right.tokens.is_empty() {
             return None;
         }
-        if !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right) {
-            self.compare_matrices(chain, formula, [left, right], relation);
+        let columns = number_columns::as_columns([left, right]);
+        let are_matrices = !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right);
+        let entries = columns.as_ref().map(|[left, right]| [left, right]).or(are_matrices.then_some([left, right]));
+        if let Some(sides) = entries {
+            self.compare_matrices(chain, formula, sides, relation);
             return None;
+        }
+        if has_several_currencies([left, right]) {
+            return Some(Obstacle::Unclear("several currencies"));
         }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {
@@ -529,7 +543,11 @@ impl DocumentCheck<'_> {
             return;
         }
         let place = PlacedPair { text: self.text, formula, chain, left, right };
-        let doubt = (list == ReportSection::Numbers).then(|| place.doubt(&judgement)).flatten();
+        let doubt = (list == ReportSection::Numbers).then(|| {
+            let runs_on = || runs_on(chain, right, &judgement).then_some(Doubt::Cut);
+            place.doubt(&judgement).or_else(runs_on)
+        });
+        let doubt = doubt.flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
         let edits = wanted.then(|| {

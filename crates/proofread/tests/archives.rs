@@ -106,6 +106,10 @@ fn texts_of_libreoffice_are_read() {
     let (findings, all) = found("a.odt", &with("414.432"));
     assert_eq!(findings, ["recomputed 6.800 against 7.456"], "{all}");
     assert!(all.contains("| Half is (43.4−29.8)/2=3√414.432, so.\n"), "{all}");
+    // Headers of pages are counted.
+    let pages = "<office:master-styles><style:header><text:p>T = 5</text:p></style:header><style:footer/></office:master-styles>";
+    let (_, all) = found("a.odt", &odt("<text:p>None.</text:p>", &[("styles.xml", pages)]));
+    assert!(all.contains("Not read, with an equals sign and a digit: 1 element `header`."), "{all}");
     // A chart is no formula, and neither is what is missing.
     let (_, all) = found("a.odt", &odt(&body, &[("Object 1/content.xml", "<chart/>")]));
     assert!(all.contains("Not read: 1 object of `embedded object`."), "{all}");

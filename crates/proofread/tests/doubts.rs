@@ -91,7 +91,7 @@ fn a_number_that_may_be_a_part_is_a_doubt() {
             r"$0 = 5/9$",
             r"$10 = (4 \times 1)/40$",
             r"$0.67 = 6.7$",
-            r"$74.5\,\text{J} = 19$ euros",
+            r"$74.5\,\text{J} = 19$ lamps",
             r"$-79.2\,\text{N} = 80\,\text{N}$",
         ],
     );

@@ -10,6 +10,7 @@ mod chains;
 mod command;
 mod commas;
 mod conventions;
+mod counted;
 mod definitions;
 mod directives;
 mod doubts;
@@ -44,6 +45,7 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod sarif;
+mod silent;
 #[cfg(feature = "cli")]
 mod since;
 #[cfg(feature = "cli")]

@@ -1,15 +1,19 @@
 //! Thirty chains of ours that pdflatex has set and pdftotext has turned into lines: inline and displayed, with fractions, powers,
 //! roots, units and tables, once with right results and once with wrong ones.
 
-use proofread::{CheckOptions, ReportSection, TextFormat, proofread};
+use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
 
 const RIGHT: [&str; 2] = [include_str!("texts/page-right.txt"), include_str!("texts/page-right-layout.txt")];
 const WRONG: [&str; 2] = [include_str!("texts/page-wrong.txt"), include_str!("texts/page-wrong-layout.txt")];
 
-/// The right sides of what is listed as wrong.
+/// The right sides of what is listed as wrong, or would be if less of the page were.
 fn listed(text: &str, format: TextFormat) -> Vec<String> {
     let findings = proofread(text, format, CheckOptions::default()).expect("a text").findings;
-    findings.into_iter().filter(|of| of.section == ReportSection::Numbers).map(|of| of.right).collect()
+    findings
+        .into_iter()
+        .filter(|of| of.section == ReportSection::Numbers || of.doubt == Some(Doubt::Frequent))
+        .map(|of| of.right)
+        .collect()
 }
 
 /// How many pairs differ, with those that are set aside.
@@ -19,14 +23,13 @@ fn different(text: &str, format: TextFormat) -> usize {
 
 #[test]
 fn nothing_right_is_listed_of_a_page_and_what_stays_on_its_line_is_checked() {
-    for (right, wrong) in RIGHT.into_iter().zip(WRONG) {
+    for ((right, wrong), listed_wrong) in RIGHT.into_iter().zip(WRONG).zip([21, 20]) {
         assert_eq!(listed(right, TextFormat::Plain), [""; 0]);
         let found = listed(wrong, TextFormat::Plain);
         for result in ["13.8", "418", "3.5", "19", "0.609", "38.5 %", "14 m", "12 m/s", "21.12", "44", "18"] {
             assert!(found.iter().any(|of| of == result), "{result}: {found:?}");
         }
-        // So much of these pages differs that the five others, which no single edit mends, are set aside.
-        assert_eq!(found.len(), 14, "{found:#?}");
+        assert_eq!(found.len(), listed_wrong, "{found:#?}");
     }
 }
 

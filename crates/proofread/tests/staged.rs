@@ -245,6 +245,11 @@ fn a_stopped_commit_is_told_both_ways_out() {
     assert_eq!(code, 1);
     assert!(words(&out).contains("correct this and add it, or accept it with `proofread --staged --accept"), "{out}");
     assert!(words(&out).contains("`proofread --staged --baseline accepted.jsonl`"), "{out}");
+    // The command that is told works as it stands, also where the program is not on the path.
+    let program = env!("CARGO_BIN_EXE_proofread");
+    let told = std::process::Command::new(program).args(["--staged"]).current_dir(folder).output().expect("it runs");
+    let told = words(&String::from_utf8_lossy(&told.stdout));
+    assert!(told.contains(&format!("`{program} --staged --accept accepted.jsonl`")), "{told}");
     // The second way leads out.
     let [cases, top] = ["cases.jsonl", "."].map(|name| folder.join(name).to_string_lossy().into_owned());
     assert_eq!(run(&["--staged", "--accept", &cases, &top]).0, 0);

@@ -113,3 +113,17 @@ fn tables_in_latex_and_html_may_have_cells_over_several_columns() {
     assert_eq!(listed(html, TextFormat::Html), ["101"]);
     assert_eq!(listed(&html.replace("101", "100"), TextFormat::Html), [""; 0]);
 }
+
+#[test]
+fn a_unit_a_currency_or_a_decimal_comma_in_the_cells_is_no_obstacle() {
+    check("Part | Mass\nA | 120 kg\nB | 200 kg\nC | 152 kg\nTotal | 472 kg", &[]);
+    check("Part | Mass\nA | 120 kg\nB | 200 kg\nC | 152 kg\nTotal | 482 kg", &["482"]);
+    check("Part | Price\nA | 120 €\nB | 200 €\nC | 152 €\nTotal | 482 €", &["482"]);
+    check("Part | Price\nA | EUR 120\nB | EUR 200\nC | EUR 152\nTotal | EUR 482", &["482"]);
+    check("Teil | Preis\nA | 1.120,50\nB | 2.350,00\nC | 1.012,50\nSumme | 4.483,00", &[]);
+    check("Teil | Preis\nA | 1.120,50\nB | 2.350,00\nC | 1.012,50\nSumme | 4.493,00", &["4.493,00"]);
+    check("Teil | Preis\nA | 1.120,50 €\nB | 850,00 €\nC | 1.012,50 €\nSumme | 2.993,00 €", &["2.993,00"]);
+    // Kilograms and tonnes, and two currencies, are not added.
+    check("Part | Mass\nA | 120 kg\nB | 200 kg\nC | 152 kg\nTotal | 482 lb", &[]);
+    check("Part | Price\nA | 120 €\nB | £200\nC | 152 €\nTotal | 482 €", &[]);
+}

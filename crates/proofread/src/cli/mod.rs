@@ -265,18 +265,19 @@ impl<'a> CommandRun<'a> {
         if !self.arguments.staged || self.found.iter().sum::<usize>() <= agreeing {
             return None;
         }
+        let program = called_program();
         Some(match &self.arguments.baseline {
             Some(path) => {
                 let file = shown_path(path);
                 format!(
-                    "To go on, correct this and add it, or accept it with `proofread --staged --accept {file}` and add {file}."
+                    "To go on, correct this and add it, or accept it with `{program} --staged --accept {file}` and add {file}."
                 )
             }
-            None => {
-                "To go on, correct this and add it, or accept it with `proofread --staged --accept accepted.jsonl` and \
-                     have the hook run `proofread --staged --baseline accepted.jsonl`."
-                    .to_owned()
-            }
+            None => format!(
+                "To go on, correct this and add it, or accept it with `{program} --staged --accept accepted.jsonl` and \
+                     have the hook run `proofread --staged --baseline accepted.jsonl` (with pre-commit: `args: [--baseline, \
+                     accepted.jsonl]`)."
+            ),
         })
     }
 
@@ -401,6 +402,16 @@ impl<'a> CommandRun<'a> {
             }
         });
     }
+}
+
+/// How this program was called, so that its command works where it is not on the path, as in what pre-commit has built.
+fn called_program() -> String {
+    const NAME: &str = "proofread";
+    let called = std::env::args_os().next().map(PathBuf::from);
+    let called = called.filter(|path| path.file_stem().is_some_and(|stem| stem == NAME));
+    let shown = called.map_or(NAME.to_owned(), |path| path.to_string_lossy().into_owned());
+    let is_plain = shown.chars().all(|c| c.is_alphanumeric() || "/\\:._-+".contains(c));
+    if is_plain { shown } else { format!("'{}'", shown.replace('\'', r"'\''")) }
 }
 
 #[cfg(test)]

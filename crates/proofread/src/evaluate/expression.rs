@@ -10,7 +10,7 @@ use crate::evaluate::step_rounding::StepRounding;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use crate::evaluate::whole::double_factorial;
 use crate::token::{Token, TokenKind, has_number, trim_space};
-use crate::unit::unit;
+use crate::unit::{currency, unit};
 use std::collections::HashMap;
 
 /// Names with their values.
@@ -263,7 +263,7 @@ impl<'b> Evaluator<'b> {
         let mut divisor = self.signed(cursor)?;
         // A price below the stroke: $6/$13.
         if divisor.literal == Literal::Unit
-            && next.and_then(Token::word) == Some("$")
+            && next.and_then(Token::word).is_some_and(|word| currency(word).is_some())
             && cursor.peek().is_some_and(|token| token.number().is_some())
         {
             divisor = self.factor(cursor)?.product(&divisor, None, false)?;

@@ -172,7 +172,9 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
             TokenKind::Operator(c) if "∫∂∮∇∬∯…⋯∏∑".contains(*c) => {
                 out.push(unknown(&c.to_string(), span))
             }
-            TokenKind::Operator(c @ ('%' | '°' | '$')) => out.push(Token::new(TokenKind::Word(c.to_string()), span)),
+            TokenKind::Operator(c @ ('%' | '°' | '$' | '€' | '£')) => {
+                out.push(Token::new(TokenKind::Word(c.to_string()), span))
+            }
             TokenKind::Space(0) => {}
             kind => {
                 match kind {

@@ -12,6 +12,7 @@ use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
+use crate::judge::money::starts_with_money;
 use crate::judge::notation;
 use crate::judge::number_marks;
 use crate::judge::other_arithmetic;
@@ -309,16 +310,18 @@ impl PlacedPair<'_> {
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
         // A price, beside what so many cost: 50 dimes at $0.10 = $5.00.
-        let money = |side: &ChainSide| side.tokens.first().and_then(Token::word) == Some("$");
-        let price =
-            left.is_literal() && right.is_literal() && money(self.left) && money(self.right) && self.begins_chain();
+        let price = left.is_literal()
+            && right.is_literal()
+            && starts_with_money(self.left)
+            && starts_with_money(self.right)
+            && self.begins_chain();
         if price && apart {
             return true;
         }
         // What the text names in words has its unit there, or the working leaves it out.
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
         // The dollar is also a unit of other things.
-        let is_sum = self.right.tokens.first().and_then(Token::word) == Some("$");
+        let is_sum = starts_with_money(self.right);
         let costs = is_sum && left.literal == Literal::Number && !left.has_unit;
         // A quantity and its size, whose direction is said in words.
         let both = left.literal == Literal::Number && right.literal == Literal::Number;

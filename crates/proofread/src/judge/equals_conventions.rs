@@ -6,6 +6,7 @@ use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::money::has_money;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any, trim_space};
 use crate::unit::{UnitDimension, is_percent, unit, without_prefix};
@@ -151,6 +152,21 @@ fn leaves_unit_out(bare_side: &[Token], bare: &SideValue, side: &[Token], other:
     other.angle.is_none() && is_quotient && unit("u").is_some_and(|dalton| with(1.0 / dalton.factor))
 }
 
+/// Whether a side is so many times a power of two by its letter, as in computing, where 64K are 65 536, and the other one is that number.
+fn is_binary_multiple(side: &[Token], other: &SideValue) -> bool {
+    const LETTERS: [&str; 5] = ["K", "M", "G", "T", "P"];
+    let mut tokens = side.iter().filter(|token| !token.is_space());
+    let (Some(number), Some(letter), None) = (tokens.next(), tokens.next(), tokens.next()) else { return false };
+    let letter = match &letter.kind {
+        TokenKind::Word(letter) | TokenKind::Name(letter) => LETTERS.iter().position(|known| known == letter),
+        _ => None,
+    };
+    let number = number.number().and_then(|digits| parse_decimal(&digits.replace(',', "")));
+    let (Some(letter), Some(number), Ok(value)) = (letter, number, other.number()) else { return false };
+    let multiple = number * libm::exp2(10.0 * (letter as f64 + 1.0));
+    !other.has_unit && (value.point - multiple).abs() < 1e-9 * multiple
+}
+
 /// Whether one side is said to stand for the other, as on a scale drawing, of a mole or by a law of physics.
 pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: &(SideValue, SideValue)) -> bool {
     let (one, other) = values;
@@ -189,14 +205,22 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
     if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
         return true;
     }
+    // Degrees of temperature without their scale: 4.2 J/K × 230° = 966 J.
+    let kelvin = unit("K").map(|kelvin| kelvin.dimension).unwrap_or_default();
+    let differs_by_kelvin = [1.0, -1.0].into_iter().any(|by| one.dimension.with_factor(kelvin, by) == other.dimension);
+    if differs_by_kelvin && (has_word(left, &["°"]) || has_word(right, &["°"])) {
+        return true;
+    }
     // A share and what it amounts to.
     let shares = |tokens: &[Token]| tokens.iter().filter_map(Token::word).any(is_percent);
     if both_printed && (shares(left) && !other.dimension.is_none() || shares(right) && !one.dimension.is_none()) {
         return true;
     }
+    if is_binary_multiple(left, other) || is_binary_multiple(right, one) {
+        return true;
+    }
     // A price.
-    let money = |tokens: &[Token]| has_word(tokens, &["$", "cents"]);
-    if money(left) != money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
+    if has_money(left) != has_money(right) && one.has_unit && other.has_unit && one.dimension != other.dimension {
         return true;
     }
     if !both_printed || one.parts.is_vector() || other.parts.is_vector() {

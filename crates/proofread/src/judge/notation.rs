@@ -14,7 +14,7 @@ use crate::judge::substitution::without_space;
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{NamedOperation, Token, TokenKind, any};
-use crate::unit::unit;
+use crate::unit::{currency, unit};
 use std::f64::consts::PI;
 
 /// Both sides in another way of writing.
@@ -220,7 +220,9 @@ fn without_note(side: &[Token]) -> Option<Vec<Token>> {
 
 /// A side without the word for a large number behind its last number, in which the other side may count: `0.6 · 200 = 120 million`.
 fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
-    let (last, rest) = side.split_last()?;
+    let is_behind = |token: &Token| token.is_space() || token.word().is_some_and(|word| currency(word).is_some());
+    let end = side.iter().rposition(|token| !is_behind(token))?;
+    let (last, rest) = side[..=end].split_last()?;
     let counts = last.word().is_some_and(|word| ["thousand", "million", "billion", "trillion"].contains(&word));
     (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
 }

@@ -337,6 +337,13 @@ impl<'t> ComparedSides<'t> {
             };
             return Ok(judgement(verdict));
         }
+        if bare
+            && self.relation == Relation::Equal
+            && let Some(computed) = self.fraction_beside_zero(&points, literal)
+        {
+            let is_sum = any(self.sides[computed], &|kind| matches!(kind, TokenKind::Operator('+' | '-')));
+            return Ok(judgement(if is_sum { ChainVerdict::Inconsistent } else { ChainVerdict::Truncated }));
+        }
         let [left, right] = &strict;
         // What is converted has no more digits than it had before.
         let is_finer =
@@ -493,6 +500,20 @@ impl<'t> ComparedSides<'t> {
         let in_full = computed.abs() < FULL && (printed != 0.0 || !has_decimals);
         let to_its_end = !has_decimals && printed % 10.0 != 0.0;
         (literal[0] || literal[1]) && is_whole(left.point) && is_whole(right.point) && (in_full || to_its_end)
+    }
+
+    /// The side that whole numbers give, if it is no whole number and the other one is a printed zero, which is not rounded to a unit.
+    fn fraction_beside_zero(&self, points: &[SideValue; 2], literal: [bool; 2]) -> Option<usize> {
+        let computed = match literal {
+            [false, true] => 0,
+            [true, false] => 1,
+            _ => return None,
+        };
+        let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
+        let value = points[computed].number().ok()?.point;
+        let is_zero = points[1 - computed].number().ok()?.point == 0.0;
+        let has_decimals = self.sides.iter().any(|side| any(side, &decimal));
+        (is_zero && !has_decimals && value.abs() > 1e-9).then_some(computed)
     }
 
     /// Whether the left side gives the printed right one if its quotients, roots, powers and functions were rounded to as many

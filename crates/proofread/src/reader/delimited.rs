@@ -1,5 +1,6 @@
 //! TeX between the marks that documents put around it: dollar signs, `\(`, `\[`, and the environments of displays.
 
+use super::shortcodes::WIDE;
 use std::ops::Range;
 
 /// Longest formula that is read, in bytes.
@@ -22,7 +23,9 @@ pub(crate) const DISPLAYS: [&str; 12] = [
     "displaymath",
     "flalign",
 ];
-const MORE_DISPLAYS: [&str; 5] = ["flalign*", "alignat", "alignat*", "math", "dmath"];
+/// Environments whose content is a display, too, though fewer programs know them.
+pub(crate) const MORE_DISPLAYS: [&str; 9] =
+    ["flalign*", "alignat", "alignat*", "math", "dmath", "IEEEeqnarray", "IEEEeqnarray*", "IEEEeqnarraybox", "empheq"];
 
 /// Whether a single dollar sign opens a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,18 +139,31 @@ fn environment(text: &str, at: usize, searches: &mut Searches) -> Option<(usize,
     searches.end(text, at + open, &end).map(|found| (open, found, end.len()))
 }
 
-/// The bytes of the number of columns behind the start of an environment that takes one.
+/// The bytes of the arguments behind the start of an environment that takes some: a number of columns, or their kinds.
 pub(crate) fn length_of_columns(name: &str, behind: &str) -> usize {
-    let number = behind.strip_prefix('{').and_then(|rest| rest.split_once('}')).map(|(number, _)| number);
+    /// Longest argument, in bytes.
+    const LONGEST: usize = 60;
+    let optional = behind.strip_prefix('[').and_then(|rest| rest.find(']')).filter(|length| *length < LONGEST);
+    let optional = optional.filter(|_| TAKES_KINDS.contains(&name)).map_or(0, |length| length + 2);
+    let argument = behind[optional..].strip_prefix('{').and_then(|rest| rest.split_once('}')).map(|(inside, _)| inside);
     let is_number =
         |number: &&str| !number.is_empty() && number.len() < 3 && number.chars().all(|c| c.is_ascii_digit());
-    number.filter(|_| name.starts_with("alignat")).filter(is_number).map_or(0, |number| number.len() + 2)
+    let is_argument = |inside: &&str| match name {
+        "alignat" | "alignat*" => is_number(inside),
+        _ => TAKES_KINDS.contains(&name) && inside.len() < LONGEST,
+    };
+    optional + argument.filter(is_argument).map_or(0, |inside| inside.len() + 2)
 }
+
+/// Displays before whose rows the kinds of their columns, or the name of another display, stand as an argument.
+const TAKES_KINDS: [&str; 4] = ["IEEEeqnarray", "IEEEeqnarray*", "IEEEeqnarraybox", "empheq"];
 
 /// A formula between single dollar signs, as pandoc tells it from sums of money; `spaced` says that space may be inside them.
 fn single_dollar_formula(text: &str, at: usize, spaced: bool) -> Option<(usize, usize, usize)> {
     let bytes = text.as_bytes();
     let first = *bytes.get(at + 1)?;
+    // Behind a shortcode of Hugo it is a mark.
+    let spaced = spaced || text[..at].ends_with(WIDE);
     // A sum of money stands before the sign: 5 $ and 6 $.
     let opens_apart = first.is_ascii_whitespace() && !spaced;
     if opens_apart

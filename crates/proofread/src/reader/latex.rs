@@ -2,7 +2,7 @@
 
 use super::adjoining::Joiner;
 use super::definitions::{Macros, NamedMacros, closing, defines, definition};
-use super::delimited::{DISPLAYS, FARTHEST, length_of_columns};
+use super::delimited::{DISPLAYS, FARTHEST, MORE_DISPLAYS, length_of_columns};
 use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, tex};
 use crate::token::{Span, signs};
@@ -12,7 +12,6 @@ use std::ops::Range;
 const LONGEST: usize = 20_000;
 /// Environments whose content is not read.
 pub(super) const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
-const MORE: [&str; 6] = ["flalign*", "alignat", "alignat*", "math", "dmath", "IEEEeqnarray"];
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
@@ -146,7 +145,7 @@ pub(super) fn group_text(text: &str, at: usize) -> Option<&str> {
 fn begin<'t>(text: &'t str, at: usize, scope: &mut u32, inside: &mut Vec<u32>, each: &mut PartSink<'_, 't>) -> usize {
     let Some(name) = group_text(text, at + 6) else { return at + 6 };
     let open = at + 6 + name.len() + 2;
-    if DISPLAYS.contains(&name) || MORE.contains(&name) {
+    if DISPLAYS.contains(&name) || MORE_DISPLAYS.contains(&name) {
         let end = format!("\\end{{{name}}}");
         let open = open + length_of_columns(name, text.get(open..).unwrap_or_default());
         return read_until(text, at, open - at, &end, *scope, each);
@@ -256,7 +255,7 @@ fn abbreviation(
     let behind = at + 1 + name.len();
     let opened = |body: &str| {
         let begins = body.trim().strip_prefix("\\begin{")?.split('}').next()?;
-        (DISPLAYS.contains(&begins) || MORE.contains(&begins)).then(|| format!("\\end{{{begins}}}"))
+        (DISPLAYS.contains(&begins) || MORE_DISPLAYS.contains(&begins)).then(|| format!("\\end{{{begins}}}"))
     };
     let Some(end) = macros.get(name).and_then(|of| opened(&of.body)) else { return behind };
     let Some((found, close)) = ends.nearest(text, behind, &end, macros) else { return behind };

@@ -143,6 +143,8 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
         let tokens = tex::formula(&signs(source, fence.start), &super::definitions::Macros::default());
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
     }
+    let spans: Vec<Range<usize>> =
+        skip.iter().filter(|range| text[(*range).clone()].starts_with('`')).cloned().collect();
     let marked = delimited::formulas(text, &skip, dollars);
     let mut taken = skip;
     for of in marked {
@@ -162,6 +164,14 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
     }
     sort_by_place(&mut taken, |range| range.start);
     plain::read(text, &taken, each);
+    for span in spans {
+        let marks = text[span.clone()].bytes().take_while(|byte| *byte == b'`').count();
+        if let Some(code) = text.get(span.start + marks..span.end.saturating_sub(marks))
+            && plain::is_arithmetic(code)
+        {
+            plain::read_code(code, span.start + marks, each);
+        }
+    }
 }
 
 /// Elements of MathML outside the stretches to skip.
@@ -209,8 +219,10 @@ fn code(text: &str, unread: &mut dyn FnMut(UnreadKind, &str, Range<usize>)) -> (
                 Some(Range { end, .. }) if *end == range.start => *end = range.end,
                 _ => fences.push(range),
             },
-            Event::Code(_) => {
-                unread(UnreadKind::Code, "", range.clone());
+            Event::Code(code) => {
+                if !plain::is_arithmetic(&code) {
+                    unread(UnreadKind::Code, "", range.clone());
+                }
                 skip.push(range);
             }
             _ => {}

@@ -22,6 +22,7 @@ mod plain;
 mod pretext;
 mod recognised;
 mod running;
+mod shortcodes;
 mod shown;
 mod shown_lines;
 mod siunitx;
@@ -295,6 +296,7 @@ pub(crate) use plain::is_noun;
 #[cfg(feature = "cli")]
 pub(crate) use pretext::macros_text;
 pub(crate) use running::RunningText;
+pub(crate) use shortcodes::without_shortcodes;
 pub use shown::{LeftOut, ROW_END, ShownText, shown_text};
 pub use shown_lines::shown_lines;
 pub(crate) use symbols::unit_sign;

@@ -4,7 +4,7 @@ use super::tags::decode_entities;
 use super::words::tokenise_words;
 use super::{Formula, FormulaSink, FormulaStyle};
 use crate::token::{MathFunction, SourceChar, Span, TOO_LONG, Token, TokenKind, signs};
-use crate::unit::{is_percent, unit};
+use crate::unit::{currency, is_percent, unit};
 use std::ops::Range;
 
 /// Longest line that is read, in bytes.
@@ -15,10 +15,20 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
     let mut skipped = skip.iter().peekable();
     let mut start = 0;
     let mut has_open_tables = None;
-    for line in text.split_inclusive('\n') {
-        let whole = start..start + line.len();
-        start = whole.end;
+    let mut lines = text.split_inclusive('\n').peekable();
+    while let Some(line) = lines.next() {
+        let mut whole = start..start + line.len();
         while skipped.next_if(|range| range.end <= whole.start).is_some() {}
+        // A chain that goes on in the next line.
+        let next_skipped = skipped.peek().map_or(text.len(), |range| range.start);
+        while let Some(next) = lines.next_if(|next| {
+            let end = whole.end + next.len();
+            end <= next_skipped && end - whole.start <= LONGEST && goes_on_in(&text[whole.clone()], next)
+        }) {
+            whole.end += next.len();
+        }
+        start = whole.end;
+        let line = &text[whole.clone()];
         // What is between the stretches to skip.
         let mut from = whole.start;
         let mut pieces = Vec::new();
@@ -66,6 +76,24 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
     }
 }
 
+/// Whether a chain at the end of a full line goes on in the next line, since a sign of a sum, a product or an equation stands at the break.
+fn goes_on_in(line: &str, next: &str) -> bool {
+    /// Characters from which on a line is full: pieces of a formula in lines of their own are shorter.
+    const FULL: usize = 30;
+    const BREAKS: [char; 8] = ['=', '≈', '+', '×', '·', '−', '/', '*'];
+    let (line, next) = (line.trim(), next.trim());
+    let last = line.rsplit('\n').next().unwrap_or(line);
+    let is_full = last.chars().count() >= FULL && next.split_whitespace().nth(1).is_some();
+    let is_text = |of: &str| !of.contains('|') && !of.starts_with(['#', '>', '<', '`', '~', ':', '+', '-', '*']);
+    let ends = last.strip_suffix(BREAKS).is_some_and(|rest| {
+        rest.ends_with(' ') && rest.trim_end().ends_with(|c: char| c.is_alphanumeric() || "%°²³)".contains(c))
+    });
+    let begins = next.strip_prefix(['=', '≈', '×', '·']).is_some_and(|rest| rest.starts_with(' '));
+    let has_digit = |of: &str| of.contains(|c: char| c.is_ascii_digit());
+    let ends = ends && next.starts_with(|c: char| c.is_ascii_digit() || "(√".contains(c));
+    is_full && is_text(last) && is_text(next) && has_digit(last) && has_digit(next) && (ends || begins)
+}
+
 /// Whether a line is a row of a table in Markdown, with a sign at both ends and between its cells.
 fn is_row_of_table(line: &str) -> bool {
     let row = line.trim();
@@ -109,6 +137,31 @@ fn is_code(line: &str) -> bool {
     ["==", "!=", "<=", ">=", ":=", "=>", "+=", "-=", "|=", "=\"", "='", "();"].iter().any(|sign| line.contains(sign))
 }
 
+/// Whether code in a line of text is nothing but arithmetic: `7 * 6 = 42`, but not `i = 0`, `7 // 2 = 3` or `1010 + 1 = 1011`.
+pub(super) fn is_arithmetic(code: &str) -> bool {
+    /// Most digits behind a point; a program that prints more shows what floating point is like.
+    const MOST_DECIMALS: usize = 10;
+    let is_sign = |c: char| c.is_ascii_digit() || " .,=()+-−*/×·÷≈".contains(c);
+    let numbers = || code.split(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | ',')).filter(|of| !of.is_empty());
+    let has_leading_zero = |of: &str| of.len() > 1 && of.starts_with('0') && !of.starts_with("0.");
+    let is_binary = |of: &str| of.chars().all(|c| matches!(c, '0' | '1'));
+    let decimals = |of: &str| of.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let computes =
+        code.contains(['+', '*', '×', '·', '÷', '−']) || code.trim_start_matches([' ', '-']).contains(['-', '/']);
+    code.contains('=')
+        && computes
+        && code.chars().all(is_sign)
+        && !is_code(code)
+        && !code.contains("//")
+        && !numbers().any(|of| has_leading_zero(of) || decimals(of) > MOST_DECIMALS)
+        && !(numbers().all(is_binary) && numbers().any(|of| of.len() > 2))
+}
+
+/// Reads code in a line of text that is nothing but arithmetic.
+pub(super) fn read_code(code: &str, base: usize, each: &mut FormulaSink<'_>) {
+    line_of(code, base, false, each);
+}
+
 /// Reads a line, or the piece of one that `starts` it or does not.
 fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
     if is_code(line) {
@@ -132,6 +185,7 @@ fn line_of(line: &str, base: usize, starts: bool, each: &mut FormulaSink<'_>) {
 fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
     const SET_OFF: [&str; 11] = ["b", "strong", "i", "em", "u", "span", "font", "small", "big", "mark", "ins"];
     let decoded = if line.contains('&') { decode_entities(line, base) } else { signs(line, base) };
+    let decoded = if line.contains("](") { without_link_marks(&decoded) } else { decoded };
     if !line.contains('<') {
         return decoded;
     }
@@ -156,6 +210,39 @@ fn shown_signs(line: &str, base: usize) -> Vec<SourceChar> {
         };
         out.extend(script.iter().map(|c| SourceChar { c: *c, span: sign.span }));
         at += end.unwrap_or(0) + 1;
+    }
+    out
+}
+
+/// The characters of a line without the marks of its links and images in Markdown, `[` and `](address)`.
+fn without_link_marks(signs: &[SourceChar]) -> Vec<SourceChar> {
+    let (mut out, mut open): (Vec<SourceChar>, Vec<usize>) = (Vec::with_capacity(signs.len()), Vec::new());
+    let mut at = 0;
+    while let Some(sign) = signs.get(at) {
+        let is_next = |c: char| signs.get(at + 1).is_some_and(|next| next.c == c);
+        match sign.c {
+            '[' => open.push(out.len()),
+            ']' => {
+                let from = open.pop();
+                let end = signs[at..].iter().position(|sign| sign.c == ')').filter(|_| is_next('('));
+                // What is in the brackets is no factor.
+                let is_address = |end: &usize| {
+                    let inside = &signs[at + 2..at + end];
+                    inside.iter().any(|sign| sign.c.is_alphabetic() || "#/".contains(sign.c))
+                };
+                if let (Some(from), Some(end)) = (from, end.filter(is_address)) {
+                    out.remove(from);
+                    if from.checked_sub(1).is_some_and(|mark| out[mark].c == '!') {
+                        out.remove(from - 1);
+                    }
+                    at += end + 1;
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        out.push(*sign);
+        at += 1;
     }
     out
 }
@@ -350,6 +437,7 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 {
                     TokenKind::Function(function)
                 } else if is_column
+                    || (before_number && currency(&word).is_some())
                     || (follows_unit
                         && unit(&word).is_some()
                         && (touching || closes || !PROSE.contains(&word.as_str())))
@@ -366,7 +454,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     } else {
                         TokenKind::Unknown(word)
                     }
-                } else if before.is_some_and(|before| before.number().is_some()) && is_noun(&word) {
+                } else if before.is_some_and(|of| of.number().is_some() || (of.is_sign(')') && before_equals))
+                    && is_noun(&word)
+                {
                     // What is counted has no unit that is known.
                     TokenKind::Word(word)
                 } else {

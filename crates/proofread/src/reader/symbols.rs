@@ -78,7 +78,9 @@ pub(crate) fn symbol(name: &str) -> TokenKind {
         "because" => '∵',
         "forall" => '∀',
         "dots" | "ldots" | "cdots" | "vdots" | "ddots" => return TokenKind::Unknown("…".to_owned()),
-        "euro" | "pounds" | "textdollar" => return TokenKind::Word("$".to_owned()),
+        "textdollar" => return TokenKind::Word("$".to_owned()),
+        "euro" | "texteuro" => return TokenKind::Word("€".to_owned()),
+        "pounds" | "textsterling" => return TokenKind::Word("£".to_owned()),
         _ => return TokenKind::Unknown(format!("\\{name}")),
     })
 }

@@ -1,6 +1,7 @@
 //! Running text to tokens: numbers, words, units, and the signs between them.
 
 use crate::token::{MathFunction, SourceChar, Span, Token, TokenKind};
+use crate::unit::is_currency_sign;
 
 /// The sign that a look-alike stands for, or none if it is to be left out.
 pub(crate) fn plain_char(c: char) -> Option<char> {
@@ -191,7 +192,7 @@ pub(crate) fn tokenise_words(signs: &[SourceChar], out: &mut Vec<Token>) {
                 }
                 None => out.push(Token::new(TokenKind::Word("°".to_owned()), span)),
             }
-        } else if c == '%' || c == '$' {
+        } else if c == '%' || is_currency_sign(c) {
             out.push(Token::new(TokenKind::Word(c.to_string()), span));
         } else if superscript_char(c).is_some() {
             taken = run(&|c| superscript_char(c).is_some());

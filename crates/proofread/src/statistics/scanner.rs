@@ -158,9 +158,16 @@ impl<'c> Scanner<'c> {
             push(&mut text, self, length + 1, 3);
             length += 4;
         }
+        // Points between groups of three digits, before a decimal comma: 1.120,50.
+        let has_points = comma == Comma::Groups && length == whole && starts_group;
+        let pointed = if has_points { self.pointed_groups(length) } else { 0 };
+        for group in 0..pointed {
+            push(&mut text, self, length + 4 * group + 1, 3);
+        }
+        length += 4 * pointed;
         let sign = self.ahead(length);
-        let is_decimal =
-            sign == '.' || sign == '·' || (sign == ',' && comma == Comma::Groups && length == whole && whole > 0);
+        let is_comma = sign == ',' && comma == Comma::Groups && (length == whole || pointed > 0) && whole > 0;
+        let is_decimal = sign == '.' || sign == '·' || is_comma;
         let behind = self.digits(length + 1);
         let mut decimals = 0;
         if is_decimal && behind > 0 {
@@ -186,6 +193,14 @@ impl<'c> Scanner<'c> {
         let half: f64 = format!("5e{}", power - 1 - i32::try_from(decimals).ok()?).parse().ok()?;
         self.at += length;
         Some(PrintedNumber { value, half, decimals })
+    }
+
+    /// How many groups of three digits stand behind a point each, if a decimal comma is behind them.
+    fn pointed_groups(&self, from: usize) -> usize {
+        let is_group = |at: usize| self.ahead(at) == '.' && self.digits(at + 1) == 3;
+        let count = (0..).take_while(|group| is_group(from + 4 * group)).count();
+        let end = from + 4 * count;
+        if self.ahead(end) == ',' && self.digits(end + 1) > 0 { count } else { 0 }
     }
 
     /// `e-5`, `× 10^-5`.

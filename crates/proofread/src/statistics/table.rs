@@ -4,14 +4,17 @@ use super::characters::PlainCharacters;
 use super::scanner::{Comma, PrintedNumber, Scanner};
 use crate::reader::TextFormat;
 use crate::token::Span;
+use crate::unit::{currency, is_currency_sign, unit};
 
 /// A cell of a table.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TableCell {
     /// As one line.
     pub text: String,
-    /// Its number, if it has nothing else but a share, a unit of per cent or marks of a footnote.
+    /// Its number, if it has nothing else but a unit, a share or marks of a footnote.
     pub number: Option<PrintedNumber>,
+    /// The unit or the currency of the number; empty if it has none or is in per cent.
+    pub unit: String,
     /// Whether the number is in per cent.
     pub is_percent: bool,
     /// The share in brackets behind the number.
@@ -31,11 +34,15 @@ impl TableCell {
         let at = in_text(if plain.chars.is_empty() { Span::new(0, 0) } else { all });
         let mut cell = Self { text: plain.line(0..plain.chars.len()), at, ..Self::default() };
         let mut here = Scanner::new(&plain.chars, 0);
-        while here.take_one_of(" \n$€£").is_some() {}
+        while here.take_one_of(" \n").is_some() {}
+        let before = take_unit(&mut here, |word| currency(word).is_some());
+        while here.take_one_of(" \n").is_some() {}
         let start = here.at;
         let Some(number) = here.number(Comma::Groups) else { return cell };
         let end = here.at;
         here.skip_space();
+        let behind = take_unit(&mut here, |word| word.chars().count() > 1 && unit(word).is_some());
+        cell.unit = before.or(behind).unwrap_or_default();
         let is_percent = here.take('%');
         here.skip_space();
         let mut share = None;
@@ -68,6 +75,22 @@ impl TableCell {
         let text = self.text.trim_matches([' ', '–', '—', '-', '−', '.', '…']);
         text.is_empty() || text.eq_ignore_ascii_case("n/a") || text.eq_ignore_ascii_case("na")
     }
+}
+
+/// The sign of a currency, or a unit by its name or sign, with its exponent; nothing is taken if none is here.
+fn take_unit(here: &mut Scanner<'_>, is_unit: impl Fn(&str) -> bool) -> Option<String> {
+    if is_currency_sign(here.peek()) {
+        return here.take_one_of("$€£").map(String::from);
+    }
+    let mut ahead = *here;
+    let mut word = ahead.word();
+    if !is_unit(&word) {
+        return None;
+    }
+    let sign = currency(&word).map(str::to_owned);
+    word.extend(ahead.take_one_of("²³"));
+    *here = ahead;
+    Some(sign.unwrap_or(word))
 }
 
 /// A table.

@@ -28,7 +28,7 @@ fn piped(text: &str, format: TextFormat, place: &dyn Fn(Span) -> Span) -> Vec<Te
     for line in text.split_inclusive('\n') {
         let range = start..start + line.trim_end().len();
         start += line.len();
-        if line.contains('|') {
+        if line.contains('|') || is_grid_rule(line) {
             lines.push(range);
             continue;
         }
@@ -36,6 +36,12 @@ fn piped(text: &str, format: TextFormat, place: &dyn Fn(Span) -> Span) -> Vec<Te
     }
     out.extend(piped_table(text, &lines, format, place));
     out
+}
+
+/// Whether a line parts the rows of a grid table of Pandoc: `+-----+-----+`, or `+=====+=====+` below the head.
+fn is_grid_rule(line: &str) -> bool {
+    let line = line.trim();
+    line.len() > 2 && line.starts_with('+') && line.ends_with('+') && line.chars().all(|c| "+-=:".contains(c))
 }
 
 fn piped_table(
@@ -46,12 +52,13 @@ fn piped_table(
 ) -> Option<TextTable> {
     let is_rule = |line: &Range<usize>| {
         let line = &text[line.clone()];
-        line.contains('-') && line.chars().all(|c| "|:-+–— \t>".contains(c))
+        is_grid_rule(line) || line.contains('-') && line.chars().all(|c| "|:-+–— \t>".contains(c))
     };
-    if lines.len() < 3 || lines.len() > MOST_ROWS || !is_rule(&lines[1]) {
+    let is_grid = lines.first().is_some_and(|line| is_grid_rule(&text[line.clone()]));
+    if lines.len() < 3 || lines.len() > MOST_ROWS || !(is_grid || is_rule(&lines[1])) {
         return None;
     }
-    let rows = lines.iter().enumerate().filter(|(at, line)| *at != 1 && !is_rule(line)).map(|(_, line)| {
+    let rows = lines.iter().filter(|line| !is_rule(line)).map(|line| {
         let mut range = line.clone();
         let row = text[range.clone()].trim_start_matches([' ', '\t', '>']);
         range.start = range.end - row.len();

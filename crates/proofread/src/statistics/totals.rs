@@ -132,7 +132,10 @@ impl<'t> Sum<'t> {
                 None => return None,
             }
         }
-        (numbers.len() >= 2).then_some(Self { parts: numbers, total })
+        // Some parts may have no unit beside a total that has one, but none may have another one.
+        let has_unit_of = |cell: &&TableCell| cell.unit.is_empty() || cell.unit == total.unit;
+        let is_of_one_unit = numbers.iter().all(has_unit_of);
+        (numbers.len() >= 2 && is_of_one_unit).then_some(Self { parts: numbers, total })
     }
 
     fn numbers(&self) -> impl Iterator<Item = PrintedNumber> {

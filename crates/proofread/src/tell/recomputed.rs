@@ -12,6 +12,7 @@ use crate::judge::section::ReportSection;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::tell::number_form::{part_thousands, power_form, rational, signed, significant, sized};
 use crate::token::{Span, Token, TokenKind, show, span_of};
+use crate::unit::currency;
 
 /// What is told of the values of two sides.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -426,7 +427,7 @@ impl<'t> PrintedNumeral<'t> {
 }
 
 fn is_money(token: &Token) -> bool {
-    token.is_one_of("$€£") || token.word().is_some_and(|word| matches!(word, "$" | "€" | "£"))
+    token.is_one_of("$€£") || token.word().is_some_and(|word| currency(word).is_some())
 }
 
 /// A printed fraction of two integers, or a mixed number.

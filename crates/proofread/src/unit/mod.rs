@@ -136,6 +136,9 @@ const PREFIXED: &[UnitRow] = &[
     ("pc", 3.085_677_581_491_367e16, LENGTH),
 ];
 
+/// Signs and names of currencies.
+const CURRENCIES: [&str; 4] = ["$ USD dollar dollars", "€ EUR euro euros Euro", "£ GBP", "CHF"];
+
 const WHOLE: &[UnitRow] = &[
     ("meter meters metre metres", 1.0, LENGTH),
     ("gram grams", 1e-3, MASS),
@@ -176,7 +179,10 @@ const WHOLE: &[UnitRow] = &[
     ("arcsec", PI / 180.0 / 3600.0, PLAIN),
     ("% percent", 0.01, PLAIN),
     ("ppm", 1e-6, PLAIN),
-    ("$", 1.0, PLAIN),
+    (CURRENCIES[0], 1.0, PLAIN),
+    (CURRENCIES[1], 1.0, PLAIN),
+    (CURRENCIES[2], 1.0, PLAIN),
+    (CURRENCIES[3], 1.0, PLAIN),
     ("cents", 0.01, PLAIN),
     ("atm", 101_325.0, PRESSURE),
     ("Torr torr mmHg", 133.322, PRESSURE),
@@ -321,6 +327,17 @@ pub(crate) fn unit(word: &str) -> Option<MeasurementUnit> {
 /// Whether the letters are as likely a product of quantities as a unit.
 pub(crate) fn is_ambiguous(word: &str) -> bool {
     word.len() == AMBIGUOUS_LENGTH && is_listed(AMBIGUOUS, word)
+}
+
+/// The sign of the currency of a word, if it is a sum of money's.
+pub(crate) fn currency(word: &str) -> Option<&'static str> {
+    let names = CURRENCIES.iter().find(|names| is_listed(names, word))?;
+    names.split_ascii_whitespace().next()
+}
+
+/// Whether a character is the sign of a currency.
+pub(crate) fn is_currency_sign(c: char) -> bool {
+    matches!(c, '$' | '€' | '£')
 }
 
 /// Whether a word is the sign of a percentage.

@@ -56,7 +56,8 @@ const ENTRIES: &[SecondUnit] = &[
     // Seven days, and the 365.25 days of the International Astronomical Union.
     ("week weeks wk", "6.048e5", "s"),
     ("y yr year years", "3.15576e7", "s"),
-    ("rad sr turns Np dB wt $", "1", ""),
+    ("rad sr turns Np dB wt", "1", ""),
+    ("$ USD dollar dollars € EUR euro euros Euro £ GBP CHF", "1", ""),
     ("rev revs revolution revolutions", "6.283185", ""),
     ("rpm", "1.047198e-1", "s-1"),
     ("° degree degrees", "1.745329e-2", ""),

@@ -66,6 +66,21 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_recipes_name_languages_that_the_server_knows() {
+        let recipes = include_str!("../../../README.md");
+        let lists: Vec<&str> = recipes
+            .lines()
+            .filter(|line| ["filetypes = {", "pattern = {"].iter().any(|of| line.contains(of)))
+            .collect();
+        assert_eq!(lists.len(), 3, "{lists:?}");
+        for list in lists {
+            let languages: Vec<&str> = list.split('\'').skip(1).step_by(2).collect();
+            assert!(["tex", "plaintex", "rmd"].iter().all(|of| languages.contains(of)), "{list}");
+            assert!(languages.iter().all(|of| format_of(of, "").is_some()), "{list}");
+        }
+    }
+
+    #[test]
     fn the_language_decides_and_else_the_ending() {
         for (language, address, format) in [
             ("latex", "untitled:1", Some(TextFormat::Latex)),

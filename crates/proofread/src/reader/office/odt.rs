@@ -34,7 +34,25 @@ pub(super) fn read(mut archive: Archive<'_>) -> Result<(MadePage, UnreadParts), 
         notes: 0,
     };
     reading.blocks(body..content.len(), BlockPlace::Body, 0)?;
+    if let Some(pages) = reading.archive.text("styles.xml")? {
+        note_headers(&pages, &mut reading.writer.unread);
+    }
     Ok((reading.writer.page, reading.writer.unread))
+}
+
+/// Counts the headers and footers of pages, which are kept beside the styles.
+fn note_headers(xml: &str, unread: &mut UnreadParts) {
+    let mut at = 0;
+    while let Some(tag) = next_tag(xml, at) {
+        at = tag.end;
+        let kind =
+            ["header", "footer"].into_iter().find(|kind| tag.name == *kind || tag.name == format!("{kind}-left"));
+        if let Some(kind) = kind.filter(|_| !tag.closes && !tag.empty) {
+            let end = end_of(xml, &tag);
+            note(unread, UnreadKind::Element, kind, &plain_text(&xml[tag.end..end]));
+            at = end;
+        }
+    }
 }
 
 /// The styles that raise, lower or strike out characters, by their names.
