@@ -163,8 +163,11 @@
                 stop();
             }
         };
+        // Whether the last answer has only a part of a long calculation, and the settings that were asked for last.
+        let pending = false, before;
         const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams, turned, command }) => {
             if (error !== undefined) {
+                pending = false;
                 return refuse(error);
             }
             const drawing = drawn(svg);
@@ -175,7 +178,7 @@
             heard = numbers;
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
-            say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
+            say([words, progress && `${progress.done} of ${progress.all} ${progress.parts}`].filter(Boolean).join(' '), words);
             picture.replaceChildren(drawing);
             crop();
             // The same words written again would be laid out again.
@@ -199,8 +202,7 @@
             if (command) {
                 form.querySelector('.command').textContent = command;
             }
-            // What runs goes on instead of waiting for the rest.
-            again ||= Boolean(progress) && !playing;
+            pending = Boolean(progress);
         };
 
         const answered = async () => {
@@ -212,7 +214,11 @@
             while (again) {
                 again = false;
                 const asked = Object.fromEntries(settings());
-                const turns = drawnFor && movedBy.length > 0 && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
+                // A setting that stays is asked for again for the rest of its calculation.
+                const stays = before && inputs.every(({ name }) => asked[name] === before[name]);
+                const turns = !(pending && stays) && drawnFor && movedBy.length > 0
+                    && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
+                before = asked;
                 try {
                     const answer = JSON.parse(await ask(question(turns ? '.turned' : '')));
                     if (turns && answer.error === undefined) {
@@ -222,8 +228,11 @@
                         drawnFor = answer.error === undefined ? asked : undefined;
                     }
                 } catch (error) {
+                    pending = false;
                     refuse(`The figure has no answer for this setting: ${error.message}.`);
                 }
+                // What runs goes on instead of waiting for the rest.
+                again ||= pending && !playing;
                 // A first question does not wait for a frame; those that follow it are asked once in each.
                 if (again) {
                     await new Promise(requestAnimationFrame);
@@ -392,6 +401,8 @@
             [announced, words].forEach(element => element?.setAttribute('aria-live', on ? 'off' : 'polite'));
             if (on) {
                 requestAnimationFrame(frame);
+            } else if (pending) {
+                draw();
             }
         };
         const stop = () => {

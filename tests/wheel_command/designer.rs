@@ -2,10 +2,10 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
-use geneva_ask::wheel::{ActsOn, ArgumentSlot, NamedChoice, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::wheel::{ActsOn, ArgumentSlot, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
-use geneva_live::{Live, LiveArguments, by_name};
+use geneva_live::{Live, LiveArguments, LiveReply, by_name};
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,19 +46,23 @@ impl Asked {
                 }
                 continue;
             }
-            if let ArgumentSlot::Choice(NamedChoice { names, .. }) = argument.place {
+            if let ArgumentSlot::Choice(choice) = argument.place {
                 // Bare parts for the most part: most mountings need another option, or a room that small wheels lack.
-                let at = if random.u32(..10) == 0 { random.usize(..names.len()) } else { 0 };
+                let unsaid = choice.usual_entry();
+                let at = if random.u32(..10) == 0 { random.usize(..choice.on_page().len()) } else { unsaid };
                 asked.page.push((argument.name, at.to_string()));
-                // The first is what holds if nothing is said.
-                if at > 0 {
-                    asked.command.extend([format!("--{}", argument.name), names[at].to_owned()]);
+                if at != unsaid {
+                    asked.command.extend([format!("--{}", argument.name), choice.names[at].to_owned()]);
                 }
                 continue;
             }
             if let ArgumentSlot::Material(_) = argument.place {
-                let at = random.usize(..MATERIALS.len());
-                asked.set(argument.name, at.to_string(), MATERIALS[at].name);
+                let at = random.usize(..=MATERIALS.len());
+                match MATERIALS.get(at) {
+                    Some(material) => asked.set(argument.name, at.to_string(), material.name),
+                    // What the process has needs no word.
+                    None => asked.page.push((argument.name, at.to_string())),
+                }
                 continue;
             }
             let [least, most] = match argument.name {
@@ -93,6 +97,17 @@ fn in_the_object<'a>(object: &'a Map<String, Value>, name: &str, key: Option<&st
     object.get(key)
 }
 
+/// The answer of a figure, asked again until it has come to its end.
+fn whole_answer(live: &Live, settings: &LiveArguments) -> Result<LiveReply, String> {
+    loop {
+        let answer = live.answer(settings)?;
+        if answer.progress.is_none() {
+            return Ok(answer);
+        }
+        assert!(!answer.numbers.iter().any(|number| number.name == "yield"), "a part is shown as the whole");
+    }
+}
+
 /// Compares both answers to a question; how many numbers are equal, none if both refuse it.
 fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
     // What acts on files alone is refused beside numbers.
@@ -103,7 +118,7 @@ fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
     let pairs = command[1..].chunks(2).filter(|pair| !is_of_files(&pair[0])).flatten();
     let words: Vec<&str> = command[..1].iter().chain(pairs).map(String::as_str).collect();
     let pairs = page.iter().map(|(name, value)| (*name, value.clone()));
-    let moved = match live.answer(&LiveArguments::from_pairs(pairs)) {
+    let moved = match whole_answer(live, &LiveArguments::from_pairs(pairs)) {
         Ok(moved) => moved,
         Err(why) => {
             assert_eq!(answered(&words).code, 2, "the figure says: {why}; the command answers: {}", command.join(" "));
@@ -141,6 +156,57 @@ fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
         equal += 1;
     }
     Some(equal)
+}
+
+#[test]
+fn the_yield_comes_piece_by_piece_and_is_that_of_the_command() {
+    let live = by_name("design").expect("a figure");
+    let mut lowest = 1.0_f64;
+    for (at, process) in Process::ALL.into_iter().enumerate() {
+        // So little play that with some processes not all turn.
+        let given =
+            [("stations", "6"), ("crank-radius", "25"), ("play", "0.1")].map(|(name, value)| (name, value.to_owned()));
+        let page = given.into_iter().chain([("process", (at + 1).to_string())]);
+        let settings = LiveArguments::from_pairs(page);
+        // The first answer waits for no assembly.
+        let first = live.answer(&settings).expect("an answer").progress.expect("assemblies to count");
+        assert_eq!((first.parts, first.done, first.all), ("assemblies", 0, 1000));
+        let second = live.answer(&settings).expect("an answer").progress.expect("assemblies to count");
+        assert!(second.done > 0 && second.done < 200, "{second:?}");
+        let whole = whole_answer(live, &settings).expect("an answer");
+        let command = whole.command.as_deref().and_then(|command| command.strip_prefix("geneva ")).expect("a command");
+        let object = object(&command.split(' ').collect::<Vec<_>>());
+        for (name, key) in [("yield", "yield"), ("yield-low", "yield_low"), ("yield-high", "yield_high")] {
+            let shown = whole.numbers.iter().find(|number| number.name == name).expect(name);
+            assert_eq!(
+                Some(shown.value),
+                object[key].as_f64().map(|share| 100.0 * share),
+                "{}: {name}",
+                process.name()
+            );
+        }
+        lowest = lowest.min(object["yield"].as_f64().expect("a share"));
+    }
+    assert!(lowest < 1.0, "every assembly of every process turns, so nothing is compared");
+}
+
+#[test]
+fn each_entry_of_a_choice_can_be_sent_whatever_the_process() {
+    let live = by_name("design").expect("a figure");
+    let mut sent = 0;
+    for (process, name) in Process::ALL.map(Process::name).into_iter().enumerate() {
+        let page = |at: usize| {
+            let settings = [("process", (process + 1).to_string()), ("driver-pieces", at.to_string())];
+            live.answer(&LiveArguments::from_pairs(settings)).expect("an answer").command.expect("a command")
+        };
+        for (at, said) in [Some("one-piece"), Some("two-pieces"), None].into_iter().enumerate() {
+            let command = page(at);
+            let found = command.split(" --driver-pieces ").nth(1).and_then(|rest| rest.split(' ').next());
+            assert_eq!(found, said, "{name}: {command}");
+            sent += 1;
+        }
+    }
+    assert!(sent > 10, "only {sent} entries were sent");
 }
 
 #[test]

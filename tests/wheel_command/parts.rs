@@ -100,12 +100,14 @@ fn the_length_that_was_given_comes_back() {
 #[test]
 fn what_does_not_fit_is_refused_with_how_much_and_what_to_change() {
     for (options, said) in [
-        (&["--pin-diameter", "60"][..], "shallower slots (--pin-diameter 60, --play MM, --bottom-clearance MM)"),
+        (&["--pin-diameter", "60"][..], "run into each other by 13.1000 mm; give --pin-diameter up to 24.9699"),
         (&["--play", "90"], "--play 90"),
         (&["--bottom-clearance", "45"], "--bottom-clearance 45"),
-        (&["--horn", "40"], "a thinner pin or a thinner horn (--pin-diameter MM, --horn 40)"),
-        (&["--wheel-shaft", "80"], "must be less than 69.9750 mm; give a thinner shaft (--wheel-shaft 80)"),
-        (&["--driver-shaft", "30"], "(--driver-shaft 30)"),
+        (&["--horn", "40"], "give --horn up to 29.3809"),
+        (&["--wheel-shaft", "80"], "must be less than 69.9750 mm; give --wheel-shaft up to 69.9749"),
+        (&["--driver-shaft", "30"], "give --driver-shaft up to 20.9693, or let the shaft end in the plate"),
+        (&["--locking-arc-radius", "90"], "--locking-arc-radius 90: a locking arc runs into the slots"),
+        (&["--locking-play", "60"], "give --locking-play up to"),
         (&["--pin-diameter", "0.01", "--play", "200"], "mm"),
     ] {
         let wheel = [&["wheel", "--stations", "6", "--crank-radius", "50"], options].concat();

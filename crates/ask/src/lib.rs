@@ -51,12 +51,12 @@ pub enum Error {
     #[error(transparent)]
     Dynamics(#[from] geneva_dynamics::DynamicsError),
     /// Parts of a wheel that don't fit, with the arguments that change them.
-    #[error("{error}{}", typed(arguments))]
+    #[error("{}", wheel::sizes_refusal(error, remedies))]
     Sizes {
         /// Why they don't fit.
         error: SizesError,
-        /// The arguments with their values in millimetres, if they have any.
-        arguments: Vec<(&'static str, Option<f64>)>,
+        /// The arguments with the values with which they do; of each alone, one is enough.
+        remedies: Vec<wheel::FittingValues>,
     },
     /// A drawing that there is not.
     #[error(transparent)]
@@ -120,11 +120,4 @@ fn pairs(text: &str) -> impl Iterator<Item = Result<(&str, &str), Error>> {
 /// The number that an argument is given.
 fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
     text.replace('−', "-").parse().map_err(|_| refused!("--{name} {text}: not a number; give one"))
-}
-
-/// Arguments as they are typed, in brackets behind an error; nothing if there are none.
-fn typed(arguments: &[(&str, Option<f64>)]) -> String {
-    let value = |value: &Option<f64>| value.map_or_else(|| "MM".to_owned(), number_format::as_typed);
-    let all: Vec<_> = arguments.iter().map(|(name, of)| format!("--{name} {}", value(of))).collect();
-    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
 }

@@ -104,7 +104,7 @@ impl FromArgMatches for WheelOptions {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Count(at) => *at(question) = typed(matches, name),
-                ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                ArgumentSlot::Choice(NamedChoice { names, set, .. }) => {
                     let named: Option<String> = typed(matches, name);
                     if let Some(number) = named.and_then(|named| names.iter().position(|name| **name == named)) {
                         set(question, number);

@@ -69,6 +69,8 @@ impl LiveQuantity {
 /// So many of so many parts of a long calculation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
+    /// What its parts are called.
+    pub parts: &'static str,
     /// Parts that are done.
     pub done: usize,
     /// All parts.
@@ -94,7 +96,7 @@ impl LiveReply {
     }
 
     /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
-    /// list of `name` and `value` (null where there is none); `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`; `steps`, a
+    /// list of `name` and `value` (null where there is none); `message`, or null; `progress` with `done`, `all` and `parts`, or null; `caption`; `svg`; `steps`, a
     /// list of `heading` and `lines` in the notation of [`geneva_ask::worked`]; `jams`, true or false; `turned`, as of
     /// [`TurnedParts::to_json`], or null; `command`, or null.
     pub fn to_json(&self) -> String {
@@ -109,8 +111,9 @@ impl LiveReply {
         let step = |WorkedStep { heading, lines }: &WorkedStep| {
             format!("{{\"heading\":{},\"lines\":{}}}", string(heading), array(lines.iter().map(|line| string(line))))
         };
-        let progress =
-            or_null(self.progress.map(|Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}")));
+        let progress = or_null(self.progress.map(|Progress { parts, done, all }| {
+            format!("{{\"done\":{done},\"all\":{all},\"parts\":{}}}", string(parts))
+        }));
         format!(
             "{{\"numbers\":{},\"followers\":{},\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{},\"steps\":{},\"jams\":{},\"turned\":{},\"command\":{}}}",
             array(self.numbers.iter().map(number)),

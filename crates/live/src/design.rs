@@ -1,19 +1,20 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
-use crate::answer::{LiveNumber, LiveQuantity, LiveReply};
+use crate::answer::{LiveNumber, LiveQuantity, LiveReply, Progress};
 use crate::arguments::LiveArguments;
 use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
-    Argument, ArgumentSlot, GROUPS, Knob, NamedChoice, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign,
-    WheelQuestion, arguments,
+    ASSEMBLIES, Argument, ArgumentSlot, FittingValues, GROUPS, Knob, SHAPE_FILES, SearchEffort, WRONG_SIZES,
+    WheelDesign, WheelQuestion, arguments, yield_fields,
 };
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_figures::stations;
-use geneva_kinematics::wheel::as_built::Process;
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
+use geneva_kinematics::wheel::as_built::{Process, Yield};
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, SizesError};
+use std::cell::RefCell;
 
 /// The designer of wheels.
 pub const LIVE: Live = Live {
@@ -42,6 +43,9 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("crank", "greatest torque at the crank", "peak_crank_torque_nm"),
     ],
     others: &[
+        LiveQuantity::field("yield", "simulated assemblies that turn", "yield"),
+        LiveQuantity::field("yield-low", "of all assemblies at least", "yield_low"),
+        LiveQuantity::field("yield-high", "of all assemblies at most", "yield_high"),
         LiveQuantity::field("centres", "centre distance", "centre_distance_mm"),
         LiveQuantity::field("nearer", "axes may be too close together by", "centres_nearer_mm"),
         LiveQuantity::field("farther", "axes may be too far apart by", "centres_farther_mm"),
@@ -97,11 +101,11 @@ pub const LIVE: Live = Live {
 const PROCESSES: [&str; 7] =
     ["any process", "grinding", "milling", "a router", "a laser", "printing in resin", "printing with filament"];
 
-/// Materials as they are called, in the order of [`MATERIALS`].
-const NAMES: [&str; MATERIALS.len()] = {
-    let mut names = [""; MATERIALS.len()];
+/// Materials as they are called, in the order of [`MATERIALS`], and last what the way of making the parts has.
+const NAMES: [&str; MATERIALS.len() + 1] = {
+    let mut names = ["as usual for how they are made"; MATERIALS.len() + 1];
     let mut k = 0;
-    while k < names.len() {
+    while k < MATERIALS.len() {
         names[k] = MATERIALS[k].name;
         k += 1;
     }
@@ -175,7 +179,9 @@ pub const SHEET_FILE: &str = "sheet.txt";
 const fn control(argument: &Argument, knob: Knob) -> Control {
     let Knob { label, unit, slider, step, typed, first, side, .. } = knob;
     let control = match (argument.place, first) {
-        (ArgumentSlot::Choice(NamedChoice { names, .. }), _) => Control::choice(argument.name, label, names, 0),
+        (ArgumentSlot::Choice(choice), _) => {
+            Control::choice(argument.name, label, choice.on_page(), choice.usual_entry())
+        }
         (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
         (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
@@ -231,8 +237,9 @@ fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
     Ok(given)
 }
 
-fn material(number: f64) -> Result<Material, String> {
-    MATERIALS.get(number as usize).copied().ok_or_else(|| "no such material".to_owned())
+/// A material by its number; behind the last is none, which leaves it to how the parts are made.
+fn material(number: f64) -> Option<Material> {
+    MATERIALS.get(number as usize).copied()
 }
 
 /// A process by its number; the first is none.
@@ -247,8 +254,9 @@ fn question(settings: &Settings, effort: SearchEffort) -> Result<WheelQuestion, 
         match argument.place {
             ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(&mut question) = Some(value as u32),
             ArgumentSlot::Count(at) => *at(&mut question) = Some(value as u32),
-            ArgumentSlot::Choice(NamedChoice { set, .. }) => set(&mut question, value as usize),
-            ArgumentSlot::Material(at) => *at(&mut question) = Some(material(value)?),
+            ArgumentSlot::Choice(choice) if value as usize == choice.usual_entry() => {}
+            ArgumentSlot::Choice(choice) => (choice.set)(&mut question, value as usize),
+            ArgumentSlot::Material(at) => *at(&mut question) = material(value),
             ArgumentSlot::Process(at) => *at(&mut question) = process(value),
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
@@ -267,11 +275,12 @@ fn command(settings: &Settings) -> Result<String, String> {
     for (argument, value) in given(settings)? {
         let text = match argument.place {
             ArgumentSlot::SignedLength(_) if value == 0.0 => continue,
-            ArgumentSlot::Material(_) => material(value)?.name.to_owned(),
-            ArgumentSlot::Choice(_) if value == 0.0 => continue,
-            ArgumentSlot::Choice(NamedChoice { names, .. }) => {
-                names.get(value as usize).copied().unwrap_or_default().to_owned()
-            }
+            ArgumentSlot::Material(_) => match material(value) {
+                Some(material) => material.name.to_owned(),
+                None => continue,
+            },
+            ArgumentSlot::Choice(choice) if value as usize == choice.usual_entry() => continue,
+            ArgumentSlot::Choice(choice) => choice.names.get(value as usize).copied().unwrap_or_default().to_owned(),
             ArgumentSlot::Process(_) => match process(value) {
                 Some(process) => process.name().to_owned(),
                 None => continue,
@@ -307,12 +316,23 @@ const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radi
 /// An error of a wheel in words, without the arguments that only the command line has.
 pub fn words(error: Error) -> String {
     match error {
-        Error::Sizes { error, .. } => error.to_string(),
+        Error::Sizes { error, remedies } => sizes_words(&error, &remedies),
         Error::Kinematics(error) => error.to_string(),
         Error::Dynamics(error) => error.to_string(),
         Error::Argument(message) => message,
         Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
     }
+}
+
+/// An error about parts that don't fit in words, with the controls that make them fit.
+fn sizes_words(error: &SizesError, remedies: &[FittingValues]) -> String {
+    let control = |of: &FittingValues| {
+        let knob = arguments().find(|argument| argument.name == of.name)?.knob?;
+        let label = knob.label.strip_prefix("or ").unwrap_or(knob.label);
+        Some(format!("{label}: {} {}", of.range(), knob.unit))
+    };
+    let controls: Vec<String> = remedies.iter().filter_map(control).collect();
+    if controls.is_empty() { error.to_string() } else { format!("{}. Give {}", error.reason(), controls.join(", or ")) }
 }
 
 /// Decimals of a number that is known to a tolerance, four at most.
@@ -329,7 +349,9 @@ fn turned(settings: &Settings) -> Result<TurnedParts, String> {
 fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
     let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
-    let fields = design.live_fields(&sizes.wheel).map_err(words)?;
+    let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
+    let counted = counted(&design)?;
+    fields.extend(yield_fields(counted.filter(|counted| counted.tried == ASSEMBLIES)));
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
         Some(key) => {
@@ -362,13 +384,44 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     } else {
         stations::dimensions_of_a_wrong_wheel(sizes, &made, slots_turned)
     };
+    let progress = counted.filter(|counted| counted.tried < ASSEMBLIES).map(|counted| Progress {
+        parts: "assemblies",
+        done: counted.tried as usize,
+        all: ASSEMBLIES as usize,
+    });
     Ok(LiveReply {
         further,
         followers,
         message,
+        progress,
         turned: Some(watched.parts()?),
         command: Some(command(settings)?),
         ..LiveReply::new(figure, numbers)
+    })
+}
+
+/// Assemblies that are counted at one asking: few, so that a slider never waits for them.
+const AT_ONCE: u64 = 50;
+
+/// The sizes, plays and process of a question, by which its assemblies are drawn, and how many are counted.
+type Counted = (Option<(Sizes, Process, Option<f64>)>, Yield);
+
+thread_local! {
+    static COUNTED: RefCell<Counted> = const { RefCell::new((None, Yield { tried: 0, turning: 0 })) };
+}
+
+/// How many assemblies turn, as far as they are counted: at each asking some more, at the first of a wheel none. None without a process.
+fn counted(design: &WheelDesign) -> Result<Option<Yield>, String> {
+    let named = design.sizes.zip(design.question.process);
+    let Some((sizes, process)) = named else { return Ok(None) };
+    COUNTED.with_borrow_mut(|(of, counted)| {
+        let asked = Some((sizes, process, design.question.measured_play));
+        if *of == asked {
+            *counted = design.count_assemblies(*counted, AT_ONCE).map_err(words)?.unwrap_or_default();
+        } else {
+            (*of, *counted) = (asked, Yield::default());
+        }
+        Ok(Some(*counted))
     })
 }
 

@@ -78,7 +78,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
         counted("four-pins", &[Mechanism::FOUR_PIN]),
         counted("three-pins", &[Mechanism::THREE_PIN]),
     ];
-    let progress = (done < rows.len()).then_some(Progress { done, all: rows.len() });
+    let progress = (done < rows.len()).then_some(Progress { parts: "runs", done, all: rows.len() });
     if progress.is_none() {
         for (name, log) in ["normal", "exponential"].into_iter().zip(score.likelihoods()) {
             let number = LiveNumber::new(name, log, 1, "");

@@ -4,7 +4,7 @@ use crate::effort::{self, CheckEffort};
 use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
-use crate::join::matrix_sides;
+use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
@@ -14,6 +14,7 @@ use crate::judge::frequent::UnmendedFindings;
 use crate::judge::letter_units::units_in_letters;
 use crate::judge::money::has_several_currencies;
 use crate::judge::number_columns;
+use crate::judge::permutation;
 use crate::judge::running_calculation::runs_on;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
@@ -460,13 +461,41 @@ impl DocumentCheck<'_> {
         [left, right]: [&ChainSide; 2],
         relation: Relation,
     ) {
-        let Some(entries) = matrix_sides::paired_entries(left, right) else { return };
-        for [left, right] in entries {
-            let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
-            if is_value(&left) && is_value(&right) {
-                let judgement = judge(&left.tokens, &right.tokens, relation, None);
-                self.record(formula, chain, [&left, &right], judgement, relation);
+        if let (Some(one), Some(other)) = (matrix_sides::only_matrix(left), matrix_sides::only_matrix(right))
+            && permutation::are_same_in_rows(one, other)
+        {
+            return;
+        }
+        let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
+        let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
+            let entries = matrix_sides::paired_entries(left, right, multiply).unwrap_or_default();
+            let values = entries.into_iter().filter(|entry| entry.iter().all(is_value));
+            values
+                .map(|[one, other]| {
+                    let of = judge(&one.tokens, &other.tokens, relation, None);
+                    ([one, other], of)
+                })
+                .collect()
+        };
+        let mut entries = judged(MatrixProduct::RowsByColumns);
+        if !entries.iter().all(|(_, judgement)| agrees(judgement)) {
+            // Where all entries are zeros and ones, any number of ones may add to one.
+            let is_boolean = matrix_sides::has_bits_alone(left) && matrix_sides::has_bits_alone(right);
+            let may_be_or = |judgement: &PairJudgement| {
+                let values = judgement.values.as_ref();
+                let values = values.and_then(|(one, other)| one.number().ok().zip(other.number().ok()));
+                is_boolean && values.is_some_and(|(one, other)| one.point > 1.0 && other.point == 1.0)
+            };
+            let signed = [left, right].into_iter().any(|side| side.tokens.iter().any(|token| token.is_one_of("×·*∘")));
+            let by_entry = if signed { judged(MatrixProduct::EntryByEntry) } else { Vec::new() };
+            if entries.iter().all(|(_, judgement)| agrees(judgement) || may_be_or(judgement)) {
+                entries.retain(|(_, judgement)| agrees(judgement));
+            } else if by_entry.len() == entries.len() && by_entry.iter().all(|(_, judgement)| agrees(judgement)) {
+                entries = by_entry;
             }
+        }
+        for ([left, right], judgement) in entries {
+            self.record(formula, chain, [&left, &right], judgement, relation);
         }
     }
 

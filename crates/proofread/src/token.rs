@@ -426,7 +426,24 @@ fn show_into(tokens: &[Token], out: &mut String) {
     for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
             TokenKind::Unknown(text) if text == UNDECIDED_COMMA => out.push(','),
-            TokenKind::Number(text) | TokenKind::Name(text) | TokenKind::Unknown(text) => out.push_str(text),
+            // What stands for a piece that was not read is no part of the chain.
+            TokenKind::Unknown(text) if text.contains(' ') => out.push('…'),
+            TokenKind::Unknown(text) => {
+                out.push_str(text);
+                // The name of a command ends before a letter or a digit.
+                let is_command = text.starts_with('\\') && text.ends_with(|c: char| c.is_ascii_alphabetic());
+                let is_joined = tokens.get(at + 1).is_some_and(|next| {
+                    matches!(next.kind, TokenKind::Name(_) | TokenKind::Number(_) | TokenKind::Unknown(_))
+                });
+                out.push_str(if is_command && is_joined { " " } else { "" });
+            }
+            // An exponent without braces takes one digit.
+            TokenKind::Number(text)
+                if tokens[..at].last().is_some_and(|before| matches!(before.kind, TokenKind::Power(_))) =>
+            {
+                out.extend([" ", text]);
+            }
+            TokenKind::Number(text) | TokenKind::Name(text) => out.push_str(text),
             TokenKind::Word(text) => {
                 if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
                     out.push(' ');
@@ -436,6 +453,9 @@ fn show_into(tokens: &[Token], out: &mut String) {
             TokenKind::Function(function) => {
                 out.push_str(if out.ends_with(['(', '/', '√']) { "" } else { " " });
                 out.push_str(function.name());
+                if let MathFunction::LogTo(base) = function {
+                    out.push_str(&format!("_{base}"));
+                }
                 let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, TokenKind::Power(_)));
                 out.push_str(if raised { "" } else { " " });
             }

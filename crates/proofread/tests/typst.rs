@@ -38,6 +38,12 @@ fn each_notation_of_a_formula_is_read_right_and_wrong() {
         ("$sum_(k=1)^4 k^2 = RESULT$", "30", "31", "printed 31, recomputed 30"),
         ("$max(2, 5) + 1 = RESULT$", "6", "8", "printed 8, recomputed 6"),
         ("$2 pi approx RESULT$", "6.283", "6.823", "printed 6.823, recomputed 6.283"),
+        (
+            "E = 1.20 - 0.06/2 #math.times log(10#super[-4]) = *RESULT V*",
+            "1.32",
+            "1.22",
+            "printed 1.22 V, recomputed 1.32 V",
+        ),
         ("$12\\,500 + 500 = RESULT$", "13\\,000", "14\\,000", "printed 14,000, recomputed 13,000"),
         ("$48 upright(\"m\") / (4.0 \"s\") = RESULT \"m\"/\"s\"$", "12", "14", "printed 14 m/s, recomputed 12 m/s"),
         (

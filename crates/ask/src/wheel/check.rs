@@ -2,15 +2,16 @@
 //! to change first.
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
+use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
 use super::typed_question::length;
 use crate::number_format::{as_typed, count, number, to_digits};
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltBlow, BuiltContact, BuiltError, BuiltTurn, Culprit, Jam, KnownMistake, MeasuredSize,
     MeasuredWheel, NearestWheel, SizeChange, StationTurn,
 };
+use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
 use std::f64::consts::PI;
 
@@ -109,7 +110,10 @@ impl CheckQuestion {
         let nearest = self.measured.nearest().map_err(measured_error)?;
         let built = self.measured.as_built(&nearest);
         let turn = built.turn().map_err(built_error)?;
-        let changes = built.least_changes().map_err(built_error)?;
+        let coarse = turn.jam.as_ref().and_then(|jam| too_coarse(&self.measured, jam));
+        // What may be chance is nothing to mend.
+        let changes = if coarse.is_none() { built.least_changes().map_err(built_error)? } else { Vec::new() };
+        let shallow = shallow_slots(&self.measured, &built);
         let mistakes = self.measured.known_mistakes();
         let wheel = self.measured.wheel();
         let items = nearest.residuals.iter().map(item).collect();
@@ -121,7 +125,7 @@ impl CheckQuestion {
             ),
             introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1.",
             sections: vec![
-                ("Verdict", verdict(&turn, &self.unmeasured(&nearest), &nearest, &mistakes, &changes)),
+                ("Verdict", self.verdict(&turn, &nearest, &mistakes, &changes, coarse, &shallow)),
                 (right_heading(&nearest), right_sizes(&nearest)),
                 ("As it was made", self.as_made(&built, &turn)),
             ],
@@ -268,16 +272,18 @@ fn entry_words(turn: &BuiltTurn) -> String {
     )
 }
 
-fn verdict(
-    turn: &BuiltTurn,
-    unmeasured: &str,
-    nearest: &NearestWheel,
-    mistakes: &[KnownMistake],
-    changes: &[SizeChange],
-) -> Vec<ReportField> {
+/// Whether the wheel turns, in words.
+fn turning_words(turn: &BuiltTurn, coarse: Option<TooCoarse>) -> String {
     let lands = corners(turn).next().is_some();
-    let turns = match &turn.jam {
-        Some(jam) => format!(
+    match (&turn.jam, coarse) {
+        (Some(_), Some(coarse)) => format!(
+            "the measurements are too coarse for this wheel: {} mm seem to be missing, but with these uncertainties chance alone can \
+             take {} mm; measure again, with uncertainties of {} of these or less",
+            number(coarse.missing),
+            number(coarse.by_chance),
+            to_digits(coarse.finer, 2)
+        ),
+        (Some(jam), None) => format!(
             "no: {} mm are missing at a crank angle of {}°, pin {} and slot {}: {}",
             number(-jam.free.room()),
             number(jam.crank_angle.to_degrees()),
@@ -285,46 +291,88 @@ fn verdict(
             jam.slot + 1,
             place(jam)
         ),
-        None if turn.can_miss() => {
+        (None, _) if turn.can_miss() => {
             "yes, but the wheel can stand so in the dwell that a pin meets its rim beside the slot".to_owned()
         }
-        None if lands => "yes, but the pin doesn't enter freely: it pushes the corner of a mouth aside".to_owned(),
-        None => "yes, every station".to_owned(),
-    };
-    // What the other sizes ask for instead.
-    let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
-    let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
-    let without = match &nearest.refusal {
-        Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {error}"),
-        None => "none: all measured sizes fit one right wheel".to_owned(),
-    };
-    let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
-    let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
-    let first = first_change(nearest, changes);
-    vec![
-        ReportField::new("turns", turn.jam.is_none()).words("turns", turns + unmeasured),
-        ReportField::new("lands_on_corner", lands).words("entry", entry_words(turn)),
-        ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
-            "contradiction",
-            if culprits.is_empty() { without } else { culprits.join(". Besides, ") + &rest_words(nearest) },
-        ),
-        ReportField::in_unit(
-            "culprit_expected",
-            expected.map(|(value, _)| value),
-            expected.map_or("", |(_, unit)| unit),
-        ),
-        ReportField::in_unit(
-            "culprit_expected_uncertainty",
-            nearest.culprit.and_then(|culprit| Some(typed(culprit.size, culprit.expected_uncertainty?).0)),
-            expected.map_or("", |(_, unit)| unit),
-        ),
-        ReportField::new("wrong_formulas", FieldValue::List(names)).words(
-            "wrong formula",
-            if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
-        ),
-        ReportField::new("change_first", first.clone())
-            .words("change first", first.unwrap_or_else(|| "nothing".to_owned())),
-    ]
+        (None, _) if lands => "yes, but the pin doesn't enter freely: it pushes the corner of a mouth aside".to_owned(),
+        (None, _) => "yes, every station".to_owned(),
+    }
+}
+
+/// Which slots are too shallow, and by how much.
+fn shallow_words(shallow: &[ShallowSlot], slots: usize) -> String {
+    let most = shallow.iter().map(|slot| slot.missing).fold(0.0, f64::max);
+    let least = shallow.iter().map(|slot| slot.missing).fold(f64::INFINITY, f64::min);
+    if shallow.is_empty() {
+        return "none too shallow for the pin that is known of".to_owned();
+    }
+    if shallow.len() == slots && most - least < ALIKE {
+        return format!("all slots are {} mm too shallow for the pin", number(most));
+    }
+    let each: Vec<String> = shallow
+        .iter()
+        .map(|of| format!("slot {} is {} mm too shallow for the pin", of.slot + 1, number(of.missing)))
+        .collect();
+    each.join(", ")
+}
+
+/// Depths that differ by less than this, in millimetres, are alike.
+const ALIKE: f64 = 1e-9;
+
+impl CheckQuestion {
+    fn verdict(
+        &self,
+        turn: &BuiltTurn,
+        nearest: &NearestWheel,
+        mistakes: &[KnownMistake],
+        changes: &[SizeChange],
+        coarse: Option<TooCoarse>,
+        shallow: &[ShallowSlot],
+    ) -> Vec<ReportField> {
+        let turns = turning_words(turn, coarse) + &self.unmeasured(nearest);
+        // What the other sizes ask for instead.
+        let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
+        let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
+        let without = match &nearest.refusal {
+            Some(SizesError::DoesNotFit { by, .. }) if is_chance(&self.measured, *by) => {
+                "none: within their uncertainties, all measured sizes fit one right wheel".to_owned()
+            }
+            Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {}", error.reason()),
+            None => "none: all measured sizes fit one right wheel".to_owned(),
+        };
+        let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
+        let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
+        let first = first_change(nearest, changes, shallow);
+        let missing = shallow.iter().map(|of| of.missing).reduce(f64::max);
+        let numbers = shallow.iter().map(|of| FieldValue::from(of.slot + 1)).collect();
+        vec![
+            ReportField::new("turns", coarse.is_none().then_some(turn.jam.is_none())).words("turns", turns),
+            ReportField::new("lands_on_corner", corners(turn).next().is_some()).words("entry", entry_words(turn)),
+            ReportField::new("shallow_slots", FieldValue::List(numbers))
+                .words("slots", shallow_words(shallow, self.measured.wheel().stations() as usize)),
+            ReportField::in_unit("missing_depth_mm", missing, "mm"),
+            ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
+                "contradiction",
+                if culprits.is_empty() { without } else { culprits.join(". Besides, ") + &rest_words(nearest) },
+            ),
+            ReportField::in_unit(
+                "culprit_expected",
+                expected.map(|(value, _)| value),
+                expected.map_or("", |(_, unit)| unit),
+            ),
+            ReportField::in_unit(
+                "culprit_expected_uncertainty",
+                nearest.culprit.and_then(|culprit| Some(typed(culprit.size, culprit.expected_uncertainty?).0)),
+                expected.map_or("", |(_, unit)| unit),
+            ),
+            ReportField::new("wrong_formulas", FieldValue::List(names)).words(
+                "wrong formula",
+                if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
+            ),
+            ReportField::new("change_first", first.clone())
+                .words("change first", first.unwrap_or_else(|| "nothing".to_owned())),
+        ]
+    }
 }
 
 /// All sizes that contradict the others, the worst first.
@@ -360,12 +408,13 @@ fn rest_words(nearest: &NearestWheel) -> String {
 }
 
 /// What to change first: the size that contradicts the others, or else the least change with which the wheel turns.
-fn first_change(nearest: &NearestWheel, changes: &[SizeChange]) -> Option<String> {
+fn first_change(nearest: &NearestWheel, changes: &[SizeChange], shallow: &[ShallowSlot]) -> Option<String> {
     let right: Vec<String> = culprits(nearest)
         .map(|culprit| format!("{} {}", named(culprit.size), with_unit(culprit.size, culprit.expected)))
         .collect();
     let by_culprit = (!right.is_empty()).then(|| format!("make {}", right.join(", then ")));
-    let by_change = changes.first().map(|change| {
+    let is_deeper = |change: &&SizeChange| matches!(change.size, MeasuredSize::SlotEnd(_)) && !shallow.is_empty();
+    let by_change = changes.iter().find(is_deeper).or(changes.first()).map(|change| {
         let sense = if change.by > 0.0 { "larger" } else { "smaller" };
         format!("make {} {} mm {sense}, and a little more for play", named(change.size), number(change.by.abs()))
     });
@@ -458,131 +507,5 @@ fn note(question: &CheckQuestion, nearest: &NearestWheel) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::CheckQuestion;
-    use crate::{FieldValue, MechanismReport, ReportField};
-
-    fn report(question: &str) -> MechanismReport {
-        CheckQuestion::parse(question).and_then(|question| question.answer()).expect("an answer")
-    }
-
-    fn text(report: &MechanismReport, key: &str) -> String {
-        match &report.field(key).expect("a field").value {
-            FieldValue::Text(text) => text.clone(),
-            other => format!("{other:?}"),
-        }
-    }
-
-    const RIGHT: &str = "--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.72 --pin-diameter 4 \
-                         --slot-width 4.2 --locking-disc-radius 18.8 --locking-arc-radius 18.9 --uncertainty 0.02";
-
-    #[test]
-    fn a_right_wheel_turns_and_nothing_is_to_be_changed() {
-        let report = report(RIGHT);
-        assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(true)));
-        assert_eq!(text(&report, "culprit"), "Missing");
-        assert_eq!(text(&report, "change_first"), "Missing");
-        assert_eq!(report.rows().count(), 7);
-    }
-
-    #[test]
-    fn a_narrow_slot_is_named_with_its_number() {
-        let report =
-            report(&RIGHT.replace("--slot-width 4.2", "--slot-width 1:4.2,2:3.9+-0.02,3:4.2,4:4.2,5:4.2,6:4.2"));
-        assert_eq!(text(&report, "culprit"), "slot width 2");
-        assert_eq!(report.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
-        assert!(text(&report, "change_first").starts_with("make slot width 2 4.2"));
-    }
-
-    #[test]
-    fn two_wrong_sizes_are_both_named() {
-        let report = report(
-            "--stations 4 --crank-radius 25 --centre-distance 34.9 --outside-diameter 50.5 --pin-diameter 6 \
-             --slot-width 1:6.3,2:6.3,3:5.7,4:6.3",
-        );
-        let words = words(&report, "culprit");
-        assert!(words.contains("centre distance 34.90 mm") && words.contains("slot width 3 5.700 mm"), "{words}");
-    }
-
-    #[test]
-    fn a_wrong_formula_is_named() {
-        // Six slots of the sine for the cosine: 43.3 mm / sin 30°.
-        let report =
-            report("--stations 6 --centre-distance 86.6 --crank-radius 25 --outside-diameter 86.6 --uncertainty 0.05");
-        assert_eq!(
-            report.field("wrong_formulas").map(|field| field.value.clone()),
-            Some(FieldValue::List(vec!["sine for cosine".into()]))
-        );
-    }
-
-    #[test]
-    fn what_cannot_be_read_is_refused_with_what_to_give() {
-        let refused = |question: &str| {
-            CheckQuestion::parse(question).and_then(|of| of.answer()).expect_err("refused").to_string()
-        };
-        assert!(refused("--crank-radius 25").contains("--stations is missing"));
-        assert!(refused("--stations 6 --slot-width 7:6.1 --crank-radius 25").contains("numbers 1 to 6"));
-        assert!(refused("--stations 6 --slot-width 0:6.1 --crank-radius 25").contains("numbered from 1"));
-        assert!(refused("--stations 6 --crank-radius 1:25").contains("one only"));
-        assert!(refused("--stations 6 --pin-diameter 4").contains("how large the wheel is"));
-        assert!(refused("--stations 6 --crank-radius -25").contains("above zero"));
-        assert!(refused("--stations 6 --radius 25").contains("--outside-diameter"));
-        assert!(refused("--stations 6 --crank-radius 25 --rpm 0").contains("above zero"));
-    }
-
-    fn words(report: &MechanismReport, key: &str) -> String {
-        report.field(key).and_then(|field| field.line.as_ref()).expect("a line").meaning.to_string()
-    }
-
-    #[test]
-    fn every_wrong_size_is_named_the_worst_first_with_the_numbers_of_the_right_wheel() {
-        let measured = "--stations 6 --centre-distance 50.4 --crank-radius 25.0 --outside-diameter 87.1 --pin-diameter 6.0 \
-                        --slot-width 1:6.1,2:6.1,3:6.1,4:6.3,5:6.1,6:6.1 --locking-disc-radius 15.2 --locking-arc-radius 15.4";
-        let report = report(measured);
-        let contradiction = words(&report, "culprit");
-        assert_eq!(
-            contradiction,
-            "centre distance 50.40 mm: the others ask for 50.15 ± 0.03 mm, 5.0 of its uncertainties away. Besides, slot width 4 6.300 \
-             mm: the others ask for 6.100 ± 0.02 mm, 4.0 of its uncertainties away; all others agree"
-        );
-        assert_eq!(text(&report, "change_first"), "make centre distance 50.15 mm, then slot width 4 6.100 mm");
-        let shown = report.field("centre_distance_mm").and_then(ReportField::number).expect("a size");
-        assert_eq!(report.field("culprit_expected").and_then(ReportField::number), Some(shown));
-        assert!(report.sections[1].0.contains("without the sizes that contradict"));
-        // Too far apart, the pin comes in on a corner.
-        assert_eq!(report.field("lands_on_corner").map(|field| &field.value), Some(&FieldValue::Flag(true)));
-        assert!(words(&report, "turns").contains("corner"), "{}", words(&report, "turns"));
-        let entry = words(&report, "lands_on_corner");
-        assert!(entry.contains("lands on the corner") && entry.contains("before a right pin would enter"), "{entry}");
-    }
-
-    #[test]
-    fn what_is_not_measured_or_not_counted_is_said() {
-        let of_three = report("--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.72");
-        assert!(words(&of_three, "turns").contains("were not measured"), "{}", words(&of_three, "turns"));
-        assert!(!words(&report(RIGHT), "turns").contains("not measured"));
-        assert!(of_three.note.contains("corners of the slots count as sharp") && of_three.note.contains("bores"));
-        let question = CheckQuestion::parse(RIGHT).expect("sizes");
-        let mut with_hole = CheckQuestion { screw_hole: Some(3.4), has_mouths: true, ..question };
-        assert!(!with_hole.answer().expect("an answer").note.contains("screw"), "the pin was typed");
-        with_hole.measured = CheckQuestion::parse("--stations 6 --crank-radius 25").expect("sizes").measured;
-        let note = with_hole.answer().expect("an answer").note;
-        assert!(note.contains("3.400 mm") && note.contains("--pin-diameter") && note.contains("chamfered"), "{note}");
-    }
-
-    #[test]
-    fn sizes_can_be_in_inches() {
-        let inches = CheckQuestion::parse(
-            "--stations 6 --centre-distance 2in --crank-radius 1in+-0.001in --slot-width 1:17/64in,2:1/4\" --uncertainty 0.002in",
-        );
-        let millimetres = CheckQuestion::parse(
-            "--stations 6 --centre-distance 50.8 --crank-radius 25.4+-0.0254 --slot-width 1:6.746875,2:6.35 --uncertainty 0.0508",
-        );
-        let [inches, millimetres] = [inches, millimetres].map(|question| question.expect("sizes").measured);
-        for (one, other) in inches.sizes().iter().zip(millimetres.sizes()) {
-            assert_eq!(one.size, other.size);
-            assert!((one.value - other.value).abs() < 1e-12 && (one.uncertainty - other.uncertainty).abs() < 1e-12);
-        }
-        assert_eq!(inches.sizes().len(), 4);
-    }
-}
+#[path = "check_tests.rs"]
+mod tests;

@@ -1,15 +1,15 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::friction::friction;
+use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::check_mouth;
 use super::question::WheelQuestion;
 use super::recommended::recommended_crank_radius;
-use super::sized::{own_inertia, process_numbers, sizes, with_arguments};
+use super::sized::{own_inertia, process_numbers, sizes, with_remedies};
 use super::times::SAME;
 use crate::Error;
-use crate::number_format::{as_typed, rounded_up};
+use crate::number_format::{as_typed, number, rounded_down, rounded_up};
 use crate::worked::DriverSpeed;
 use geneva_dynamics::line_contact::{LineContact, Material};
 use geneva_dynamics::wheel_loads::WheelLoads;
@@ -66,22 +66,27 @@ impl WheelDesign {
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
         refuse_contradictions(&question)?;
-        let question = with_speed(question, &wheel)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
         let materials = materials(&question)?;
         let density = question.density.unwrap_or(materials[1].density);
-        let mut scale = scale(&question);
-        if let (None, AnyWheel::External(external), true) = (scale, &wheel, question.recommends_size) {
-            scale = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
+        let mut wanted = scale(&question);
+        if let (None, AnyWheel::External(external), true) = (wanted, &wheel, question.recommends_size) {
+            wanted = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
         }
-        let sizes = match (&wheel, scale) {
-            (AnyWheel::External(wheel), Some(scale)) => {
-                Some(sizes(*wheel, scale, &question).map_err(|error| with_arguments(error, &question))?)
+        let sizes = match (&wheel, wanted) {
+            (AnyWheel::External(wheel), Some(wanted)) => {
+                let fits = |other: &WheelQuestion| {
+                    let is_asked = refuse_contradictions(other).and_then(|()| check_mouth(other)).is_ok();
+                    is_asked && sizes(*wheel, scale(other).unwrap_or(wanted), other).is_ok()
+                };
+                let sizes = sizes(*wheel, wanted, &question);
+                Some(sizes.map_err(|error| with_remedies(error, &question, fits))?)
             }
             _ => None,
         };
-        let crank_radius = match (sizes, scale) {
+        let question = with_speed(question, &wheel)?;
+        let crank_radius = match (sizes, wanted) {
             (Some(sizes), _) => Some(sizes.crank_radius),
             (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
             (None, None) => None,
@@ -146,12 +151,12 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        Ok(Some(WheelLoads::with_friction(
-            wheel,
-            inertia,
-            friction(&self.question, self.crank_radius, self.sizes.as_ref())?,
-            speed,
-        )?))
+        let rubbing = |question: &WheelQuestion| friction(question, self.crank_radius, self.sizes.as_ref());
+        let loads = |friction| WheelLoads::with_friction(wheel, inertia, friction, speed);
+        let turns = |other: &WheelQuestion| rubbing(other).is_ok_and(|friction| loads(friction).is_ok());
+        let holds = "friction of pin and wheel's bearing holds the wheel against any force of the pin";
+        let found = loads(rubbing(&self.question)?);
+        found.map(Some).map_err(|error| locked(error, holds, &self.question, turns))
     }
 
     /// The force in N of a moment over the crank radius, if that is given.
@@ -211,8 +216,29 @@ impl WheelDesign {
     pub fn clearance(&self) -> Result<Option<(ClosestApproach, f64)>, Error> {
         let Some(sizes) = &self.sizes else { return Ok(None) };
         let centres = sizes.centre_distance + self.centre_error();
-        let find = || in_time(sizes.least_clearance_within(centres, self.question.effort.clearance));
+        let find = || {
+            if let Some(refused) = self.refused_centre_error(sizes) {
+                return Err(refused);
+            }
+            in_time(sizes.least_clearance_within(centres, self.question.effort.clearance))
+        };
         once(&self.clearance, find)
+    }
+
+    /// The refusal of axes so near or so far apart that the parts are not looked at.
+    fn refused_centre_error(&self, sizes: &Sizes) -> Option<Error> {
+        let (error, [near, far]) = (self.centre_error(), sizes.centre_distances_looked_at());
+        let centres = sizes.centre_distance + error;
+        (centres <= near || centres > far).then(|| {
+            refused!(
+                "--centre-error {}: the axes would be {} mm apart, where the parts are not those of one machine; give \
+                 --centre-error from {} to {}",
+                as_typed(error),
+                number(centres),
+                rounded_up(NOT_QUITE * (near - sizes.centre_distance)),
+                rounded_down(far - sizes.centre_distance)
+            )
+        })
     }
 
     /// By how much the axes may be nearer and farther; none without sizes, or where it would take too long to find.
@@ -237,6 +263,8 @@ impl WheelDesign {
     }
 }
 
+/// Of a limit that is refused itself, what is told, dimensionless.
+const NOT_QUITE: f64 = 1.0 - 1e-5;
 /// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
 

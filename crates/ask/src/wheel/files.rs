@@ -2,18 +2,20 @@
 
 use super::design::WheelDesign;
 use super::kind::{AnyWheel, WheelKind};
-use super::mounting_error::with_arguments;
+use super::mounting::MountingQuestion;
+use super::mounting_error::{with_arguments, with_remedies_of_mounting};
 use super::mouth::given_mouths;
-use super::sized::{self, with_arguments as with_choices};
+use super::question::WheelQuestion;
+use super::sized::{self, with_remedies};
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::{Process, Yield};
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
-    Mounting, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf, internal_parts,
-    internal_scad, internal_sheets, parts, scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts, test_piece,
-    three_mf,
+    Mounting, MountingError, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf,
+    internal_parts, internal_scad, internal_sheets, parts, scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts,
+    test_piece, three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -201,8 +203,9 @@ impl WheelDesign {
     ///
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
-        let kerf = self.kerf()?;
-        svg_parts(&self.listed("svg-parts")?.parts, kerf).map_err(|error| with_arguments(error, &self.question))
+        let (parts, kerf, internal) = (self.listed("svg-parts")?.parts, self.kerf()?, self.internal_sizes()?);
+        let can_be_cut = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
+        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_cut))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
@@ -289,26 +292,50 @@ impl WheelDesign {
     ///
     /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
-        let question = &self.question;
-        let mounting = self.mounting()?;
+        let internal = self.internal_sizes()?;
+        let can_be_made = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
+        let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
+        found.map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_made))
+    }
+
+    /// Whether the parts of this wheel can be mounted as another question asks, and cut out.
+    fn is_mounted(&self, internal: Option<&InternalSizes>, other: &WheelQuestion) -> bool {
+        let asked = &other.mounting;
+        let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
+        mounting.is_ok_and(|mounting| {
+            let list = self.listed_with(internal, &mounting);
+            list.and_then(Result::ok).is_some_and(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()))
+        })
+    }
+
+    /// The parts of this wheel, or of an internal one of these sizes, so mounted; none without a size.
+    fn listed_with(
+        &self,
+        internal: Option<&InternalSizes>,
+        mounting: &Mounting,
+    ) -> Option<Result<PartList, MountingError>> {
         // Drawings of outlines have nothing of the thickness.
         let thickness = |pin: f64| self.made_thickness().unwrap_or(pin);
-        let list = match (&self.sizes, self.internal_sizes()?) {
-            (Some(sizes), _) => parts(sizes, thickness(sizes.pin_diameter), &mounting),
-            (None, Some(sizes)) => internal_parts(&sizes, thickness(sizes.pin_diameter), &mounting),
-            (None, None) => return Ok(None),
-        };
-        list.map(Some).map_err(|error| with_arguments(error, question))
+        match (&self.sizes, internal) {
+            (Some(sizes), _) => Some(parts(sizes, thickness(sizes.pin_diameter), mounting)),
+            (None, Some(sizes)) => Some(internal_parts(sizes, thickness(sizes.pin_diameter), mounting)),
+            (None, None) => None,
+        }
     }
 
     fn mounting(&self) -> Result<Mounting, Error> {
+        self.mounting_of(&self.question.mounting)
+    }
+
+    /// The mounting of these parts that is asked for.
+    fn mounting_of(&self, asked: &MountingQuestion) -> Result<Mounting, Error> {
         // What is cut out of a sheet has one height.
         let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
         let of_process = self.process_numbers()?.map(|numbers| numbers.axial_play.value);
         Ok(Mounting {
             axial_play: self.axial_play().or(self.question.axial_play).or(of_process),
-            is_stacked: self.question.mounting.stacked.unwrap_or(is_of_sheet),
-            ..self.question.mounting.mounting()?
+            is_stacked: asked.stacked.unwrap_or(is_of_sheet),
+            ..asked.mounting()?
         })
     }
 
@@ -329,8 +356,8 @@ impl WheelDesign {
                 as_typed(size)
             ));
         }
-        let sizes = sized::internal_sizes(*wheel, radius, question);
-        sizes.map(Some).map_err(|error| with_choices(error, &self.question))
+        let sizes = |question: &WheelQuestion| sized::internal_sizes(*wheel, radius, question);
+        sizes(question).map(Some).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))
     }
 
     /// The parts for a file with this ending.
@@ -458,7 +485,7 @@ fn tolerance(play: f64, centre_distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::WheelQuestion;
+    use crate::wheel::{ArgumentSlot, arguments};
 
     #[test]
     fn corners_are_as_many_as_a_mesh_has() {
@@ -540,5 +567,26 @@ mod tests {
         assert!(printed.contains("in one piece with") && solids == 2);
         let (routed, solids) = page("--process router --driver-pieces one-piece");
         assert!(routed.contains("in one piece with") && solids == 2);
+    }
+
+    #[test]
+    fn a_choice_whose_first_name_is_not_always_what_holds_has_an_entry_of_its_own_for_that() {
+        let named = |question: &WheelQuestion| {
+            let design = WheelDesign::new(question.clone()).expect("a wheel");
+            design.part_list().map(|list| format!("{list:?}")).map_err(|error| error.to_string())
+        };
+        for argument in arguments() {
+            let ArgumentSlot::Choice(choice) = argument.place else { continue };
+            let differs = |process: Process| {
+                let question = "--stations 6 --crank-radius 60 --thickness 8 --wheel-shaft 16 --driver-shaft 8";
+                let unsaid =
+                    WheelQuestion { process: Some(process), ..WheelQuestion::parse(question).expect("arguments") };
+                let mut said = unsaid.clone();
+                (choice.set)(&mut said, 0);
+                named(&said) != named(&unsaid)
+            };
+            assert_eq!(Process::ALL.into_iter().any(differs), choice.with_usual.is_some(), "{}", argument.name);
+            assert!(choice.on_page().starts_with(choice.names), "{}", argument.name);
+        }
     }
 }

@@ -1,8 +1,11 @@
 //! What rubs in a wheel and its driver, from what a question says of it.
 
+use super::arguments::FRICTION;
+use super::fitting::{refusal, remedies_among};
 use super::question::{WheelQuestion, given};
 use crate::Error;
 use crate::number_format::as_typed;
+use geneva_dynamics::DynamicsError;
 use geneva_dynamics::wheel_loads::{DwellContact, Friction};
 use geneva_kinematics::wheel::Sizes;
 
@@ -22,9 +25,13 @@ pub(super) fn friction(
     // Without a size the force on the bearings is unknown.
     let [wheel_bearing, driver_bearing] = if crank_radius.is_some() { bearings(question)? } else { [0.0; 2] };
     let ratio = |arm: f64| crank_radius.map_or(0.0, |radius| arm / radius);
-    let disc = sizes.zip(question.disc_friction).and_then(|(sizes, friction)| disc(sizes, friction));
-    let dwell_torque =
-        disc.map(|disc| disc.driver_torque(held_torque(question), driver_bearing / MILLI)).transpose()?;
+    let dwell_torque = |question: &WheelQuestion| {
+        let disc = sizes.zip(question.disc_friction).and_then(|(sizes, friction)| disc(sizes, friction));
+        disc.map(|disc| disc.driver_torque(held_torque(question), driver_bearing / MILLI)).transpose()
+    };
+    let draws_in = "friction of the locking disc draws the locking arc in, so the driver locks in the dwell";
+    let found = dwell_torque(question);
+    let dwell_torque = found.map_err(|error| locked(error, draws_in, question, |other| dwell_torque(other).is_ok()))?;
     Ok(Friction {
         wheel_torque: question.friction_torque.unwrap_or(0.0),
         pin: question.pin_friction.unwrap_or(0.0),
@@ -34,6 +41,22 @@ pub(super) fn friction(
         driver_torque: question.driver_friction.unwrap_or(0.0),
         dwell_torque: dwell_torque.unwrap_or(0.0),
     })
+}
+
+/// The error about friction that locks a mechanism, with why it does and the arguments that free it; `turns` says whether that of a
+/// question does. Any other error is left as it is.
+pub(super) fn locked(
+    error: DynamicsError,
+    reason: &str,
+    question: &WheelQuestion,
+    turns: impl Fn(&WheelQuestion) -> bool,
+) -> Error {
+    match error {
+        DynamicsError::SelfLocking { .. } => {
+            Error::Argument(refusal(reason, &remedies_among(FRICTION, question, turns)))
+        }
+        error => error.into(),
+    }
 }
 
 /// The torque in N m that presses the locking arc on the disc in the dwell: what is given, or at most what the friction on the wheel

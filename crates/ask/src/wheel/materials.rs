@@ -46,7 +46,7 @@ fn usual(question: &WheelQuestion) -> [Material; 2] {
 fn own(part: &str, listed: Material, [modulus, poisson, strength]: [Option<f64>; 3]) -> Result<Material, Error> {
     if let Some(poisson) = poisson.filter(|poisson| *poisson > MOST_POISSON) {
         return Err(refused!(
-            "--{part}-poisson {}: Poisson's ratio is from 0 to 0.5; give that of the material",
+            "--{part}-poisson {}: Poisson's ratio is from 0 to 0.5; give --{part}-poisson from 0 to {MOST_POISSON}",
             as_typed(poisson)
         ));
     }

@@ -242,7 +242,7 @@ mod tests {
             ),
             (
                 MountingQuestion { wheel_hub_circle: Some(206.0), hub_dowel: Some(4.0), ..none },
-                "--wheel-hub-circle 206, --hub-dowel 4",
+                "give --wheel-hub-circle from ",
             ),
         ] {
             let refused = WheelDesign::new(wheel(asked)).expect("a wheel").step().expect_err(said).to_string();

@@ -1,9 +1,28 @@
 //! Errors about what can't be mounted, with the arguments that change it.
 
+use super::arguments::MOUNTING;
+use super::fitting::{refusal, remedies_among};
 use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_workshop::MountingError;
+
+/// The error about what can't be mounted, with the arguments of the mounting that mend it; `can_be_made` says whether the parts of a
+/// question can be.
+pub(super) fn with_remedies_of_mounting(
+    error: MountingError,
+    question: &WheelQuestion,
+    can_be_made: impl Fn(&WheelQuestion) -> bool,
+) -> Error {
+    let remedies = remedies_among(MOUNTING, question, can_be_made);
+    if remedies.is_empty() {
+        return with_arguments(error, question);
+    }
+    // What to choose stands behind what is wrong, and values say it better.
+    let words = error.to_string();
+    let reason = words.split_once("; ").map_or(words.as_str(), |(reason, _)| reason);
+    Error::Argument(refusal(reason, &remedies))
+}
 
 /// The error about what can't be mounted, with the arguments that change it.
 pub(super) fn with_arguments(error: MountingError, question: &WheelQuestion) -> Error {

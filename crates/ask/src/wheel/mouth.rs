@@ -3,7 +3,7 @@
 use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
-use geneva_kinematics::wheel::{Mouth, MouthSize};
+use geneva_kinematics::wheel::Mouth;
 
 /// Angle of a chamfer to the wall, in degrees, unless it is given: the one that a workshop means by a chamfer's width alone.
 pub(super) const ANGLE: f64 = 45.0;
@@ -47,15 +47,5 @@ pub(super) fn check_mouth(question: &WheelQuestion) -> Result<(), Error> {
             Err(refused!("--{name} {} has no effect without --{of}; give --{of} MM", as_typed(size)))
         }
         _ => Ok(()),
-    }
-}
-
-/// The argument that gives a size of a mouth, and what was given.
-pub(super) fn mouth_argument(size: MouthSize, question: &WheelQuestion) -> (&'static str, Option<f64>) {
-    match size {
-        MouthSize::Chamfer => ("mouth-chamfer", question.mouth_chamfer),
-        MouthSize::Radius => ("mouth-radius", question.mouth_radius),
-        MouthSize::LeadIn => ("lead-in", question.lead_in),
-        MouthSize::Flare => ("lead-in-flare", question.lead_in_flare),
     }
 }

@@ -1,13 +1,14 @@
 //! The sizes of an external or an internal wheel from what a question gives: choices, plays and pins of a process, own inertia.
 
-use super::mouth::{asked_mouth, mouth_argument};
+use super::fitting::remedies;
+use super::mouth::asked_mouth;
 use super::question::{WheelQuestion, given};
 use crate::Error;
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::ProcessNumbers;
-use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, ShaftOf, Sizes, SizesError, Wheel};
+use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, Sizes, SizesError, Wheel};
 
 /// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
 pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
@@ -56,7 +57,7 @@ fn with_plays(
     question: &WheelQuestion,
     usual: impl Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
 ) -> Result<Choices, SizesError> {
-    let mut choices = choices(question);
+    let choices = choices(question);
     let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
     let is_of_process = question.process.is_some() && (question.play.is_none() || question.pin_diameter.is_none());
     if locking.or(bore).or(slot).is_none() && !is_of_process {
@@ -65,25 +66,32 @@ fn with_plays(
     // What is not given is as it is without, or as the process has it.
     let bare = Choices { wheel_shaft: None, driver_shaft: None, plate_shaft: None, ..choices };
     let (usual_pin, usual_play, centre_distance) = usual(&bare)?;
-    if question.process.is_some() && question.pin_diameter.is_none() {
-        choices.pin_diameter = stock_pin(usual_pin);
-    }
-    let pin = choices.pin_diameter.unwrap_or(usual_pin);
     let of_process = process_numbers(question, centre_distance)?.filter(|_| question.play.is_none());
-    let mut play = of_process.map_or(usual_play, |numbers| numbers.play());
-    if let Some(width) = slot {
-        play = Play::from_slot(width - pin);
+    let play_as_usual = of_process.map_or(usual_play, |numbers| numbers.play());
+    let with_pin = |pin_diameter: Option<f64>| {
+        let pin = pin_diameter.unwrap_or(usual_pin);
+        let play = slot.map_or(play_as_usual, |width| Play::from_slot(width - pin));
+        if play.slot < 0.0 {
+            let what = "the pin is thicker than the slot is wide";
+            return Err(SizesError::DoesNotFit { what, by: -play.slot, remedies: &[Remedy::ThinnerPin] });
+        }
+        let play = Play { locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore), ..play };
+        Ok(Choices { pin_diameter, play: Some(play), ..choices })
+    };
+    if question.process.is_none() || question.pin_diameter.is_some() {
+        return with_pin(choices.pin_diameter);
     }
-    let play = Play { slot: play.slot, locking: locking.unwrap_or(play.locking), bore: bore.unwrap_or(play.bore) };
-    Ok(Choices { play: Some(play), ..choices })
+    // With the play of a process the thickest pin that fits without it may not fit.
+    let fits = |pin: f64| with_pin(Some(pin)).ok().filter(|choices| usual(choices).is_ok());
+    stock_pins(usual_pin).find_map(fits).map_or_else(|| with_pin(stock_pins(usual_pin).next()), Ok)
 }
 
 /// Diameters of parallel pins in millimetres as they are sold (ISO 2338), without the thinnest and the thickest.
 const STOCK_PINS: [f64; 16] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0];
 
-/// The thickest pin that is sold and no thicker than this one, in millimetres, if there is one.
-fn stock_pin(diameter: f64) -> Option<f64> {
-    STOCK_PINS.into_iter().rev().find(|pin| *pin <= diameter)
+/// The pins that are sold and no thicker than this one, the thickest first; diameters in millimetres.
+fn stock_pins(diameter: f64) -> impl Iterator<Item = f64> {
+    STOCK_PINS.into_iter().rev().filter(move |pin| *pin <= diameter)
 }
 
 /// The numbers of the process by which the parts are made, for a centre distance in millimetres, if one is named.
@@ -96,25 +104,16 @@ pub(super) fn process_numbers(
     question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
 }
 
-/// The error about sizes that don't fit, with the arguments that change them, as they were given.
-pub(super) fn with_arguments(error: SizesError, question: &WheelQuestion) -> Error {
-    let of = |remedy: &Remedy| match remedy {
-        Remedy::ThinnerPin => ("pin-diameter", question.pin_diameter),
-        Remedy::ThinnerHorn => ("horn", question.horn),
-        Remedy::LessPlay => ("play", question.play),
-        Remedy::LessDepth => ("bottom-clearance", question.bottom_clearance),
-        Remedy::ThickerHorn => ("horn", question.horn),
-    };
-    let arguments = match error {
-        SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
-        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("wheel-shaft", question.wheel_shaft)],
-        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("driver-shaft", question.driver_shaft)],
-        SizesError::Shaft { name: ShaftOf::Plate, .. } => vec![("plate-shaft", question.plate_shaft)],
-        SizesError::Mouth { name, remedies, .. } => {
-            std::iter::once(mouth_argument(name, question)).chain(remedies.iter().map(of)).collect()
-        }
-        SizesError::ChamferAngle { .. } => vec![("mouth-angle", question.mouth_angle)],
+/// The error about sizes that don't fit, with the arguments that make them fit; `fits` says whether those of a question do.
+pub(super) fn with_remedies(
+    error: SizesError,
+    question: &WheelQuestion,
+    fits: impl Fn(&WheelQuestion) -> bool,
+) -> Error {
+    let remedies = match &error {
+        // What no wheel has says itself what to give.
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
+        _ => remedies(question, fits),
     };
-    Error::Sizes { error, arguments }
+    Error::Sizes { error, remedies }
 }

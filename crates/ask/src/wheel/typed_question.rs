@@ -45,7 +45,7 @@ impl WheelQuestion {
                         *at(self) = Some(number(name, value)?)
                     }
                     ArgumentSlot::Count(at) => *at(self) = Some(number(name, value)?),
-                    ArgumentSlot::Choice(NamedChoice { names, set }) => {
+                    ArgumentSlot::Choice(NamedChoice { names, set, .. }) => {
                         let numbered: Vec<(&str, usize)> = names.iter().copied().zip(0..).collect();
                         set(self, one_of(name, value, &numbered)?);
                     }
@@ -65,21 +65,42 @@ impl WheelQuestion {
     /// The arguments with a number that were given; of repeated ones the first.
     pub fn numbers(&self) -> Vec<(Argument, f64)> {
         let mut copy = self.clone();
-        let mut number = |argument: &Argument| match argument.place {
-            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) | ArgumentSlot::Count(at) => {
-                at(&mut copy).map(f64::from)
-            }
+        arguments().filter_map(|argument| Some((*argument, copy.number_at(argument)?))).collect()
+    }
+
+    /// The number that was given for an argument, in its own unit; of repeated ones the first.
+    pub(super) fn number(&self, argument: &Argument) -> Option<f64> {
+        self.clone().number_at(argument)
+    }
+
+    /// What [`number`](Self::number) says, without a copy; nothing is changed.
+    fn number_at(&mut self, argument: &Argument) -> Option<f64> {
+        match argument.place {
+            ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) | ArgumentSlot::Count(at) => at(self).map(f64::from),
             ArgumentSlot::Length(at)
             | ArgumentSlot::LengthOrZero(at)
             | ArgumentSlot::SignedLength(at)
             | ArgumentSlot::AboveZero(at)
-            | ArgumentSlot::ZeroOrMore(at) => *at(&mut copy),
-            ArgumentSlot::Degrees(at) => at(&mut copy).first().copied(),
+            | ArgumentSlot::ZeroOrMore(at) => *at(self),
+            ArgumentSlot::Degrees(at) => at(self).first().copied(),
             ArgumentSlot::Kind(_) | ArgumentSlot::Process(_) | ArgumentSlot::Choice(_) | ArgumentSlot::Material(_) => {
                 None
             }
-        };
-        arguments().filter_map(|argument| Some((*argument, number(argument)?))).collect()
+        }
+    }
+
+    /// The question with another number for an argument, in its own unit, or without it; none of an argument that is no such number.
+    pub(super) fn with_number(&self, argument: &Argument, value: Option<f64>) -> Option<Self> {
+        let mut other = self.clone();
+        match argument.place {
+            ArgumentSlot::Length(at)
+            | ArgumentSlot::LengthOrZero(at)
+            | ArgumentSlot::SignedLength(at)
+            | ArgumentSlot::AboveZero(at)
+            | ArgumentSlot::ZeroOrMore(at) => *at(&mut other) = value,
+            _ => return None,
+        }
+        Some(other)
     }
 }
 

@@ -145,11 +145,25 @@ impl Sizes {
         wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
 
+    /// The centre distances in millimetres between which the parts are looked at: the first is too near, the second near enough.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?;
+    /// let [near, far] = sizes.centre_distances_looked_at(); // mm
+    /// assert!(sizes.clearance_at(near).is_err() && sizes.clearance_at(far).is_ok());
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn centre_distances_looked_at(&self) -> [f64; 2] {
+        [self.crank_radius, FARTHEST * self.centre_distance]
+    }
+
     pub(super) fn assembly_at(&self, centre_distance: f64) -> Result<Assembly<'_>, KinematicsError> {
-        if !(centre_distance > self.crank_radius && centre_distance.is_finite()) {
-            return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius: self.crank_radius });
+        let [crank_radius, most] = self.centre_distances_looked_at();
+        if !(centre_distance > crank_radius && centre_distance.is_finite()) {
+            return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius });
         }
-        let most = FARTHEST * self.centre_distance;
         if centre_distance > most {
             return Err(KinematicsError::TooFarApart { asked: centre_distance, most });
         }

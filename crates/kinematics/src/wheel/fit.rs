@@ -130,6 +130,16 @@ pub enum SizesError {
         /// What to change besides.
         remedies: &'static [Remedy],
     },
+    /// A lead-in so flat that it is a straight wall.
+    #[error(
+        "flare of the lead-in {asked} mm: so flat an arc is a straight wall; give {least} mm or more, a thousandth of its length"
+    )]
+    TooFlat {
+        /// The flare that was asked for, in millimetres.
+        asked: f64,
+        /// What it must be at least, in millimetres.
+        least: f64,
+    },
     /// A chamfer whose face is along the wall or across it.
     #[error("chamfer angle {}°: give more than 0° and less than 90°, from the slot's wall; 10° to 20° let the pin in softly", asked.to_degrees())]
     ChamferAngle {
@@ -153,4 +163,32 @@ pub enum SizesError {
         /// What it must be below, in millimetres.
         most: f64,
     },
+}
+
+impl SizesError {
+    /// What is wrong, without what to change.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let thick = Choices { pin_diameter: Some(60.0), ..Choices::default() }; // mm, on a crank of 50 mm
+    /// let refused = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &thick).expect_err("too thick");
+    /// assert!(refused.to_string().starts_with(&refused.reason()) && !refused.reason().contains("choose"));
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn reason(&self) -> String {
+        match self {
+            Self::DoesNotFit { what, by, .. } => format!("{what} by {by:.4} mm"),
+            Self::Mouth { name, asked, reason, .. } => format!("{name} {asked} mm: {reason}"),
+            Self::TooFlat { asked, .. } => {
+                format!("flare of the lead-in {asked} mm: so flat an arc is a straight wall")
+            }
+            Self::ChamferAngle { asked } => format!("chamfer angle {}°", asked.to_degrees()),
+            Self::Shaft { name, asked, most } if *most > 0.0 => {
+                format!("{name} shaft, diameter {asked} mm: it must be less than {most:.4} mm")
+            }
+            Self::Shaft { name, asked, .. } => format!("{name} shaft, diameter {asked} mm: there is no room for one"),
+            Self::Kinematics(_) | Self::Play { .. } => self.to_string(),
+        }
+    }
 }

@@ -17,6 +17,9 @@ const LEAST_HORN: f64 = 0.1;
 /// The greatest part of a wall, from the wheel radius to the deepest pin, that a mouth may take, dimensionless; our choice. The
 /// rest is what drives the wheel.
 const OF_WALL: f64 = 0.5;
+/// The least flare of a lead-in over its length, dimensionless: a flatter one is a straight wall to any tool, and its arc is so long
+/// that digits are lost.
+const FLATTEST: f64 = 0.001;
 /// Halvings of the interval in which the greatest size of a mouth is.
 const HALVINGS: u32 = 60;
 
@@ -74,8 +77,12 @@ impl Sizes {
             }
             Mouth::Round { radius } => (MouthSize::Radius, length("mouth radius", radius)?),
             Mouth::LeadIn { length: along, flare } => {
-                length("flare of the lead-in", flare)?;
-                (MouthSize::LeadIn, length("lead-in", along)?)
+                let (along, asked) = (length("lead-in", along)?, length("flare of the lead-in", flare)?);
+                let least = FLATTEST * along;
+                if asked < least {
+                    return Err(SizesError::TooFlat { asked, least });
+                }
+                (MouthSize::LeadIn, along)
             }
         };
         let Err(too_large) = self.mouth_room(self.mouth) else { return Ok(()) };

@@ -96,7 +96,6 @@ impl Sizes {
     }
 }
 
-/// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
 /// The room, if there is some; otherwise what is in the way.
 fn fits(room: f64, what: &'static str, remedies: &'static [Remedy]) -> Result<f64, SizesError> {
     if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
@@ -139,6 +138,7 @@ fn crank_radius_of_rim(wheel: &Wheel, diameter: f64, choices: &Choices) -> Resul
     fits(below, "the slots are wider than the wheel", &[ThinnerPin, LessPlay])
 }
 
+/// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
 fn lengths(wheel: &Wheel, scale: Scale, choices: &Choices) -> Result<[f64; 3], SizesError> {
     let (c, r) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
     let lengths = match scale {

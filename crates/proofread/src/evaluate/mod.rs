@@ -9,7 +9,7 @@ pub(crate) mod expression;
 mod function;
 pub(crate) mod interval;
 pub(crate) mod numeral;
-mod operation;
+pub(crate) mod operation;
 pub(crate) mod printed;
 mod progression;
 pub(crate) mod reading;

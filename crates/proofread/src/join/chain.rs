@@ -179,6 +179,16 @@ fn brackets_of_equations(tokens: &[Token]) -> Vec<(usize, usize)> {
     out
 }
 
+/// Whether there are several rows, and each of them ends with its only equals sign, so that its right side is to be filled in.
+fn are_all_open(tokens: &[Token]) -> bool {
+    let rows = tokens.split(ends_row).filter(|row| !trim_space(row).is_empty());
+    let is_open = |row: &[Token]| {
+        let signs = row.iter().filter(|token| token.is_sign('=')).count();
+        signs == 1 && trim_space(row).last().is_some_and(|last| last.is_sign('=')) && trim_space(row).len() > 1
+    };
+    rows.clone().count() > 1 && rows.into_iter().all(is_open)
+}
+
 /// The chains of a formula.
 pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
     let tokens = join_tokens(formula);
@@ -191,6 +201,7 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
         following[at] = if is_gap { following[at + 1] } else { at };
     }
     let brackets = brackets_of_equations(&tokens);
+    let is_sheet = are_all_open(&tokens);
     let mut previous_is_line = false;
     let (mut in_remark, mut in_row, mut in_result) = (false, false, false);
     let mut marked = 0;
@@ -250,6 +261,11 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
             previous_is_line = line;
         }
         if line || wide {
+            // A right side to be filled in, as in all rows.
+            if is_sheet && splitter.last().is_none() && splitter.relation.is_some() {
+                splitter.end_chain(false, true);
+                continue;
+            }
             let continues = next.is_some_and(|next| next.is_one_of("=≈≅≃") || (line && next.is_one_of("+-×·")));
             if continues && line && splitter.ends_list() {
                 splitter.side.push(Token::new(TokenKind::Unknown("the end of a list".to_owned()), token.span));

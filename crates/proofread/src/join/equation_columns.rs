@@ -123,12 +123,37 @@ fn part_cells(tokens: &[Token]) -> Option<Vec<Token>> {
     found.then_some(out)
 }
 
+/// The tokens with the relations that have columns of their own in the cells behind them, or none if no row has two such relations.
+fn without_relation_columns(tokens: &[Token]) -> Option<Vec<Token>> {
+    let is_relation = |cell: &[Token]| matches!(trim_space(cell), [relation] if relation.is_one_of("=≈"));
+    let rows = cells(tokens);
+    if !rows.iter().any(|row| row.iter().filter(|cell| is_relation(cell)).count() > 1) {
+        return None;
+    }
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len());
+    for (which, row) in rows.iter().enumerate() {
+        if which > 0 {
+            out.push(Token::new(TokenKind::Line, at));
+        }
+        for (place, cell) in row.iter().enumerate() {
+            if place > 0 && !is_relation(row[place - 1]) {
+                out.push(Token::new(TokenKind::Cell, at));
+            }
+            out.extend_from_slice(cell);
+        }
+    }
+    Some(out)
+}
+
 /// The tokens with a wide space before each aligned equation that begins behind a whole one: in the same row, where all rows have whole
 /// equations side by side, or in a row of its own. None if there is no such equation.
 pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
     if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
         return None;
     }
+    let related = without_relation_columns(tokens);
+    let tokens = related.as_deref().unwrap_or(tokens);
     let parted = part_cells(tokens);
     let tokens = parted.as_deref().unwrap_or(tokens);
     let rows = cells(tokens);

@@ -1,7 +1,7 @@
 //! Sides that are matrices: sums, multiples and products of them as one expression for each entry.
 
 use crate::join::chain::ChainSide;
-use crate::token::{NamedOperation, Span, Token, TokenKind, trim_space};
+use crate::token::{NamedOperation, Span, Token, TokenKind, any, trim_space};
 
 /// An expression for each entry, in rows.
 type Entries = Vec<Vec<Vec<Token>>>;
@@ -24,9 +24,34 @@ pub(crate) fn has_matrix(side: &ChainSide) -> bool {
     side.tokens.iter().any(|token| rows_of(token).is_some())
 }
 
+/// The rows of the matrix that is all of a side.
+pub(crate) fn only_matrix(side: &ChainSide) -> Option<&[Vec<Token>]> {
+    let mut solid = side.tokens.iter().filter(|token| !token.is_space() && !token.is_one_of("()[]"));
+    solid.next().and_then(rows_of).filter(|_| solid.next().is_none())
+}
+
+/// Whether all numbers in the matrices of a side are zeros and ones.
+pub(crate) fn has_bits_alone(side: &ChainSide) -> bool {
+    let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !matches!(&**digits, "0" | "1"));
+    !any(&side.tokens, &is_other)
+}
+
+/// How two matrices are multiplied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MatrixProduct {
+    /// Rows by columns.
+    RowsByColumns,
+    /// Entry by entry, as programs multiply arrays.
+    EntryByEntry,
+}
+
 /// The entries of two sides in pairs, each at the place of its side; none if one is no expression in matrices, or their shapes differ.
-pub(crate) fn paired_entries(left: &ChainSide, right: &ChainSide) -> Option<Vec<[ChainSide; 2]>> {
-    let (of_left, of_right) = (expand(&left.tokens)?, expand(&right.tokens)?);
+pub(crate) fn paired_entries(
+    left: &ChainSide,
+    right: &ChainSide,
+    multiply: MatrixProduct,
+) -> Option<Vec<[ChainSide; 2]>> {
+    let (of_left, of_right) = (expand(&left.tokens, multiply)?, expand(&right.tokens, multiply)?);
     let alike = of_left.len() == of_right.len() && of_left.iter().zip(&of_right).all(|(a, b)| a.len() == b.len());
     let side = |of: &ChainSide, tokens: Vec<Token>| ChainSide { relation: of.relation, tokens, span: of.span };
     let entries = of_left.into_iter().flatten().zip(of_right.into_iter().flatten());
@@ -34,7 +59,7 @@ pub(crate) fn paired_entries(left: &ChainSide, right: &ChainSide) -> Option<Vec<
 }
 
 /// The entries of a sum of terms.
-fn expand(side: &[Token]) -> Option<Entries> {
+fn expand(side: &[Token], multiply: MatrixProduct) -> Option<Entries> {
     let mut sum: Option<Entries> = None;
     let (mut from, mut depth) = (0, 0usize);
     let mut sign = None;
@@ -49,7 +74,7 @@ fn expand(side: &[Token]) -> Option<Entries> {
         }
         let term = trim_space(&side[from..at]);
         if !(term.is_empty() && sum.is_none() && token.is_some()) {
-            let entries = product(term)?;
+            let entries = product(term, multiply)?;
             sum = Some(match sum {
                 None if sign == Some('-') => joined(None, '-', &entries)?,
                 None => entries,
@@ -81,14 +106,15 @@ fn joined(one: Option<&Entries>, sign: char, other: &Entries) -> Option<Entries>
     }
     let entry = |row: usize, column: usize| {
         let behind = &other[row][column];
-        let before = one.map(|one| one[row][column].clone()).unwrap_or_default();
+        let before = one.map(|one| &one[row][column]);
+        let before = before.map(|of| if sign == '·' { bracketed(of) } else { of.clone() }).unwrap_or_default();
         [before.as_slice(), &[sign_at(sign, behind)], &bracketed(behind)].concat()
     };
     Some(other.iter().enumerate().map(|(row, of)| (0..of.len()).map(|column| entry(row, column)).collect()).collect())
 }
 
 /// The entries of a product of numbers and matrices.
-fn product(term: &[Token]) -> Option<Entries> {
+fn product(term: &[Token], multiply: MatrixProduct) -> Option<Entries> {
     let mut product: Option<Entries> = None;
     let mut scalar: Vec<Token> = Vec::new();
     let mut at = 0;
@@ -122,6 +148,7 @@ fn product(term: &[Token]) -> Option<Entries> {
         for _ in 0..power {
             product = Some(match &product {
                 None => matrix.clone(),
+                Some(before) if multiply == MatrixProduct::EntryByEntry => joined(Some(before), '·', &matrix)?,
                 Some(before) => multiplied(before, &matrix)?,
             });
         }

@@ -178,8 +178,17 @@ fn letters(tokens: &[Token]) -> Option<Vec<Token>> {
     (!out.is_empty() && out.iter().all(known)).then_some(out)
 }
 
-/// Whether the point at `at` is the sign of a product: between two units, or close between a letter and a letter or bracket.
+/// Whether the point at `at` is the sign of a product: between two units, close between a letter and a letter or bracket, or close behind a
+/// function and before another one.
 pub(crate) fn is_product(tokens: &[Token], at: usize) -> bool {
+    if tokens[at].is_sign('.')
+        && let Some(next) = tokens.get(at + 1)
+        && matches!(next.kind, TokenKind::Function(_))
+        && tokens[at].span.end == next.span.start
+        && has_function_behind_sign(&tokens[..at])
+    {
+        return true;
+    }
     if let [.., Token { kind: TokenKind::Name(_), .. }, point, next] = &tokens[..tokens.len().min(at + 2)]
         && point.is_sign('.')
         && (next.is_sign('(') || matches!(next.kind, TokenKind::Name(_)))
@@ -194,6 +203,12 @@ pub(crate) fn is_product(tokens: &[Token], at: usize) -> bool {
         TokenKind::Power(_) => at > 1 && is_unit(&tokens[at - 2]),
         _ => is_unit(&tokens[at - 1]),
     }
+}
+
+/// Whether the last factor of these tokens is a function of something.
+fn has_function_behind_sign(tokens: &[Token]) -> bool {
+    let factor = tokens.iter().rev().take_while(|token| !token.is_one_of("+-=≈.,;") && !token.is_space());
+    factor.into_iter().any(|token| matches!(token.kind, TokenKind::Function(_)))
 }
 
 /// The power of ten that an `e` behind a number stands for, as in 1.5e−3, and how many tokens it takes.

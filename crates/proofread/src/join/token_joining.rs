@@ -271,9 +271,10 @@ fn join_scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token
         && sup.is_empty()
         && is_whole_in(digits, of)
     {
+        let digits = with_groups_before(digits, of, out);
+        let span = digits.span.join(span);
         let of = Token::new(TokenKind::Number(of.to_string()), span);
-        let arguments = vec![vec![digits.clone()], vec![of]];
-        out.push(Token::new(TokenKind::Call(NamedOperation::InBase, arguments), span));
+        out.push(Token::new(TokenKind::Call(NamedOperation::InBase, vec![vec![digits], vec![of]]), span));
         return;
     }
     if base.is_empty() || base.iter().any(strange) || base[0].number().is_some() {
@@ -294,6 +295,26 @@ fn join_scripts([base, sub, sup]: [&[Token]; 3], span: Span, out: &mut Vec<Token
     }
 }
 
+/// A number in a base with the groups of digits before it, as in 100 1011: three or four digits each but for the first one, of which there
+/// may be fewer. They are taken from what stands before it.
+fn with_groups_before(last: &Token, base: u32, out: &mut Vec<Token>) -> Token {
+    let (mut digits, mut span) = (last.number().unwrap_or_default().to_owned(), last.span);
+    let size = digits.len();
+    while let Some(at) = out.iter().rposition(|token| !token.is_space())
+        && (3..=4).contains(&size)
+        && digits.len() % size == 0
+        && digits.len() < 40
+        && is_whole_in(&out[at], base)
+        && let Some(before) = out[at].number().filter(|before| before.len() <= size)
+        && !(at > 0 && out[at - 1].is_one_of(".,"))
+    {
+        digits.insert_str(0, before);
+        span = out[at].span.join(span);
+        out.truncate(at);
+    }
+    Token::new(TokenKind::Number(digits), span)
+}
+
 /// The base of numbers that a subscript names, in digits or as a word.
 fn base_of(sub: &[Token]) -> Option<u32> {
     const WORDS: [(&str, u32); 8] =
@@ -301,7 +322,7 @@ fn base_of(sub: &[Token]) -> Option<u32> {
     let text = show(ungrouped(sub));
     let text = text.trim().trim_matches(['(', ')']);
     let word = WORDS.iter().find(|(word, _)| *word == text).map(|(_, base)| *base);
-    word.or_else(|| text.parse().ok().filter(|base| (2..=10).contains(base)))
+    word.or_else(|| text.parse().ok().filter(|base| (2..=10).contains(base) || *base == 16))
 }
 
 /// Whether a token is a whole number whose digits a base has.
@@ -371,10 +392,19 @@ fn starts_with_three(text: &str) -> bool {
     text.split(['.', ',']).next().is_some_and(|first| first.len() == 3)
 }
 
+/// Whether a number behind an equation with a comma and a space begins another equation: `39 = 6² + 3, 124 = 11² + 3`.
+fn begins_equation(before: &[Token], number: &Token, next: Option<&Token>) -> bool {
+    let gap = before.last().map_or(0, |comma| number.span.start.saturating_sub(comma.span.end));
+    (1..=2).contains(&gap)
+        && next.is_some_and(|next| next.is_sign('='))
+        && before.iter().any(|token| token.is_sign('='))
+}
+
 /// Joins numbers that were split.
 fn numbers(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
-    for token in tokens {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
         if let TokenKind::Power(inner) = &token.kind
             && trim_space(inner).is_empty()
         {
@@ -393,7 +423,10 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
                 Some((2, format!("{before}.{text}")))
             }
             [.., Token { kind: TokenKind::Number(before), .. }, comma]
-                if comma.is_sign(',') && groups_of_three(before) && starts_with_three(text) =>
+                if comma.is_sign(',')
+                    && groups_of_three(before)
+                    && starts_with_three(text)
+                    && !begins_equation(&out, &token, tokens.peek()) =>
             {
                 Some((2, format!("{before},{text}")))
             }

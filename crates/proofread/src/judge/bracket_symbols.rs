@@ -92,11 +92,13 @@ fn bracketed_fractions(side: &[Token]) -> Option<usize> {
 }
 
 /// Whether a side is nothing but integers or sizes such as 2 × 3 in brackets, one behind the other.
-fn is_all_bracketed(side: &[Token]) -> bool {
+pub(crate) fn is_all_bracketed(side: &[Token]) -> bool {
     let solid = without_space(side);
     let pieces: Vec<&[&Token]> = solid.split(|token| token.is_sign(')')).collect();
     let is_piece = |piece: &[&Token]| match piece {
-        [rest @ .., open, number] if open.is_sign('(') && is_integer(number) => {
+        [rest @ .., open, number]
+            if open.is_sign('(') && (is_integer(number) || matches!(number.kind, TokenKind::Name(_))) =>
+        {
             rest.iter().all(|of| of.is_one_of("·×∘"))
         }
         [rest @ .., open, rows, times, columns] if open.is_sign('(') && times.is_sign('×') => {
@@ -152,4 +154,22 @@ pub(crate) fn may_be_residue_symbols(left: &[Token], right: &[Token]) -> bool {
     };
     let is_sign = |side: &[Token]| is_residue(side) || bracketed_fractions(side).is_some();
     (bracketed_fractions(left).is_some() && is_sign(right)) || (bracketed_fractions(right).is_some() && is_sign(left))
+}
+
+/// Whether bars around an integer on the left may be those of the order of an element of a group, which is an integer: `|3| = 4`.
+pub(crate) fn may_be_order(left: &[Token], right: &[Token]) -> bool {
+    let is_order = match without_space(left).as_slice() {
+        [open, element, close] => open.is_sign('|') && is_integer(element) && close.is_sign('|'),
+        [open, minus, element, close] => {
+            open.is_sign('|') && minus.is_sign('-') && is_integer(element) && close.is_sign('|')
+        }
+        _ => false,
+    };
+    is_order && !any(right, &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.')))
+}
+
+/// Whether a side is one number with its unit in brackets: (2.00 A).
+pub(crate) fn is_bracketed_quantity(side: &[Token]) -> bool {
+    matches!(without_space(side).as_slice(), [open, number, unit, close]
+        if open.is_sign('(') && number.number().is_some() && unit.word().is_some() && close.is_sign(')'))
 }

@@ -33,6 +33,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if example.contains("a proportion") && example.contains("hether") {
         return true;
     }
+    // An item with its answer behind.
+    let line = text.get(span.end as usize..).unwrap_or_default().split(['\n', '<']).next().unwrap_or_default();
+    if is_answered_false(line) || is_implication(&before, &after) {
+        return true;
+    }
     // An exercise that has the reader put in brackets, or say which of several statements hold.
     const EXERCISES: [&str; 7] = [
         "to make the following statements true",
@@ -65,7 +70,8 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // A heading over what is false, up to where the text says what is right.
-    const HEADINGS: [&str; 7] = [
+    const HEADINGS: [&str; 8] = [
+        "for errors",
         "common error",
         "common mistake",
         "typical error",
@@ -83,7 +89,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const DENIALS: [&str; 13] = [
+    const DENIALS: [&str; 12] = [
         "no longer true",
         "no longer holds",
         "would be false",
@@ -91,14 +97,43 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is false",
         "not true",
         "a false statement",
-        "contradiction",
         "incorrect",
         "is wrong",
         "are not equal",
         "is not a solution",
         "is inconsistent",
     ];
-    DENIALS.iter().any(|denial| rest.contains(denial))
+    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&rest, text.get(span.range()).unwrap_or_default())
+}
+
+/// Whether what stands behind a formula says that it is a contradiction itself: not that a number of elements is one, nor what an inequality
+/// in the formula says.
+fn contradicts(rest: &str, formula: &str) -> bool {
+    const LINKS: &str = " a an the is are this that which gives giving yields leads leading to us we have get arrive at so clearly and but \
+        in by again our another obvious therefore hence thus contrary ";
+    let Some(at) = rest.find("contradiction") else { return false };
+    let mut words = rest[..at].split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+    let compares = ["<", ">", "\\le", "\\ge", "\\lt", "\\gt", "≤", "≥"].iter().any(|sign| formula.contains(sign));
+    !compares && words.all(|word| LINKS.split_ascii_whitespace().any(|link| link == word))
+}
+
+/// Whether the rest of a line says that the answer to a statement is *false*, or asks for it.
+fn is_answered_false(line: &str) -> bool {
+    let line = line.to_ascii_lowercase();
+    let Some(at) = line.find("answer") else { return false };
+    let behind = line[at + "answer".len()..].trim_start_matches(|c: char| !c.is_alphabetic());
+    ["false", "r torf(false", "r mcq("].iter().any(|answer| behind.starts_with(answer))
+}
+
+/// Whether a formula is one of the two of an implication: if *F*, then *F*.
+fn is_implication(before: &str, after: &str) -> bool {
+    let letters = |text: &str| -> String {
+        text.chars().filter(|c| c.is_alphabetic() || c.is_whitespace()).collect::<String>().to_ascii_lowercase()
+    };
+    let sentence = letters(before.rsplit(['.', '?', '!', ':']).next().unwrap_or_default());
+    let words: Vec<&str> = sentence.split_whitespace().filter(|word| word.len() > 1).collect();
+    let goes_on = letters(after).trim_start().starts_with("then ");
+    words == ["if", "then"] || (words == ["if"] && goes_on)
 }
 
 /// Whether a formula stands behind a capital letter in brackets, with the letter before or after it behind another one: `(B)` near

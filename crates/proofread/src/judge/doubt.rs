@@ -11,17 +11,19 @@ use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
 use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
+use crate::judge::flattened;
 use crate::judge::money::starts_with_money;
 use crate::judge::notation;
 use crate::judge::number_marks;
 use crate::judge::other_arithmetic;
+use crate::judge::point_coordinates;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::two_equations;
 use crate::judge::verdict::PairJudgement;
 use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{Span, Token, TokenKind, any};
+use crate::token::{NamedOperation, Span, Token, TokenKind, any};
 use crate::unit::unit;
 
 /// How far two bare numbers are apart, relative to the larger one, if no digit explains it.
@@ -146,15 +148,24 @@ impl PlacedPair<'_> {
         let at = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
         let mark = |c: u8| b",;.:!?".contains(&c);
         let literal = judgement.values.as_ref().is_some_and(|(left, _)| left.is_literal());
+        // The tip of an arrow, and no inequality: valE <- 40 + 8 = 48.
+        if self.left.relation == Some(Relation::Other) && surroundings::is_behind_tip(self.text, self.left) {
+            return true;
+        }
         if self.begins_chain() {
             let start = self.left.span.start as usize;
             let (before, far) = (at(start.checked_sub(1)), at(start.checked_sub(2)));
-            let joined_on = mark(before) && (far.is_ascii_digit() || b")]}".contains(&far));
+            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
+            let joined_on =
+                mark(before) && (far.is_ascii_digit() || b")]}".contains(&far)) || (before == b'.' && function);
             let opening = self.formula.span.start as usize;
             let outside = at(opening.checked_sub(1));
             // Between tags there is often no space in running text, but a bracket may be a factor.
             let in_tex = matches!(at(Some(opening)), b'$' | b'\\');
             let glued = (in_tex && (outside.is_ascii_alphanumeric() || b"]}$".contains(&outside))) || outside == b')';
+            // So does a sum that goes on from the formula before.
+            let sums_on = self.left.tokens.first().is_some_and(|token| token.is_sign('+'))
+                && surroundings::follows_formula(self.text, self.formula.span);
             // A display may go on from the one before it.
             let display = ["$$", "\\[", "\\begin"]
                 .iter()
@@ -176,12 +187,15 @@ impl PlacedPair<'_> {
             // So does what bears a number: No. 200 = 75 μm.
             let size = judgement.values.as_ref().is_some_and(|(left, right)| !left.has_unit && right.has_unit);
             // So is what stands before a function: mg cos 30°.
-            let function = self.left.tokens.first().is_some_and(|first| matches!(first.kind, TokenKind::Function(_)));
-            let may_be_named = (literal && (!result || size)) || function;
+            // A quantity in brackets belongs to the words before it: 80 % of the current (2.00 A).
+            let may_be_named =
+                (literal && (!result || size)) || function || bracket_symbols::is_bracketed_quantity(&self.left.tokens);
             let named = plain
                 && (may_be_named && surroundings::follows_name(self.text, self.left.span)
                     || surroundings::follows_label(self.text, self.left.span));
-            if joined_on || glued || signed || parted || by_word || named {
+            let called = surroundings::follows_function(self.text, self.formula.span)
+                || (plain && surroundings::is_torn_off(self.text, self.left));
+            if joined_on || glued || signed || sums_on || parted || by_word || named || called {
                 return true;
             }
         }
@@ -203,13 +217,17 @@ impl PlacedPair<'_> {
         substitution::substitutes(left, right)
             || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
             || (notation::is_bracketed_number(right) && right[0].is_sign('['))
-            || (plain && (notation::has_lost_exponents(left) || notation::has_lost_exponents(right)))
+            || (plain && (flattened::has_lost_exponents(left) || flattened::has_lost_exponents(right)))
             || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
             || bracket_symbols::may_be_residue_symbols(left, right)
             || bracket_symbols::may_be_cycles(left, right)
             || bracket_symbols::may_be_places(left)
             || bracket_symbols::may_be_places(right)
+            || ([left, right].into_iter().any(bracket_symbols::is_all_bracketed) && self.has_other_base())
             || bracket_symbols::may_be_classes(left, right)
+            || (bracket_symbols::may_be_order(left, right) && surroundings::speaks_of_groups(self.text, around))
+            || (point_coordinates::are_proportional(left, right)
+                && surroundings::speaks_of_homogeneous_coordinates(self.text, around))
             || notation::has_phasor(right)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
@@ -231,7 +249,13 @@ impl PlacedPair<'_> {
                 && surroundings::named_base(self.text, around).is_none()
                 && !computes_remainder(left)
                 && !computes_remainder(right)
-                && other_arithmetic::may_explain(self.text, around, bare_difference(judgement)))
+                && other_arithmetic::may_explain(self.text, around, &bare_differences(judgement)))
+    }
+
+    /// Whether a number of the chain names its base.
+    fn has_other_base(&self) -> bool {
+        let names = |kind: &TokenKind| matches!(kind, TokenKind::Call(NamedOperation::InBase, _));
+        self.chain.sides.iter().any(|side| any(&side.tokens, &names))
     }
 
     /// Whether a sign in one of the sides parts two equations.
@@ -328,7 +352,14 @@ impl PlacedPair<'_> {
         let is_raised = (is_power(self.left) || is_power(self.right)) && (!self.begins_chain() || self.is_whole());
         let pair =
             both && bare(left) && bare(right) && alone && !is_raised && [left, right].into_iter().all(is_integer);
+        // What an inequality compares belongs to its left side: P(X > 1.25) = 0.535.
+        let is_bound = both
+            && bare(left)
+            && bare(right)
+            && self.left.relation == Some(Relation::Other)
+            && ![left, right].into_iter().all(is_integer);
         lacks_unit
+            || is_bound
             || opposite
             || costs
             || deviates
@@ -416,10 +447,17 @@ fn computes_remainder(side: &[Token]) -> bool {
     any(side, &|kind| matches!(kind, TokenKind::Word(word) if word == "mod"))
 }
 
-/// The difference of two sides that are numbers.
-fn bare_difference(judgement: &PairJudgement) -> Option<f64> {
-    let (left, right) = judgement.values.as_ref()?;
-    Some(left.number().ok()?.point - right.number().ok()?.point)
+/// The differences of the components of two sides, one if they are numbers.
+fn bare_differences(judgement: &PairJudgement) -> Vec<f64> {
+    let Some((left, right)) = judgement.values.as_ref() else { return Vec::new() };
+    // The inverse of an integer is the number that gives one with it: 7⁻¹ = 16, since 7 · 16 = 111 + 1.
+    if let (Ok(left), Ok(right)) = (left.number(), right.number())
+        && left.point.fract() != 0.0
+        && (1.0 / left.point - libm::round(1.0 / left.point)).abs() < 1e-9
+    {
+        return vec![right.point * libm::round(1.0 / left.point) - 1.0];
+    }
+    left.parts.pairs(&right.parts).map(|(one, other)| one.point - other.point).collect()
 }
 
 /// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its

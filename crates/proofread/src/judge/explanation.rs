@@ -7,6 +7,7 @@ use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
 use crate::judge::notation;
+use crate::judge::pi_in_school::with_school_pi;
 use crate::judge::section::ReportSection;
 use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
@@ -278,6 +279,12 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
         }
         if other.verdict == ChainVerdict::Units {
             in_numbers = Some(other);
+        }
+    }
+    for [left, right] in with_school_pi(&pair.left.tokens, &pair.right.tokens) {
+        let other = pair.judge(&left, &right);
+        if other.verdict == ChainVerdict::Consistent {
+            return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
         }
     }
     if pair.is_plain_text {

@@ -2,6 +2,7 @@
 //! a line above.
 
 use crate::judge::notation::Sides;
+use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, span_of};
 
 /// Most ways in which the numbers of two sides are read.
@@ -67,4 +68,49 @@ fn under_root([left, right]: &Sides, degree: Option<&str>) -> Sides {
     let degree = degree.map(|degree| Token::new(TokenKind::Number(degree.to_owned()), span));
     let root = Token::new(TokenKind::Root(left.clone(), degree.into_iter().collect()), span);
     [vec![root], right.clone()]
+}
+
+/// A side with what stands behind the stroke in an exponent that was typed without brackets, `(9 + 7)^1/2`; none if there is no such
+/// exponent behind brackets.
+pub(super) fn with_whole_exponents(side: &[Token]) -> Option<Vec<Token>> {
+    let mut out = side.to_vec();
+    let at = out.windows(4).position(|of| {
+        let [close, power, stroke, below] = of else { return false };
+        let raised = matches!(&power.kind, TokenKind::Power(above) if matches!(above.as_slice(), [one] if one.number() == Some("1")));
+        close.is_sign(')') && raised && stroke.is_sign('/') && matches!(below.number(), Some("2" | "3" | "4"))
+    })?;
+    let below: Vec<Token> = out.drain(at + 2..at + 4).skip(1).collect();
+    let span = side[at + 1].span;
+    let one = Token::new(TokenKind::Number("1".to_owned()), span);
+    let half = Token::new(TokenKind::Fraction(vec![one], below), span);
+    out[at + 1] = Token::new(TokenKind::Power(vec![half]), span);
+    Some(out)
+}
+
+/// A side with all factors behind a root sign under it, whose bar is lost in running text; none if there is no such sign.
+pub(super) fn under_root_sign(side: &[Token]) -> Option<Vec<Token>> {
+    let at = side.iter().position(|token| token.is_sign('√'))?;
+    if side.get(at + 1)?.is_sign('(') {
+        return None;
+    }
+    let ends = |token: &Token| token.is_one_of("+-");
+    let end = side[at..].iter().position(ends).map_or(side.len(), |end| at + end);
+    let sign = |c| Token::new(TokenKind::Operator(c), side[at].span);
+    Some([&side[..=at], &[sign('(')], &side[at + 1..end], &[sign(')')], &side[end..]].concat())
+}
+
+/// Whether exponents may have lost their place in running text: (6.38 × 106)2 for (6.38 × 10⁶)².
+pub(super) fn has_lost_exponents(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    solid.windows(2).any(|pair| {
+        let touches = pair[0].span.end == pair[1].span.start;
+        let digits = pair[1].number().unwrap_or_default();
+        let power = pair[0].is_one_of("×·")
+            && digits.len() > 2
+            && digits.len() < 5
+            && digits.starts_with("10")
+            && digits.chars().all(|c| c.is_ascii_digit())
+            && digits.trim_end_matches('0') != "1";
+        power || (touches && pair[0].is_sign(')') && matches!(digits, "2" | "3" | "4"))
+    })
 }

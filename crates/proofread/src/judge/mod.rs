@@ -1,5 +1,6 @@
 //! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
 
+mod binary_numbers;
 mod bracket_symbols;
 pub(crate) mod chain_verdict;
 pub(crate) mod counted_nouns;
@@ -16,6 +17,9 @@ mod notation;
 pub(crate) mod number_columns;
 mod number_marks;
 mod other_arithmetic;
+pub(crate) mod permutation;
+mod pi_in_school;
+mod point_coordinates;
 pub(crate) mod running_calculation;
 pub(crate) mod section;
 mod seldom_real;

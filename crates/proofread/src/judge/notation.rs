@@ -4,12 +4,16 @@
 use crate::decimal::{fixed, parse_decimal};
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
+use crate::judge::binary_numbers;
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::flattened;
 use crate::judge::number_marks::{integer, touch};
+use crate::judge::permutation::as_permutations;
+use crate::judge::point_coordinates::as_cartesian;
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
+use crate::token::{NamedOperation, Token, TokenKind, any};
 use crate::unit::{currency, unit};
 use std::f64::consts::PI;
 
@@ -18,7 +22,6 @@ pub(crate) type Sides = [Vec<Token>; 2];
 
 /// What two sides would be in each of the ways of writing that they may be in.
 pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, right: &ChainSide) -> Vec<Sides> {
-    let sides = || [left.tokens.clone(), right.tokens.clone()];
     let mut out = Vec::new();
     let plain = formula.style == FormulaStyle::Plain;
     for rest in without_label(&left.tokens, plain) {
@@ -45,7 +48,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&with_period);
     each(&|side| with_braced_decimals(text, side));
     each(&in_one_unit);
-    each(&to_base_two);
+    each(&binary_numbers::to_base_two);
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
@@ -53,15 +56,20 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&under_function);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
+    each(&with_fractional_parts);
+    each(&without_dots);
     if formula.style == FormulaStyle::Plain {
-        each(&under_root);
+        each(&flattened::under_root_sign);
+        each(&flattened::with_whole_exponents);
     }
-    if is_binary(&left.tokens) && is_binary(&right.tokens) {
-        out.push(sides().map(|side| in_decimal(&side)));
-    }
+    out.extend(binary_numbers::in_decimal(&left.tokens, &right.tokens));
     out.extend(all_in_degrees(&left.tokens, &right.tokens));
     out.extend(other_way_round(&right.tokens).map(|other| [left.tokens.clone(), other]));
     out.extend(as_congruence(&left.tokens, &right.tokens));
+    out.extend(as_permutations(&left.tokens, &right.tokens));
+    out.extend(as_cartesian(&left.tokens, &right.tokens));
+    out.extend(with_temperature(&left.tokens, &right.tokens));
+    out.extend(binary_numbers::with_binary_prefixes(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
     out
 }
@@ -304,15 +312,6 @@ fn under_function(side: &[Token]) -> Option<Vec<Token>> {
     fits.then(|| [&side[..=at], &[sign('(')], inner, &[sign(')')], &side[end..]].concat())
 }
 
-/// A side with its logarithms without a base to the base 2; none if there are none.
-fn to_base_two(side: &[Token]) -> Option<Vec<Token>> {
-    let is_log = |token: &Token| matches!(token.kind, TokenKind::Function(MathFunction::Log | MathFunction::Lg));
-    let change = |token: &Token| {
-        if is_log(token) { Token::new(TokenKind::Function(MathFunction::LogTo(2)), token.span) } else { token.clone() }
-    };
-    side.iter().any(is_log).then(|| side.iter().map(change).collect())
-}
-
 /// Where one or two digits in brackets stand directly behind decimals.
 fn bracketed_digits(side: &[Token]) -> Vec<usize> {
     let fits = |at: &usize| match &side[*at..*at + 4] {
@@ -403,6 +402,48 @@ fn with_braced_decimals(text: &str, side: &[Token]) -> Option<Vec<Token>> {
     found.then_some(changed)
 }
 
+/// A side with decimals that were rounded before dots were put behind them, `5/7 = 0.7143…`; none if there are no dots.
+fn without_dots(side: &[Token]) -> Option<Vec<Token>> {
+    let cut = |token: &Token| match token.number().and_then(|digits| digits.strip_suffix('…')) {
+        Some(digits) => Token::new(TokenKind::Number(digits.to_owned()), token.span),
+        None => token.clone(),
+    };
+    side.iter()
+        .any(|token| token.number().is_some_and(|digits| digits.ends_with('…')))
+        .then(|| side.iter().map(cut).collect())
+}
+
+/// A side with numbers in braces that are computed from fractions, roots or functions as their fractional parts, `{9π}`; none if there are none.
+fn with_fractional_parts(side: &[Token]) -> Option<Vec<Token>> {
+    let open = side.iter().position(|token| token.is_sign('{'))?;
+    let length = side[open..].iter().position(|token| token.is_sign('}'))?;
+    let (inner, rest) = (&side[open + 1..open + length], &side[open + length + 1..]);
+    let sign = |c| Token::new(TokenKind::Operator(c), side[open].span);
+    let part =
+        [&[sign('('), sign('(')], inner, &[sign(')'), sign('-'), sign('⌊')], inner, &[sign('⌋'), sign(')')]].concat();
+    let rest = with_fractional_parts(rest).unwrap_or_else(|| rest.to_vec());
+    let is_irrational = |kind: &TokenKind| match kind {
+        TokenKind::Name(name) => name == "π",
+        kind => matches!(kind, TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Fraction(..)),
+    };
+    (any(inner, &is_irrational) && !inner.iter().any(|token| token.is_one_of("{[,;")))
+        .then(|| [&side[..open], &part, &rest].concat())
+}
+
+/// Both sides with the sign of degrees Celsius for a bare one of degrees, if the other side is in kelvins: `900 K = 627°`.
+fn with_temperature(left: &[Token], right: &[Token]) -> Option<Sides> {
+    let has = |side: &[Token], sign: &str| side.iter().any(|token| token.word() == Some(sign));
+    let celsius = |side: &[Token]| {
+        let change = |token: &Token| match token.word() {
+            Some("°") => Token::new(TokenKind::Word("°C".to_owned()), token.span),
+            _ => token.clone(),
+        };
+        side.iter().map(change).collect()
+    };
+    let beside = (has(left, "K") && has(right, "°")) || (has(left, "°") && has(right, "K"));
+    beside.then(|| [celsius(left), celsius(right)])
+}
+
 /// Whether a bare number is divided by an angle, as a phasor may be written: 12/−30°.
 pub(crate) fn has_phasor(side: &[Token]) -> bool {
     let is_phasor = |of: &[&Token]| {
@@ -452,7 +493,14 @@ pub(crate) fn has_two_meanings(side: &[Token]) -> bool {
 pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
     let [one, dash, other] = side else { return false };
     let from_to = integer(one).zip(integer(other)).is_some_and(|(one, other)| one < other);
-    dash.is_sign('-') && from_to && touch(side) && text.get(dash.span.range()) == Some("–")
+    // Of the second year, the first two digits may be left out: 1990-92.
+    let digits = [one, other].map(|of| of.number().unwrap_or_default());
+    let are_years = digits[0].len() == 4
+        && digits[1].len() == 2
+        && ["1", "20"].iter().any(|century| digits[0].starts_with(century))
+        && digits[0][2..] < *digits[1];
+    let source = text.get(dash.span.range());
+    dash.is_sign('-') && touch(side) && ((from_to && source == Some("–")) || are_years)
 }
 
 /// A side with its mixed numbers, `1-3/4`, as sums; none if there is none.
@@ -483,23 +531,6 @@ fn mixed(side: &[Token]) -> Option<Vec<Token>> {
     found.then_some(out)
 }
 
-/// Whether a side has integers with the digits 0 and 1 only, one of them a long one.
-fn is_binary(side: &[Token]) -> bool {
-    let digits: Vec<&str> = side.iter().filter_map(Token::number).collect();
-    let plain = side
-        .iter()
-        .all(|token| matches!(token.kind, TokenKind::Number(_) | TokenKind::Space(_) | TokenKind::Operator(_)));
-    plain && digits.iter().all(|of| of.chars().all(|c| c == '0' || c == '1')) && digits.iter().any(|of| of.len() > 1)
-}
-
-fn in_decimal(side: &[Token]) -> Vec<Token> {
-    let decimal = |token: &Token| {
-        let value = token.number().and_then(|digits| u64::from_str_radix(digits, 2).ok());
-        value.map_or_else(|| token.clone(), |value| Token::new(TokenKind::Number(value.to_string()), token.span))
-    };
-    side.iter().map(decimal).collect()
-}
-
 /// A side such as `6.7 L/100 km` or `98 mL/min/1.73 m²`, whose unit has a number in it, without that part of the unit.
 fn per_hundred(side: &[Token]) -> Option<Vec<Token>> {
     let stroke = side.iter().rposition(|token| token.is_sign('/'))?;
@@ -514,34 +545,6 @@ fn per_hundred(side: &[Token]) -> Option<Vec<Token>> {
     let quantity =
         first.number().is_some() && above.iter().all(is_unit) && above.iter().any(|token| token.word().is_some());
     (number && units && quantity).then(|| side[..stroke].to_vec())
-}
-
-/// A side with all factors behind a root sign under it, whose bar is lost in running text; none if there is no such sign.
-fn under_root(side: &[Token]) -> Option<Vec<Token>> {
-    let at = side.iter().position(|token| token.is_sign('√'))?;
-    if side.get(at + 1)?.is_sign('(') {
-        return None;
-    }
-    let ends = |token: &Token| token.is_one_of("+-");
-    let end = side[at..].iter().position(ends).map_or(side.len(), |end| at + end);
-    let sign = |c| Token::new(TokenKind::Operator(c), side[at].span);
-    Some([&side[..=at], &[sign('(')], &side[at + 1..end], &[sign(')')], &side[end..]].concat())
-}
-
-/// Whether exponents may have lost their place in running text: (6.38 × 106)2 for (6.38 × 10⁶)².
-pub(crate) fn has_lost_exponents(side: &[Token]) -> bool {
-    let solid = without_space(side);
-    solid.windows(2).any(|pair| {
-        let touches = pair[0].span.end == pair[1].span.start;
-        let digits = pair[1].number().unwrap_or_default();
-        let power = pair[0].is_one_of("×·")
-            && digits.len() > 2
-            && digits.len() < 5
-            && digits.starts_with("10")
-            && digits.chars().all(|c| c.is_ascii_digit())
-            && digits.trim_end_matches('0') != "1";
-        power || (touches && pair[0].is_sign(')') && matches!(digits, "2" | "3" | "4"))
-    })
 }
 
 /// Whether both sides are angles that differ by whole turns.

@@ -4,7 +4,7 @@ use crate::decimal::parse_decimal;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, show};
 
-const WORDS: [&str; 15] = [
+const WORDS: [&str; 16] = [
     "significand",
     "guard bit",
     "overflow",
@@ -18,6 +18,7 @@ const WORDS: [&str; 15] = [
     "hexadecimal",
     "two\u{2019}s complement",
     "two's complement",
+    "twos complement",
     "in base",
     "gf(2",
 ];
@@ -26,11 +27,63 @@ const WORDS: [&str; 15] = [
 const BEFORE_MODULUS: [&str; 4] = ["mod", "pmod", "bmod", "modulo"];
 
 /// Signs of the ring of remainders or a finite field, before its modulus.
-const RINGS: [&str; 5] = ["mathbb{z}", "mathbb z", "mathbb{f}", "mathbb f", "gf("];
+const RINGS: [&str; 12] = [
+    "mathbb{z}",
+    "mathbb z",
+    "mathbb{f}",
+    "mathbb f",
+    "mathbf{z}",
+    "mathbf{f}",
+    "mathbb{u}",
+    "gf(",
+    // Commands that a text may have for them.
+    "\\z",
+    "\\zz",
+    "\\f",
+    "\\ff",
+];
 
-/// Whether the text around two sides, or the formula itself, speaks of arithmetic in which they may be equal. If it names a modulus, their
-/// difference must be a multiple of it.
-pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bool {
+/// Signs of the operations of such a ring and commands with the modulus as their argument, and what stands behind them.
+const OPERATIONS: [&str; 8] = ["\\times_", "\\cdot_", "\\otimes_", "\\oplus_", "\\odot_", "+_", "\\zmod{", "\\zn{"];
+
+/// Words before a modulus in words, and words for it.
+const IN_WORDS: [(&str, f64); 8] = [
+    ("field of two elements", 2.0),
+    ("field with two elements", 2.0),
+    ("field of 2 elements", 2.0),
+    ("field with 2 elements", 2.0),
+    ("field of three elements", 3.0),
+    ("field with three elements", 3.0),
+    ("modulo two", 2.0),
+    ("modulo three", 3.0),
+];
+
+/// Signs that a text writes of the ring of two elements alone.
+const OF_TWO: [&str; 2] = ["1+1=0", "1 + 1 = 0"];
+
+/// What ends a paragraph or an item, behind which a modulus in words no longer holds.
+const ENDS: [&str; 5] = ["\n\n", "\\item", "<li", "<p", "\\end{"];
+
+/// How far behind two sides a modulus may be named, in bytes.
+const NEAR_BEHIND: usize = 400;
+
+/// Differences from here on are not whole in floating point, so that any modulus may explain them.
+const INEXACT: f64 = 9.0e15;
+
+/// Whether a sign is one of a field, which the number of its elements may follow without a mark.
+fn is_field(sign: &str) -> bool {
+    sign.contains('f') && !sign.starts_with('\\')
+}
+
+/// Whether differences are not zero, but all of them multiples of a modulus, as far as floating point can tell.
+fn are_multiples(differences: &[f64], modulus: f64) -> bool {
+    let fits = |of: &f64| of.abs() >= INEXACT || of % modulus == 0.0;
+    modulus > 1.0 && differences.iter().any(|of| *of != 0.0) && differences.iter().all(fits)
+}
+
+/// Whether the text around two sides, or the formula itself, speaks of arithmetic in which they may be equal. If it names a modulus, the
+/// differences of their components must be multiples of it.
+pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
@@ -47,26 +100,32 @@ pub(crate) fn may_explain(text: &str, span: Span, difference: Option<f64>) -> bo
     if WORDS.iter().any(|word| places(word).next().is_some()) {
         return true;
     }
-    let fits = |modulus: Option<f64>| match (modulus, difference) {
+    let fits = |modulus: Option<f64>| match modulus {
         // An inverse is an integer there, too.
-        (Some(modulus), Some(difference)) if modulus > 0.0 && difference.fract() == 0.0 => difference % modulus == 0.0,
+        Some(modulus) if modulus > 0.0 && !differences.is_empty() && differences.iter().all(|by| by.fract() == 0.0) => {
+            are_multiples(differences, modulus)
+        }
         _ => true,
     };
-    // A ring may be named some sentences before.
-    let is_multiple = |difference: f64| {
-        let fits = |modulus: f64| modulus > 1.0 && difference != 0.0 && difference % modulus == 0.0;
-        named_moduli(surroundings::text_before(text, span)).into_iter().any(fits)
-    };
-    if difference.is_some_and(is_multiple) {
+    // A ring may be named some sentences before, or behind a display.
+    let behind = text.get(span.end as usize..).unwrap_or_default();
+    let behind = &behind[..behind.floor_char_boundary(NEAR_BEHIND)];
+    let behind = { ENDS }.iter().take(4).filter_map(|end| behind.find(end)).min().map_or(behind, |at| &behind[..at]);
+    let before = surroundings::text_before(text, span);
+    let paragraph = { ENDS }.iter().filter_map(|end| before.rfind(end)).max().map_or(before, |at| &before[at..]);
+    let mut named = named_moduli(before);
+    named.extend([paragraph, behind].into_iter().flat_map(moduli_in_words));
+    named.extend(named_moduli(behind));
+    if named.into_iter().any(|modulus| are_multiples(differences, modulus)) {
         return true;
     }
     // The hours of a clock.
-    (places("clock").next().is_some() && difference.is_some_and(|by| by % 12.0 == 0.0))
+    (places("clock").next().is_some() && are_multiples(differences, 12.0))
         || { BEFORE_MODULUS }.iter().flat_map(|word| places(word)).any(|(_, end)| fits(number_at(&near[end..])))
         || { RINGS }.iter().flat_map(|sign| near.match_indices(sign)).any(|(at, sign)| {
             let behind = &near[at + sign.len()..];
             let modulus = behind.strip_prefix('_').or_else(|| behind.strip_prefix('/')).unwrap_or(behind);
-            let is_ring = modulus.len() < behind.len() || sign == "gf(" || sign.contains('f');
+            let is_ring = modulus.len() < behind.len() || is_field(sign);
             is_ring && fits(number_at(modulus))
         })
 }
@@ -82,18 +141,20 @@ pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: im
     }
 }
 
-/// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`.
+/// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`, 13 of `\times_{13}`.
 fn named_moduli(text: &str) -> Vec<f64> {
-    if !["mathbb", "GF(", "U("].iter().any(|sign| text.contains(sign)) {
-        return Vec::new();
-    }
     let lower = text.to_ascii_lowercase();
     let of_rings = { RINGS }.into_iter().flat_map(|sign| lower.match_indices(sign)).filter_map(|(at, sign)| {
         let behind = lower[at + sign.len()..].trim_start_matches('}');
+        let behind = behind.strip_prefix("{}").unwrap_or(behind);
         // Behind a comma, ℤ has no modulus.
         let modulus = behind.strip_prefix(['_', '/']);
-        number_at(modulus.or_else(|| sign.contains('f').then_some(behind))?)
+        // ℤ₂³ has three components, but in braces it would be a power.
+        let one_digit = modulus.filter(|of| of.starts_with(|c: char| c.is_ascii_digit())).map(|of| &of[..1]);
+        number_at(modulus.or_else(|| is_field(sign).then_some(behind))?).or_else(|| one_digit.and_then(parse_decimal))
     });
+    let of_operations = { OPERATIONS }.into_iter().flat_map(|sign| lower.match_indices(sign));
+    let of_operations = of_operations.filter_map(|(at, sign)| number_at(&lower[at + sign.len()..]));
     // Neither SU(2) nor the value U(2) = 5 of a function.
     let of_groups = text.match_indices("U(").take(surroundings::MOST_CALLS).filter_map(|(at, sign)| {
         let (inside, behind) = text[at + sign.len()..].split_once(')')?;
@@ -102,7 +163,20 @@ fn named_moduli(text: &str) -> Vec<f64> {
         let is_name = text[..at].ends_with(|c: char| c.is_alphanumeric());
         parse_decimal(inside).filter(|_| !is_name && !is_value)
     });
-    of_rings.chain(of_groups).collect()
+    of_rings.chain(of_operations).chain(of_groups).collect()
+}
+
+/// The moduli that a paragraph names in words, or by what holds for them alone.
+fn moduli_in_words(text: &str) -> Vec<f64> {
+    let lower = text.to_ascii_lowercase();
+    let of_words =
+        { BEFORE_MODULUS }.into_iter().flat_map(|word| lower.match_indices(word)).filter_map(|(at, word)| {
+            let is_word = !lower[..at].ends_with(|c: char| c.is_ascii_alphabetic());
+            number_at(&lower[at + word.len()..]).filter(|_| is_word)
+        });
+    let in_words = IN_WORDS.iter().filter(|(words, _)| lower.contains(words)).map(|(_, modulus)| *modulus);
+    let of_two = OF_TWO.iter().filter(|sign| lower.contains(**sign)).map(|_| 2.0);
+    of_words.chain(in_words).chain(of_two).collect()
 }
 
 /// The number that follows, in braces, brackets or marks of a formula; none if something else does, or a power.
@@ -119,7 +193,7 @@ mod tests {
 
     fn explains(text: &str, difference: f64) -> bool {
         let at = text.find('=').expect("a formula");
-        may_explain(text, Span::new(at, at + 1), Some(difference))
+        may_explain(text, Span::new(at, at + 1), &[difference])
     }
 
     #[test]

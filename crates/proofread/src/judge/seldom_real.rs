@@ -8,7 +8,7 @@ use crate::judge::doubt::PlacedPair;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
 use crate::judge::verdict::PairJudgement;
-use crate::token::{Token, TokenKind, any};
+use crate::token::{MathFunction, Token, TokenKind, any};
 
 /// How far two numbers are apart that differ in nothing but their sign, relative to them.
 const EXACT: f64 = 0.01;
@@ -19,6 +19,9 @@ const MANY_DIGITS: usize = 5;
 
 /// How far such a result is from the computed one at most, relative to it: what a digit more in each term may give.
 const BY_DIGITS: f64 = 0.002;
+
+/// How far the results of rounded estimates are from the computed ones at most, relative to them.
+const BY_ESTIMATES: f64 = 0.02;
 
 impl PlacedPair<'_> {
     /// Whether the sides differ in sign alone where a sign is often left out: in a difference or an elasticity that the text calls so, and in
@@ -74,11 +77,33 @@ impl PlacedPair<'_> {
         self.right.relation == Some(Relation::Approximate) && any(right, &is_computed) && !any(right, &is_decimal)
     }
 
+    /// Whether the left side is computed from rounded estimates: a power of e with a decimal exponent where the text speaks of them, or the
+    /// quotient of decimals that a test statistic is.
+    fn is_of_estimates(&self) -> bool {
+        const STATISTICS: [&str; 5] = ["Z", "z", "t", "F", "Wald"];
+        const ESTIMATES: [&str; 9] =
+            ["odds", "coefficient", "estimate", "logit", "regression", "covariate", "fitted", "model", "effect"];
+        let solid = without_space(&self.left.tokens);
+        let is_e = |token: &Token| match &token.kind {
+            TokenKind::Name(name) | TokenKind::Word(name) => name == "e",
+            _ => false,
+        };
+        let is_power = matches!(solid.as_slice(), [base, Token { kind: TokenKind::Power(_), .. }] if is_e(base))
+            || matches!(solid.as_slice(), [Token { kind: TokenKind::Function(MathFunction::Exp), .. }, ..]);
+        let is_quotient = solid.iter().any(|token| matches!(token.kind, TokenKind::Fraction(..)) || token.is_sign('/'));
+        let names = |side: &ChainSide| {
+            let name = without_space(&side.tokens);
+            matches!(name.as_slice(), [Token { kind: TokenKind::Name(name) | TokenKind::Word(name), .. }] if STATISTICS.contains(&name.split('_').next().unwrap_or_default()))
+        };
+        let is_statistic = is_quotient && self.chain.sides.first().is_some_and(names);
+        is_statistic || (is_power && surroundings::speaks_around(self.text, self.left.span, &ESTIMATES))
+    }
+
     /// Whether a printed result of many digits agrees if the rounded numbers before it had digits that are not printed: `2.012 × 3.1416 =
     /// 6.32091`.
     pub(crate) fn may_have_more_digits(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
-        let is_near = left.difference(right) < BY_DIGITS;
+        let is_near = left.difference(right) < if self.is_of_estimates() { BY_ESTIMATES } else { BY_DIGITS };
         if left.is_literal() || !right.is_literal() || !is_near || !judgement.used.is_empty() {
             return false;
         }
@@ -97,7 +122,7 @@ impl PlacedPair<'_> {
         let strict =
             |side: &ChainSide| Evaluator::new(Mode::Strict, judgement.reading, None).evaluate_side(&side.tokens).ok();
         digits.contains('.')
-            && significant >= MANY_DIGITS
+            && (significant >= MANY_DIGITS || self.is_of_estimates())
             && any(&self.left.tokens, &is_decimal)
             && any(&self.left.tokens, &is_product)
             && !any(&self.left.tokens, &is_long)

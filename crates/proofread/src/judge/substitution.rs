@@ -54,6 +54,12 @@ fn fits(mut left: &[&Token], mut right: &[&Token], letters: &mut usize) -> bool 
                 }
                 right = behind;
             }
+            (TokenKind::Power(a), [Token { kind: TokenKind::Power(b), .. }, behind @ ..]) => {
+                if !fits(&without_space(a), &without_space(b), letters) {
+                    return false;
+                }
+                right = behind;
+            }
             _ => return false,
         }
         (left, behind_sign) = (rest, false);

@@ -2,6 +2,7 @@
 
 use crate::decimal::parse_decimal;
 use crate::effort;
+use crate::join::chain::ChainSide;
 use crate::join::token_joining::join_tokens;
 use crate::reader::{is_noun, tokenise_text, unit_sign};
 use crate::token::{Span, Token, TokenKind};
@@ -79,6 +80,60 @@ fn without_tags(text: &str) -> String {
     out
 }
 
+/// Whether the text of the example so far speaks of groups and their elements.
+pub(crate) fn speaks_of_groups(text: &str, span: Span) -> bool {
+    let (_, after) = text_around(text, span);
+    let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
+    ["group", "cyclic", "generator", "the order"].iter().any(|word| near.contains(word))
+}
+
+/// Whether the text of the example so far or just behind a formula speaks of coordinates of which only the ratios count.
+pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool {
+    let (_, after) = text_around(text, span);
+    let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
+    near.contains("homogeneous") || near.contains("projective")
+}
+
+/// Whether only marks and tags stand between a formula and one before it.
+pub(crate) fn follows_formula(text: &str, formula: Span) -> bool {
+    let mut before = text.get(..formula.start as usize).unwrap_or_default().trim_end();
+    for _ in 0..6 {
+        if before.ends_with("</m>") || before.ends_with("</me>") || before.ends_with("$") || before.ends_with("\\)") {
+            return true;
+        }
+        let Some(open) = before.rfind('<').filter(|_| before.ends_with('>')) else { break };
+        before = before[..open].trim_end();
+    }
+    false
+}
+
+/// Whether the name of a function in running text stands just before a formula: tan $45^\circ$.
+pub(crate) fn follows_function(text: &str, formula: Span) -> bool {
+    let before = text.get(..formula.start as usize).unwrap_or_default().trim_end();
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    ["sin", "cos", "tan", "cot", "log", "ln", "sqrt", "arctan", "arcsin", "arccos"].contains(&word)
+}
+
+/// Whether what stands close before a side shows that it was torn off: a letter before brackets or decimals without a digit before their
+/// point, or a command of TeX.
+pub(crate) fn is_torn_off(text: &str, side: &ChainSide) -> bool {
+    let before = text.get(..side.span.start as usize).unwrap_or_default();
+    let Some(first) = side.tokens.first() else { return false };
+    let behind_letter = before.ends_with(|c: char| c.is_alphabetic());
+    let is_bracket = first.is_sign('(');
+    let is_bare = first.number().is_some_and(|digits| digits.starts_with('.'));
+    let word = before.trim_end().trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let is_command = word.ends_with('\\') && word.len() < before.trim_end().len();
+    (behind_letter && (is_bracket || is_bare)) || is_command
+}
+
+/// Whether the minus sign of a side is the shaft of an arrow, `<-`.
+pub(crate) fn is_behind_tip(text: &str, side: &ChainSide) -> bool {
+    let before = text.get(..side.span.start as usize).unwrap_or_default();
+    let is_shaft = side.tokens.first().is_some_and(|first| first.is_sign('-'));
+    is_shaft && (before.ends_with('<') || before.ends_with("&lt;"))
+}
+
 /// Whether the text near a formula speaks of what is true or false.
 pub(crate) fn speaks_of_truth(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
@@ -93,6 +148,13 @@ pub(crate) fn speaks_before(text: &str, span: Span, words: &[&str]) -> bool {
     let sentence = before.rsplit(['?', '!']).next().unwrap_or_default().rsplit(". ").next().unwrap_or_default();
     let sentence = sentence.to_ascii_lowercase();
     words.iter().any(|word| sentence.contains(word))
+}
+
+/// Whether one of these words stands in the text just before or behind a place.
+pub(crate) fn speaks_around(text: &str, span: Span, words: &[&str]) -> bool {
+    let (before, after) = text_around(text, span);
+    let near = format!("{before} {after}").to_ascii_lowercase();
+    words.iter().any(|word| near.contains(word))
 }
 
 /// Whether the text near a formula says that something has no value.

@@ -257,8 +257,14 @@ fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen:
 fn count_separators(tokens: &[Token], text: &str, is_argument: bool, seen: &mut SeparatorCounts) {
     let is_argument =
         is_argument && !tokens.iter().any(|token| token.is_one_of("([{;=") || token.kind == TokenKind::Line);
+    // A set is a list, also where it has an exponent: {0,1}^n.
+    let mut in_sets = 0usize;
     for (at, token) in tokens.iter().enumerate() {
+        let closes = |token: &Token| token.is_sign('}');
+        let is_end = closes(token) || matches!(&token.kind, TokenKind::Scripts(base, ..) if base.iter().any(closes));
+        in_sets = if is_end { in_sets.saturating_sub(1) } else { in_sets + usize::from(token.is_sign('{')) };
         match &token.kind {
+            TokenKind::Operator(',') if in_sets > 0 => {}
             TokenKind::Operator(',') => count_comma(tokens, at, text, is_argument, seen),
             // The number of an equation.
             TokenKind::Number(_) if is_last_in_brackets(tokens, at) => {}

@@ -15,6 +15,15 @@ struct PrintedShare {
     range: Range<usize>,
     /// Where the share is.
     at: Range<usize>,
+    /// Whether a word such as *about* stands before both.
+    is_rough: bool,
+}
+
+/// Whether a word before a place says that what follows is not exact.
+fn is_called_rough(chars: &[char], at: usize) -> bool {
+    let before: String = chars[at.saturating_sub(16)..at].iter().collect();
+    let word = before.trim_end().rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default().to_lowercase();
+    ["about", "over", "around", "approximately", "nearly", "almost", "roughly", "some"].contains(&word.as_str())
 }
 
 /// Whether a part of a whole gives the share.
@@ -68,7 +77,7 @@ fn outcome_of(share: &PrintedShare, whole: f64) -> Outcome {
     // In 19.2 % (8/10) + …, a rate is multiplied by a share.
     let is_product = share.at.start == share.range.start && (computed - share.share.value).abs() > 0.5 * computed;
     match () {
-        () if is_cut => Outcome::Doubt(Doubt::Truncated),
+        () if is_cut || share.is_rough => Outcome::Doubt(Doubt::Truncated),
         () if is_product => Outcome::Doubt(Doubt::OtherParts),
         () => Outcome::Difference,
     }
@@ -136,6 +145,7 @@ const MOST_PERCENT: f64 = 1000.0;
 /// A part, or a share with its part in brackets behind it.
 fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
     let start = here.at;
+    let is_rough = is_called_rough(here.chars, start);
     let first = here.number(Comma::Groups)?;
     let first_end = here.at;
     here.skip_space();
@@ -155,6 +165,7 @@ fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
             share: first,
             range: start..here.at,
             at: start..first_end,
+            is_rough,
         });
     }
     if !first.is_whole() || here.ahead(0) == '.' {
@@ -184,7 +195,7 @@ fn printed_share(mut here: Scanner<'_>) -> Option<PrintedShare> {
         c => opened.is_none() && c == PARAGRAPH,
     };
     let fits = closes && whole.is_none_or(|whole| whole > 0.0);
-    fits.then_some(PrintedShare { part: first.value, whole, share, range: start..end, at: at..end })
+    fits.then_some(PrintedShare { part: first.value, whole, share, range: start..end, at: at..end, is_rough })
 }
 
 /// `/48`, `of 48`, `out of 48`, `of the 48`.

@@ -19,6 +19,10 @@ struct PrintedP {
 /// What the document says about its tests.
 pub(super) struct TestContext {
     one_sided: bool,
+    /// Whether p-values may be those of fewer degrees of freedom than are printed, as repeated measures need them.
+    corrects_freedom: bool,
+    /// Whether p-values may be adjusted for several comparisons.
+    compares_several: bool,
 }
 
 impl TestContext {
@@ -42,6 +46,8 @@ impl TestContext {
                 "right tail",
                 "left tail",
             ]) || has_directed_hypothesis(&text),
+            corrects_freedom: has(&["geisser", "huynh", "sphericity"]),
+            compares_several: has(&["bonferroni", "holm", "pairwise", "post hoc", "posthoc", "multiple comparison"]),
         }
     }
 }
@@ -53,6 +59,9 @@ fn is_near_adjustment(chars: &[char], at: usize) -> bool {
     let text: String = around.iter().collect::<String>().to_lowercase();
     ADJUSTED.iter().any(|word| text.contains(word))
 }
+
+/// Numbers of tests for which a p-value is multiplied.
+const MULTIPLES: [f64; 2] = [2.0, 3.0];
 
 /// Words for p-values that are not those of the statistic beside them.
 const ADJUSTED: [&str; 20] = [
@@ -167,7 +176,17 @@ fn judge(test: &TestStatistic, p: &PrintedP, context: &TestContext, chars: &[cha
     let both_tails = [2.0 * range[0].min(1.0 - range[0]), 2.0 * range[1].min(1.0 - range[1])];
     let both_tails = [both_tails[0].min(both_tails[1]), both_tails[0].max(both_tails[1])];
     let is_of_variances = test.kind == TestKind::Fisher && !is_impossible && agrees(test.comparison, p, both_tails);
-    let outcome = match is_one_sided || is_of_variances || is_near_adjustment(chars, start) {
+    // A correction that the methods name, pages before: of the degrees of freedom, p grows, and of several tests it is a multiple.
+    let grows = p.comparison == Comparison::Equal && p.number.value > range[1];
+    let is_multiple = |times: f64| agrees(test.comparison, p, range.map(|p| (times * p).min(1.0)));
+    let is_corrected = test.kind == TestKind::Fisher
+        && context.corrects_freedom
+        && test.freedom.first().is_some_and(|first| *first > 1.0)
+        && grows;
+    let is_adjusted =
+        context.compares_several && test.has_two_sides() && grows && MULTIPLES.into_iter().any(is_multiple);
+    let is_other = is_one_sided || is_of_variances || is_corrected || is_adjusted;
+    let outcome = match is_other || is_near_adjustment(chars, start) {
         true => Outcome::Doubt(Doubt::OtherTest),
         false if is_cut(test, p, exact) => Outcome::Doubt(Doubt::Truncated),
         false => Outcome::Difference,

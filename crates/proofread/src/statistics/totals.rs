@@ -162,6 +162,11 @@ impl<'t> Sum<'t> {
         if difference.abs() <= (open + own) * (1.0 + 1e-9) + 1e-9 * largest {
             return SumVerdict::Fits;
         }
+        // Of bits, the carry and the sum are no total.
+        let is_bit = |number: PrintedNumber| matches!(number.value, 0.0 | 1.0);
+        if is_bit(total) && self.numbers().all(is_bit) {
+            return SumVerdict::NoSum;
+        }
         // A mean is between its parts.
         if self.numbers().all(|number| number.value >= 0.0) && total.value <= largest {
             return SumVerdict::MayBeMean(difference);

@@ -28,7 +28,7 @@ pub(super) fn base_plate(sizes: &Sizes, base: BasePlate, thickness: f64, top: f6
         let centre = Point::new(axis, 0.0);
         if bore <= 0.0 {
             if base.shoulder.is_some() {
-                return Err(MountingError::NoShaft { part });
+                return Err(MountingError::NoShaft { part, what: "a shoulder" });
             }
             continue;
         }

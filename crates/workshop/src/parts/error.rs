@@ -34,11 +34,13 @@ pub enum MountingError {
         /// What was asked for, in millimetres.
         asked: f64,
     },
-    /// A keyway or a flat without a shaft.
-    #[error("{part}: a keyway or a flat needs a shaft, and its diameter is missing; give it in millimetres")]
+    /// A keyway, a flat or a shoulder without a shaft.
+    #[error("{part}: {what} needs a shaft, and its diameter is missing; give it in millimetres")]
     NoShaft {
         /// Which part.
         part: &'static str,
+        /// What needs one.
+        what: &'static str,
     },
     /// A shaft for which the standard has no key.
     #[error(

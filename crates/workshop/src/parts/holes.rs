@@ -118,7 +118,11 @@ pub(super) fn bore(
     towards: f64,
 ) -> Result<Option<Hole>, MountingError> {
     if shaft <= 0.0 {
-        return if fit == ShaftFit::Round { Ok(None) } else { Err(MountingError::NoShaft { part }) };
+        return if fit == ShaftFit::Round {
+            Ok(None)
+        } else {
+            Err(MountingError::NoShaft { part, what: "a keyway or a flat" })
+        };
     }
     let radius = bore / 2.0;
     let round = Hole::round(HolePurpose::Bore, Point::zeros(), bore);

@@ -87,13 +87,33 @@ pub enum ArgumentSlot {
     Degrees(fn(&mut WheelQuestion) -> &mut Vec<f64>),
 }
 
-/// A choice among a few names; the first is what holds if nothing is said.
+/// A choice among a few names; the first is what holds if nothing is said, unless that depends on other arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedChoice {
     /// The names as they are typed.
     pub names: &'static [&'static str],
+    /// Where what holds if nothing is said depends on other arguments, the names on a page: those above, and a last one for that.
+    pub with_usual: Option<&'static [&'static str]>,
     /// Takes the choice with a number, from 0.
     pub set: fn(&mut WheelQuestion, usize),
+}
+
+impl NamedChoice {
+    /// The names on a page, in the order of its entries.
+    pub const fn on_page(&self) -> &'static [&'static str] {
+        match self.with_usual {
+            Some(names) => names,
+            None => self.names,
+        }
+    }
+
+    /// The number of the entry on a page that says nothing, from 0.
+    pub const fn usual_entry(&self) -> usize {
+        match self.with_usual {
+            Some(names) => names.len() - 1,
+            None => 0,
+        }
+    }
 }
 
 /// What an argument acts on besides the wheel as such.
@@ -141,6 +161,15 @@ pub const GROUPS: &[ArgumentGroup] = &[
     ArgumentGroup { heading: "What is not as drawn", fold: WRONG_SIZES, rows: wrong::ROWS },
     ArgumentGroup { heading: "Instants", fold: "Instants", rows: instants::ROWS },
 ];
+
+/// The arguments that say how the parts fit.
+pub(super) const FIT: &[Argument] = fit::ROWS;
+/// The arguments that say how large the wheel is.
+pub(super) const SIZE: &[Argument] = size::ROWS;
+/// The arguments that say how the parts are mounted.
+pub(super) const MOUNTING: &[Argument] = mounting::ROWS;
+/// The arguments that say what rubs.
+pub(super) const FRICTION: &[Argument] = friction::ROWS;
 
 /// All arguments in their order.
 pub fn arguments() -> impl Iterator<Item = &'static Argument> {

@@ -10,6 +10,7 @@ const HOLES: &[&str] = &["clearance", "tapped", "nut-trap"];
 const BORES: &[&str] = &["round", "key"];
 const HELD: &[&str] = &["solid", "dowel"];
 const PIECES: &[&str] = &["one-piece", "two-pieces"];
+const PIECES_ON_PAGE: &[&str] = &["one-piece", "two-pieces", "as usual for how they are made"];
 
 /// The thread with a number of [`THREADS`].
 fn thread(number: usize) -> Option<Thread> {
@@ -41,6 +42,7 @@ pub(super) const ROWS: &[Argument] = &[
         "SHAPE",
         ArgumentSlot::Choice(NamedChoice {
             names: BORES,
+            with_usual: None,
             set: |question, number| question.mounting.wheel_bore_shape = bore(number),
         }),
         &[Parts, Files],
@@ -60,6 +62,7 @@ pub(super) const ROWS: &[Argument] = &[
         "SHAPE",
         ArgumentSlot::Choice(NamedChoice {
             names: BORES,
+            with_usual: None,
             set: |question, number| question.mounting.driver_bore_shape = bore(number),
         }),
         &[Parts, Files],
@@ -102,6 +105,7 @@ pub(super) const ROWS: &[Argument] = &[
         "THREAD",
         ArgumentSlot::Choice(NamedChoice {
             names: THREADS,
+            with_usual: None,
             set: |question, number| question.mounting.hub_screw = thread(number),
         }),
         &[Parts, Files],
@@ -113,6 +117,7 @@ pub(super) const ROWS: &[Argument] = &[
         "HOLE",
         ArgumentSlot::Choice(NamedChoice {
             names: HOLES,
+            with_usual: None,
             set: |question, number| question.mounting.hub_screw_hole = hole(number),
         }),
         &[Parts, Files],
@@ -133,6 +138,7 @@ pub(super) const ROWS: &[Argument] = &[
         "MOUNT",
         ArgumentSlot::Choice(NamedChoice {
             names: HELD,
+            with_usual: None,
             set: |question, number| {
                 question.mounting.pin_mount =
                     PinKind::ALL.get(number).map(|(_, kind)| *kind).filter(|_| number > 0);
@@ -147,6 +153,7 @@ pub(super) const ROWS: &[Argument] = &[
         "THREAD",
         ArgumentSlot::Choice(NamedChoice {
             names: THREADS,
+            with_usual: None,
             set: |question, number| question.mounting.pin_screw = thread(number),
         }),
         &[Parts, Files],
@@ -158,6 +165,7 @@ pub(super) const ROWS: &[Argument] = &[
         "HOLE",
         ArgumentSlot::Choice(NamedChoice {
             names: HOLES,
+            with_usual: None,
             set: |question, number| question.mounting.pin_screw_hole = hole(number),
         }),
         &[Parts, Files],
@@ -192,6 +200,7 @@ pub(super) const ROWS: &[Argument] = &[
         "PIECES",
         ArgumentSlot::Choice(NamedChoice {
             names: PIECES,
+            with_usual: Some(PIECES_ON_PAGE),
             set: |question, number| question.mounting.stacked = Some(number == 1),
         }),
         &[Parts, Files],
@@ -211,6 +220,7 @@ pub(super) const ROWS: &[Argument] = &[
         "THREAD",
         ArgumentSlot::Choice(NamedChoice {
             names: THREADS,
+            with_usual: None,
             set: |question, number| question.mounting.base_screw = thread(number),
         }),
         &[Parts, Files],

@@ -160,6 +160,25 @@ impl AsBuiltWheel {
         &mut self.pins
     }
 
+    /// How much depth each slot lacks for the pin that reaches farthest into it, in millimetres; below zero the gap at its bottom.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(25.0), &Choices::default())?;
+    /// let mut built = AsBuiltWheel::from(&sizes);
+    /// built.slots_mut()[2].end += sizes.bottom_gap() + 0.4; // mm: nearer to the rim
+    /// let missing = built.missing_depths();
+    /// assert!((missing[2] - 0.4).abs() < 1e-12 && (missing[0] + sizes.bottom_gap()).abs() < 1e-12);
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn missing_depths(&self) -> Vec<f64> {
+        let reach = self.pins.iter().map(|pin| pin.crank_radius + pin.diameter / 2.0).fold(0.0, f64::max);
+        let of = |slot: &BuiltSlot| slot.end - slot.width / 2.0 - (self.centre_distance - reach);
+        self.slots.iter().map(of).collect()
+    }
+
     /// Checks that all lengths are positive and finite, all directions finite and within half a pitch, and that the wheel's axis is
     /// outside the pins' circles.
     ///

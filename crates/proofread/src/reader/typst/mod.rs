@@ -15,6 +15,7 @@ use formula::{FormulaWriter, Given, Names};
 use math::Part;
 use scan::Scan;
 use std::ops::Range;
+use symbols::sign_named;
 
 /// Deepest nesting of text in code and of code in text.
 const DEEPEST: usize = 40;
@@ -231,6 +232,11 @@ impl Reading<'_> {
         }
         if scan.at == begin {
             return self.text(start..scan.at);
+        }
+        // A sign by its name, as in a formula.
+        let sign = ["math.", "sym."].iter().find_map(|module| code.strip_prefix(module)).and_then(sign_named);
+        if let Some(sign) = sign {
+            return self.page.sign_for(&sign, Span::new(start, scan.at));
         }
         match word.as_str() {
             "emph" | "strong" | "text" | "box" | "link" | "underline" | "sub" | "super" => {

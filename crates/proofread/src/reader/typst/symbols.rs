@@ -167,3 +167,13 @@ pub(super) fn named(name: &str) -> Option<Named> {
             is_printed.then_some(Named::Operator)
         })
 }
+
+/// The sign, letter or unit of a name, for running text; none for another name, or for a sign that begins or ends a tag.
+pub(super) fn sign_named(name: &str) -> Option<String> {
+    match named(name)? {
+        Named::Sign(_, '<' | '>') => None,
+        Named::Sign(_, sign) => Some(sign.to_string()),
+        Named::Unit(unit) => Some(unit.to_owned()),
+        Named::Space(_) | Named::Operator => None,
+    }
+}

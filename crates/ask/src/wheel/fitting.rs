@@ -1,0 +1,287 @@
+//! With which values of an argument the parts fit, where they don't: the remedy that a refusal names.
+//!
+//! What stands against what follows from trying: an argument is a remedy if the parts fit with another value of it, all else being
+//! as it was asked for. So no table has to say which argument a refusal is about, and a value that is named works.
+
+use super::arguments::{ActsOn, Argument, ArgumentSlot, FIT, SIZE};
+use super::question::WheelQuestion;
+use crate::number_format::{as_typed, rounded_down, rounded_up};
+use geneva_kinematics::bisection::bisect_times;
+use geneva_kinematics::wheel::{ShaftOf, SizesError};
+
+/// An argument with the values, in its own unit, with which the parts fit while all others stay as they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittingValues {
+    /// The argument's name, without hyphens.
+    pub name: &'static str,
+    /// What was given for it, in its own unit, if it was given.
+    pub given: Option<f64>,
+    /// The least value that fits, in its own unit, as it can be typed; none where all below fit.
+    pub least: Option<String>,
+    /// The greatest value that fits, in its own unit, as it can be typed; none where all above fit.
+    pub most: Option<String>,
+}
+
+impl FittingValues {
+    /// The values in words: `from 2 to 5`.
+    pub fn range(&self) -> String {
+        match (self.least.as_deref(), self.most.as_deref()) {
+            (Some(least), Some(most)) if least == most => least.to_owned(),
+            (Some(least), Some(most)) => format!("from {least} to {most}"),
+            (None, Some("0")) => "0".to_owned(),
+            (None, Some(most)) => format!("up to {most}"),
+            (Some(least), None) => format!("{least} or more"),
+            (None, None) => "another value".to_owned(),
+        }
+    }
+}
+
+/// How many remedies are named at most.
+const NAMED: usize = 3;
+/// Tried values in a decade, and where it is known that some value fits.
+const IN_A_DECADE: i32 = 12;
+const FINELY: i32 = 60;
+/// Decades that are tried to either side of one.
+const DECADES: i32 = 6;
+/// So many times smaller or larger than a value that fits, no limit is looked for.
+const FAR: f64 = 1e6;
+/// Halvings of the interval in which a limit is.
+const HALVINGS: u32 = 50;
+
+/// The arguments with which the parts would fit, each with its values: what was given of the fit; if nothing of that helps, what else
+/// the fit has; and at last the size of the whole.
+///
+/// `fits` says whether the parts of a question fit.
+pub(super) fn remedies(question: &WheelQuestion, fits: impl Fn(&WheelQuestion) -> bool) -> Vec<FittingValues> {
+    let is_given = |argument: &&Argument| question.number(argument).is_some();
+    let given = FIT.iter().filter(is_given);
+    // A page has no control for what is measured instead of chosen.
+    let others = FIT.iter().filter(|argument| !is_given(argument) && argument.knob.is_some());
+    let sizes = SIZE.iter().filter(|argument| argument.acts_on.contains(&ActsOn::Size)).filter(is_given);
+    let groups: [Vec<&Argument>; 3] = [given.collect(), others.collect(), sizes.collect()];
+    of_first_group(&groups, question, fits)
+}
+
+/// The arguments among these, each with its values, with which a question `fits`.
+pub(super) fn remedies_among(
+    arguments: &[Argument],
+    question: &WheelQuestion,
+    fits: impl Fn(&WheelQuestion) -> bool,
+) -> Vec<FittingValues> {
+    let given = arguments.iter().filter(|argument| question.number(argument).is_some()).collect();
+    of_first_group(&[given], question, fits)
+}
+
+fn of_first_group(
+    groups: &[Vec<&Argument>],
+    question: &WheelQuestion,
+    fits: impl Fn(&WheelQuestion) -> bool,
+) -> Vec<FittingValues> {
+    let of = |group: &Vec<&Argument>| -> Vec<FittingValues> {
+        group.iter().filter_map(|argument| fitting_values(argument, question, &fits)).take(NAMED).collect()
+    };
+    groups.iter().map(of).find(|found| !found.is_empty()).unwrap_or_default()
+}
+
+/// The values of an argument with which a question fits: those around the one that is nearest to what was given.
+fn fitting_values(
+    argument: &Argument,
+    question: &WheelQuestion,
+    fits: &impl Fn(&WheelQuestion) -> bool,
+) -> Option<FittingValues> {
+    let may_be_zero = matches!(argument.place, ArgumentSlot::LengthOrZero(_) | ArgumentSlot::ZeroOrMore(_));
+    let given = question.number(argument);
+    let fits_usually = given.is_some() && question.with_number(argument, None).is_some_and(|without| fits(&without));
+    let fits = |value: f64| question.with_number(argument, Some(value)).is_some_and(|with| fits(&with));
+    let around = given.filter(|value| *value > 0.0).unwrap_or(1.0);
+    let finely = || if fits_usually { nearest_that_fits(around, FINELY, &fits) } else { None };
+    let seed = nearest_that_fits(around, IN_A_DECADE, &fits).or_else(finely);
+    let Some(seed) = seed else {
+        let zero = (may_be_zero && fits(0.0)).then(|| "0".to_owned())?;
+        return Some(FittingValues { name: argument.name, given, least: None, most: Some(zero) });
+    };
+    // What was given doesn't fit, so a limit is on the way to it; on the other side it is looked for.
+    let [small, large] = [around.min(seed) / FAR, around.max(seed) * FAR];
+    let below = given.filter(|given| *given < seed).or_else(|| (!may_be_zero || !fits(0.0)).then_some(small));
+    let above = given.filter(|given| *given > seed).unwrap_or(large);
+    let limit = |end: f64| (!fits(end)).then(|| bisect_times(HALVINGS, [seed, end], fits)[0]);
+    let (least, most) = (below.and_then(limit), limit(above));
+    let typed = |limit: f64, rounded: fn(f64) -> String| {
+        let rounded = rounded(limit);
+        if rounded.parse().is_ok_and(fits) { rounded } else { as_typed(limit) }
+    };
+    let (least, most) = (least.map(|least| typed(least, rounded_up)), most.map(|most| typed(most, rounded_down)));
+    Some(FittingValues { name: argument.name, given, least, most })
+}
+
+/// The value nearest to another one, by their ratio, that fits, of those evenly many in a decade.
+fn nearest_that_fits(around: f64, in_a_decade: i32, fits: &impl Fn(f64) -> bool) -> Option<f64> {
+    let most = DECADES * in_a_decade;
+    let middle = libm::log10(around) * f64::from(in_a_decade);
+    let mut steps: Vec<i32> = (-most..=most).collect();
+    steps.sort_by(|one, other| (f64::from(*one) - middle).abs().total_cmp(&(f64::from(*other) - middle).abs()));
+    let values = steps.into_iter().map(|step| libm::pow(10.0, f64::from(step) / f64::from(in_a_decade)));
+    values.into_iter().find(|value| fits(*value))
+}
+
+/// A refusal in words: the arguments that were given and stand against it, why, and the values to give.
+pub(crate) fn refusal(reason: &str, remedies: &[FittingValues]) -> String {
+    let given = remedies.iter().filter_map(|of| Some(format!("--{} {}", of.name, as_typed(of.given?))));
+    let given: Vec<String> = given.collect();
+    let head = if given.is_empty() { String::new() } else { format!("{}: ", given.join(", ")) };
+    let values: Vec<String> = remedies.iter().map(|of| format!("--{} {}", of.name, of.range())).collect();
+    format!("{head}{reason}; give {}", values.join(", or "))
+}
+
+/// The refusal of parts that don't fit, in words, with what to give, or with what to choose where no one argument helps.
+pub(crate) fn sizes_refusal(error: &SizesError, remedies: &[FittingValues]) -> String {
+    if remedies.is_empty() {
+        return error.to_string();
+    }
+    format!("{}{}", refusal(&error.reason(), remedies), elsewhere(error))
+}
+
+/// Where else a shaft has room that is too thick for the plane of the wheel.
+pub(super) fn elsewhere(error: &SizesError) -> &'static str {
+    match error {
+        SizesError::Shaft { name: ShaftOf::Driver, .. } => ", or let the shaft end in the plate (--plate-shaft MM)",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::arguments::{ActsOn, Argument, ArgumentSlot, arguments};
+    use super::super::design::WheelDesign;
+    use super::super::question::{SearchEffort, WheelQuestion};
+    use crate::Error;
+    use crate::number_format::as_typed;
+    use geneva_kinematics::wheel::as_built::Process;
+
+    /// Designs that fit without a process and with any.
+    const DESIGNS: [&str; 3] =
+        ["--stations 4 --crank-radius 25", "--stations 6 --centre-distance 100", "--stations 15 --wheel-radius 200"];
+    /// Values that are far too small for most arguments, and far too large.
+    const FAR: [f64; 3] = [1e-9, 90.0, 1e5];
+
+    /// All of an answer and of the files that can be refused, without what takes long.
+    fn ask(text: &str) -> Result<(), Error> {
+        let question = WheelQuestion::parse(text)?;
+        let effort = SearchEffort { clearance: 1, tolerance: 1 };
+        let design = WheelDesign::new(WheelQuestion { effort, ..question })?;
+        design.loads(design.wheel.indexing())?;
+        if text.contains("centre-error") {
+            design.clearance()?;
+        }
+        let is_of_files = |(argument, _): &(Argument, f64)| argument.acts_on.contains(&ActsOn::Files);
+        if design.question.numbers().iter().any(is_of_files) {
+            design.part_list()?;
+            design.svg_parts()?;
+        }
+        Ok(())
+    }
+
+    /// What an argument needs besides itself to have an effect.
+    fn companions(name: &str) -> &'static str {
+        match name {
+            "rpm" | "rad-s" | "index-time" | "dwell-time" => "--inertia 0.002",
+            "inertia" | "total-inertia" => "--rpm 60",
+            "table-mass" => "--rpm 60 --table-diameter 100",
+            "table-diameter" => "--rpm 60 --table-mass 1",
+            "lead-in-flare" => "--lead-in 1",
+            "mouth-angle" => "--mouth-chamfer 1",
+            "bearing-friction" => "--rpm 60 --wheel-bearing 10 --driver-bearing 10",
+            "wheel-bearing" => "--rpm 60 --bearing-friction 0.1 --driver-bearing 10",
+            "driver-bearing" => "--rpm 60 --bearing-friction 0.1 --wheel-bearing 10",
+            "disc-friction" => "--rpm 60 --held-torque 1",
+            "drive-torque" => "--rpm 60 --driver-inertia 0.001",
+            "wheel-flat" => "--wheel-shaft 5",
+            "driver-flat" => "--driver-shaft 1",
+            "wheel-hub-circle" | "driver-hub-circle" => "--hub-dowel 1",
+            "hub-dowel" => "--wheel-hub-circle 12",
+            "disc-dowel" => "--disc-dowel-circle 10",
+            "disc-dowel-circle" => "--disc-dowel 1",
+            "shoulder-diameter" => "--wheel-shaft 6 --plate-shaft 6 --base-thickness 10 --shoulder-depth 3",
+            "shoulder-depth" => "--wheel-shaft 6 --plate-shaft 6 --base-thickness 10 --shoulder-diameter 12",
+            _ => "--rpm 60 --inertia 0.002",
+        }
+    }
+
+    /// The values that a refusal says to give: each argument with the ends of its range.
+    fn values(refusal: &str) -> Vec<(String, String)> {
+        let Some((_, remedies)) = refusal.split_once("; give --") else { return Vec::new() };
+        let mut values = Vec::new();
+        for remedy in remedies.split(", or --") {
+            let Some((name, range)) = remedy.split_once(' ') else { continue };
+            for end in range.split([' ', ',']).filter(|word| word.parse::<f64>().is_ok()) {
+                values.push((name.to_owned(), end.to_owned()));
+            }
+        }
+        values
+    }
+
+    /// A question with another value of an argument.
+    fn with(question: &str, name: &str, value: &str) -> String {
+        let words: Vec<&str> = question.split_whitespace().collect();
+        let others = words.chunks(2).filter(|pair| pair[0].trim_start_matches("--") != name);
+        others.map(|pair| pair.join(" ") + " ").collect::<String>() + &format!("--{name} {value}")
+    }
+
+    fn is_number(argument: &Argument) -> bool {
+        use ArgumentSlot::{AboveZero, Length, LengthOrZero, SignedLength, ZeroOrMore};
+        matches!(argument.place, Length(_) | LengthOrZero(_) | SignedLength(_) | AboveZero(_) | ZeroOrMore(_))
+    }
+
+    /// What is wrong with the refusal of a question because of an argument; nothing if it is right.
+    fn flaw(question: &str, argument: &str, refusal: &str) -> Option<String> {
+        let values = values(refusal);
+        let failing = values
+            .iter()
+            .find_map(|(name, value)| ask(&with(question, name, value)).err().map(|error| (name, value, error)));
+        let is_right = refusal.contains(&format!("--{argument}")) && !values.is_empty() && failing.is_none();
+        (!is_right).then(|| format!("{question}: {refusal}\n    {failing:?}"))
+    }
+
+    #[test]
+    fn what_is_far_from_fitting_is_refused_with_values_that_fit() {
+        let processes = Process::ALL.map(|process| format!(" --process {}", process.name()));
+        let with_processes = || std::iter::once("").chain(processes.iter().map(String::as_str)).cycle();
+        let (mut refused, mut wrong) = (0, Vec::new());
+        for (number, design) in DESIGNS.iter().enumerate() {
+            // Each argument is tried with one process or none, and each process is with some argument of each design.
+            // In the disc of fifteen stations no hub has room.
+            let is_tried = |argument: &&Argument| {
+                let acts_on = |what| argument.acts_on.contains(&what);
+                is_number(argument) && !acts_on(ActsOn::Size) && !(number == 2 && acts_on(ActsOn::Files))
+            };
+            let tried = arguments().filter(is_tried);
+            for (argument, process) in tried.zip(with_processes().skip(number)) {
+                let usual = format!("{design}{process} {}", companions(argument.name));
+                for value in FAR {
+                    let question = with(&usual, argument.name, &as_typed(value));
+                    let Err(error) = ask(&question) else { continue };
+                    refused += 1;
+                    wrong.extend(flaw(&question, argument.name, &error.to_string()));
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "{} of {refused}:\n{}", wrong.len(), wrong.join("\n"));
+        assert!(refused > 100, "only {refused} are refused");
+    }
+
+    #[test]
+    fn a_default_fits_or_the_refusal_says_what_to_give() {
+        let mut wrong = Vec::new();
+        for stations in [3, 4, 6, 15, 40] {
+            for process in Process::ALL.map(Process::name) {
+                for size in [10.0, 40.77, 100.0, 400.0] {
+                    let question = format!("--stations {stations} --centre-distance {size} --process {process}");
+                    if let Err(error) = ask(&question) {
+                        wrong.extend(flaw(&question, "", &error.to_string()));
+                    }
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
+    }
+}

@@ -1,0 +1,92 @@
+//! Numbers of computing: digits in base two that are not called so, logarithms to the base two, and prefixes that are powers of 1024.
+
+use crate::decimal::fixed;
+use crate::judge::notation::Sides;
+use crate::token::{MathFunction, Token, TokenKind};
+
+/// Most digits of a number in base two before and behind its point.
+const MOST_DIGITS: usize = 40;
+
+/// Both sides in base ten, if all of their numbers may be in base two; or the left one, where it is a significand of base two times a power of
+/// two: `1.0110 · 2^0 = 1.375`.
+pub(super) fn in_decimal(left: &[Token], right: &[Token]) -> Option<Sides> {
+    if is_binary(left, |_| true) && is_binary(right, |_| true) {
+        return Some([converted(left), converted(right)]);
+    }
+    let is_power_of_two = |at: usize| {
+        left[at].number() == Some("2") && matches!(left.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
+    };
+    let has_power = (0..left.len()).any(is_power_of_two);
+    (has_power && is_binary(left, |at| !is_power_of_two(at))).then(|| [converted(left), right.to_vec()])
+}
+
+/// Whether the numbers of a side, but for those that don't count, have the digits 0 and 1 only, one of them several.
+fn is_binary(side: &[Token], counts: impl Fn(usize) -> bool) -> bool {
+    let digits: Vec<&str> = (0..side.len()).filter(|at| counts(*at)).filter_map(|at| side[at].number()).collect();
+    let plain = side.iter().enumerate().all(|(at, token)| match token.kind {
+        TokenKind::Power(_) => at > 0 && !counts(at - 1),
+        _ => matches!(token.kind, TokenKind::Number(_) | TokenKind::Space(_) | TokenKind::Operator(_)),
+    });
+    let is_long = |of: &&str| of.len() > 1 && of.len() < MOST_DIGITS;
+    plain && digits.iter().all(|of| of.chars().all(|c| "01.".contains(c))) && digits.iter().any(is_long)
+}
+
+/// The tokens with their numbers of the digits 0 and 1 in base ten.
+fn converted(side: &[Token]) -> Vec<Token> {
+    let decimal = |token: &Token| {
+        let digits =
+            token.number().filter(|digits| digits.len() < MOST_DIGITS && digits.chars().all(|c| "01.".contains(c)))?;
+        let (whole, behind) = digits.split_once('.').unwrap_or((digits, ""));
+        let value = |digits: &str| digits.chars().fold(0.0, |sum, c| 2.0 * sum + if c == '1' { 1.0 } else { 0.0 });
+        let number = value(whole) + value(behind) * libm::exp2(-(behind.len() as f64));
+        let digits = if behind.is_empty() { format!("{number}") } else { fixed(number, 12) };
+        Some(Token::new(TokenKind::Number(digits), token.span))
+    };
+    side.iter().map(|token| decimal(token).unwrap_or_else(|| token.clone())).collect()
+}
+
+/// A side with its logarithms without a base to the base 2; none if there are none.
+pub(super) fn to_base_two(side: &[Token]) -> Option<Vec<Token>> {
+    let is_log = |token: &Token| matches!(token.kind, TokenKind::Function(MathFunction::Log | MathFunction::Lg));
+    let change = |token: &Token| {
+        if is_log(token) { Token::new(TokenKind::Function(MathFunction::LogTo(2)), token.span) } else { token.clone() }
+    };
+    side.iter().any(is_log).then(|| side.iter().map(change).collect())
+}
+
+/// Prefixes of sizes of memory without a unit, and their powers of two.
+const PREFIXES: [(&str, &str); 5] = [("K", "10"), ("M", "20"), ("G", "30"), ("T", "40"), ("P", "50")];
+
+/// Both sides with the prefixes behind numbers of one of them as powers of two, if the other one has a power of two: `2^16 = 64K`.
+pub(super) fn with_binary_prefixes(left: &[Token], right: &[Token]) -> Option<Sides> {
+    let has_power = |side: &[Token]| {
+        let is_raised = |of: &[Token]| of[0].number() == Some("2") && matches!(of[1].kind, TokenKind::Power(_));
+        side.windows(2).any(is_raised)
+    };
+    let prefix_of = |token: &Token| match &token.kind {
+        TokenKind::Word(word) | TokenKind::Name(word) => PREFIXES.iter().find(|(prefix, _)| prefix == word),
+        _ => None,
+    };
+    let written = |side: &[Token]| -> Option<Vec<Token>> {
+        let mut out: Vec<Token> = Vec::with_capacity(side.len() + 3);
+        let mut found = false;
+        for token in side {
+            let behind_number = out.iter().rev().find(|of| !of.is_space()).is_some_and(|of| of.number().is_some());
+            match prefix_of(token).filter(|_| behind_number) {
+                Some((_, power)) => {
+                    let power = vec![Token::new(TokenKind::Number((*power).to_owned()), token.span)];
+                    let kinds = [TokenKind::Operator('·'), TokenKind::Number("2".to_owned()), TokenKind::Power(power)];
+                    out.extend(kinds.map(|kind| Token::new(kind, token.span)));
+                    found = true;
+                }
+                None => out.push(token.clone()),
+            }
+        }
+        found.then_some(out)
+    };
+    match (has_power(left), has_power(right)) {
+        (true, _) => written(right).map(|right| [left.to_vec(), right]),
+        (_, true) => written(left).map(|left| [left, right.to_vec()]),
+        _ => None,
+    }
+}
