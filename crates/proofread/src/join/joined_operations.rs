@@ -144,7 +144,7 @@ fn repeated(start: &str, period: &str) -> String {
     format!("{start}{more}")
 }
 
-/// Decimals that go on with dots: with a period that makes up all of them twice, or is printed three times, they are known to the end. Two
+/// Decimals that go on with dots: with a period that is printed twice, or three times if it is one digit, they are known to the end. Two
 /// last digits that are equal say nothing: 1/17 is 0.0588…
 fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
     let first = rest.first()?;
@@ -169,13 +169,9 @@ fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
     let (_, decimals) = number.split_once('.')?;
     // One digit that is printed twice may be one that only happens to stand there: 0.0588….
     let repeats = |length: usize| {
-        let times = |count: usize| {
-            let start = decimals.len().checked_sub(count * length);
-            start.is_some_and(|start| {
-                decimals[start..].bytes().zip(decimals[start + length..].bytes()).all(|(a, b)| a == b)
-            })
-        };
-        times(3) || (times(2) && (length > 1 || decimals.len() == 2 * length))
+        let times = if length == 1 { 3 } else { 2 };
+        let Some(start) = decimals.len().checked_sub(times * length) else { return false };
+        (1..times).all(|at| decimals[start + at * length..].starts_with(&decimals[start..start + length]))
     };
     let written = match (1..=6).find(|length| repeats(*length)) {
         Some(length) => repeated(number, &decimals[decimals.len() - length..]),

@@ -205,10 +205,10 @@ pub(crate) fn may_stand_for_each_other(left: &[Token], right: &[Token], values: 
     if both_printed && ((scales(left) && kelvins(right)) || (scales(right) && kelvins(left))) && left != right {
         return true;
     }
-    // Degrees of temperature without their scale: 4.2 J/K × 230° = 966 J.
+    // Degrees of temperature in a product: 4.2 J/K × 230° = 966 J.
     let kelvin = unit("K").map(|kelvin| kelvin.dimension).unwrap_or_default();
     let differs_by_kelvin = [1.0, -1.0].into_iter().any(|by| one.dimension.with_factor(kelvin, by) == other.dimension);
-    if differs_by_kelvin && (has_word(left, &["°"]) || has_word(right, &["°"])) {
+    if !both_printed && differs_by_kelvin && (has_word(left, &["°"]) || has_word(right, &["°"])) {
         return true;
     }
     // A share and what it amounts to.
