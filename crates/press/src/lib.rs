@@ -60,7 +60,6 @@ pub mod works;
 
 // What these need.
 mod base64;
-mod base85;
 pub mod chain;
 pub mod formula;
 pub mod html;
@@ -68,6 +67,7 @@ pub mod lookup;
 pub mod numbers;
 #[cfg(test)]
 mod samples;
+mod seven_bits;
 pub mod table;
 
 pub use book::Book;

@@ -1,9 +1,9 @@
 //! The modules that answer the pages: compiled for WebAssembly, packed as text in a script.
 
-use crate::base85::base85;
 use crate::book::{Book, LaterModule, PageModule};
 use crate::cache::{Shelf, digest};
 use crate::data::{FOLDER, PageFile};
+use crate::seven_bits::seven_bits;
 use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -90,7 +90,7 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
 
 /// A module as text.
 pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> anyhow::Result<String> {
-    shelf.text("module", &[&digest(module)], || Ok(base85(&compress_to_vec(module, LEVEL))))
+    shelf.text("module", &[&digest(module)], || Ok(seven_bits(&compress_to_vec(module, LEVEL))))
 }
 
 /// A compiled module, and those that its controls load later.

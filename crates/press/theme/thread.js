@@ -4,22 +4,33 @@
 globalThis.genevaThread ??= (source, limit = 5000) => {
     let module, thread, abort, queue = Promise.resolve();
 
-    // Bytes of text in which five characters stand for four bytes (ZeroMQ RFC 32); missing ones at the end count as the last digit.
-    const digits = '0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#';
+    // Bytes of text in which a character is seven bits, or twice seven: one of these groups, then any; the last may stand alone.
+    const forbidden = [0, 10, 13, 39, 92, 60, 62];
     const bytesOf = text => {
-        const values = new Uint8Array(128).fill(84);
-        [...digits].forEach((digit, value) => { values[digit.charCodeAt(0)] = value; });
-        const bytes = new Uint8Array(Math.floor(text.length * 4 / 5));
-        for (let at = 0, to = 0; at < text.length; at += 5, to += 4) {
-            let value = 0;
-            for (let k = 0; k < 5; k += 1) {
-                value = 85 * value + (at + k < text.length ? values[text.charCodeAt(at + k)] : 84);
+        const bytes = new Uint8Array(Math.floor(text.length * 7 / 4));
+        let held = 0, bits = 0, to = 0;
+        const push = group => {
+            held = held << 7 | group;
+            bits += 7;
+            if (bits >= 8) {
+                bits -= 8;
+                bytes[to] = held >>> bits;
+                to += 1;
+                held &= (1 << bits) - 1;
             }
-            for (let k = 0; k < 4; k += 1) {
-                bytes[to + k] = value >>> 24 - 8 * k;
+        };
+        for (let at = 0; at < text.length; at += 1) {
+            const both = text.charCodeAt(at) - 128;
+            if (both >> 7 === forbidden.length) {
+                push(forbidden[both & 127]);
+            } else if (both >= 0) {
+                push(forbidden[both >> 7]);
+                push(both & 127);
+            } else {
+                push(both + 128);
             }
         }
-        return bytes;
+        return bytes.subarray(0, to);
     };
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
