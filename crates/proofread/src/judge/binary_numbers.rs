@@ -1,7 +1,7 @@
 //! Numbers of computing: digits in base two that are not called so, logarithms to the base two, and prefixes that are powers of 1024.
 
 use crate::decimal::fixed;
-use crate::judge::notation::Sides;
+use crate::judge::sides::Sides;
 use crate::token::{MathFunction, Token, TokenKind};
 
 /// Most digits of a number in base two before and behind its point.

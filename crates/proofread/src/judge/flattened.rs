@@ -1,7 +1,7 @@
 //! Sides whose exponents and root signs were lost when a page was turned into plain lines: 2.5² as 2.52, √2.0 as 2.0 with the sign in
 //! a line above.
 
-use crate::judge::notation::Sides;
+use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, span_of};
 

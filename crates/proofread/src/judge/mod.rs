@@ -23,6 +23,7 @@ mod point_coordinates;
 pub(crate) mod running_calculation;
 pub(crate) mod section;
 mod seldom_real;
+mod sides;
 mod substitution;
 pub(crate) mod surroundings;
 mod two_equations;

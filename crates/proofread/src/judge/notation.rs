@@ -10,15 +10,13 @@ use crate::judge::flattened;
 use crate::judge::number_marks::{integer, touch};
 use crate::judge::permutation::as_permutations;
 use crate::judge::point_coordinates::as_cartesian;
+use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{NamedOperation, Token, TokenKind, any};
 use crate::unit::{currency, unit};
 use std::f64::consts::PI;
-
-/// Both sides in another way of writing.
-pub(crate) type Sides = [Vec<Token>; 2];
 
 /// What two sides would be in each of the ways of writing that they may be in.
 pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, right: &ChainSide) -> Vec<Sides> {

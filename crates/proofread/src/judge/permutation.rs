@@ -1,6 +1,6 @@
 //! Permutations, in cycles and in two rows, and whether two sides are the same one.
 
-use crate::judge::notation::Sides;
+use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
 use crate::token::{Span, Token, TokenKind, trim_space};
 

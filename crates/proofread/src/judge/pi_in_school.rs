@@ -1,6 +1,6 @@
 //! What schools take π for: 22/7 and few decimals, where they give all printed digits.
 
-use crate::judge::notation::Sides;
+use crate::judge::sides::Sides;
 use crate::token::{Token, TokenKind, any};
 
 /// Both sides with each of these quotients for π; none if π is not in them, or in the argument of a function.

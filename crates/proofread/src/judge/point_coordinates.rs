@@ -4,7 +4,7 @@ use crate::evaluate::expression::Evaluator;
 use crate::evaluate::operation::listed;
 use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
-use crate::judge::notation::Sides;
+use crate::judge::sides::Sides;
 use crate::token::{MathFunction, Token, TokenKind, any, has_number, trim_space};
 
 /// How far two products of coordinates may be apart, relative to them.
