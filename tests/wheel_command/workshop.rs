@@ -1,6 +1,6 @@
 //! Does `geneva wheel` write the same files as the workshop, and does it say what they need?
 
-use crate::{assert_is_drawn, refused, stdout};
+use crate::{assert_is_drawn, object, refused, stdout};
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
 use geneva_kinematics::wheel::{Choices, Mouth, Play, Scale, Sizes, Wheel};
@@ -103,6 +103,32 @@ fn an_internal_wheel_gets_every_file_of_an_external_one_and_what_is_lacking_of_o
         assert_eq!(missing.len(), 10, "{missing:?}");
         assert!(missing.iter().all(|file| external.contains(file)), "{missing:?}");
     }
+}
+
+#[test]
+fn an_internal_wheels_own_inertia_is_that_of_its_drawn_parts_and_a_wheel_without_parts_says_that_it_is_missing() {
+    let asked = ["wheel", "--stations", "6", "--type", "internal", "--inertia", "0.002", "--rpm", "60"];
+    let sized = object(&[&asked[..], &["--crank-radius", "40", "--thickness", "6"]].concat());
+    let own = sized["wheel_inertia_kgm2"].as_f64().expect("a number");
+    // The plate is whole, and the ring is without what is inside its inner line.
+    let wheel = geneva_kinematics::internal_wheel::InternalWheel::new(6).expect("a wheel");
+    let sizes = geneva_kinematics::internal_sizes::InternalSizes::new(wheel, 40.0, &Default::default()).expect("sizes");
+    let plate = std::f64::consts::PI * sizes.outside_radius.powi(4) / 2.0;
+    let ring = plate - second_moment_of_the_hollow(&sizes);
+    approx::assert_relative_eq!(own, (plate + ring) * 6.0 * 7800.0 * 1e-15, max_relative = 1e-4);
+    approx::assert_relative_eq!(sized["inertia_kgm2"].as_f64().expect("a number"), own + 0.002, max_relative = 1e-12);
+    for without in
+        [&asked[..], &["wheel", "--stations", "6", "--type", "spherical", "--inertia", "0.002", "--rpm", "60"]]
+    {
+        assert!(stdout(without, 0).contains("own is not in it"), "{without:?}");
+    }
+}
+
+/// The polar second moment of what is missing of the ring, from points of its inner line.
+fn second_moment_of_the_hollow(sizes: &geneva_kinematics::internal_sizes::InternalSizes) -> f64 {
+    let points = sizes.outline().ring.holes[0].corners(1e-4).expect("a tolerance");
+    let triangles = points.iter().zip(points.iter().cycle().skip(1));
+    triangles.map(|(p, q)| (p.x * q.y - q.x * p.y) * (p.dot(p) + p.dot(q) + q.dot(q)) / 12.0).sum::<f64>().abs()
 }
 
 #[test]

@@ -321,10 +321,13 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
 /// Refuses options that have no effect for this one wheel. What only numbers need is no fault beside a file of shapes.
 fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
-    let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && is_of_parts(format));
+    // With its thickness, an internal wheel's parts have an inertia, which is in the numbers.
+    let has_size = wanted.crank_radius.or(wanted.centre_distance).or(wanted.wheel_radius).is_some();
+    let has_inertia = wanted.thickness.is_some() && has_size;
+    let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && (is_of_parts(format) || has_inertia));
     if !has_parts {
         let why = if wanted.kind == Some(WheelKind::Internal) {
-            "on the numbers of an internal wheel, whose parts are in its files only; add --out DIR, or choose --type external"
+            "on the numbers of an internal wheel without its size and --thickness MM; add these or --out DIR, or choose --type external"
         } else {
             "because the parts of a spherical wheel are not worked out; leave it out, or choose --type external"
         };

@@ -10,7 +10,7 @@
 //! How thick the segment may be follows from the motion: while the wheel turns, the horns between slots and arcs come near to the
 //! driver's axis, and pass between it and the segment.
 
-use crate::error::length;
+use crate::error::{KinematicsError, length};
 use crate::indexing::Indexing;
 use crate::internal_wheel::InternalWheel;
 use crate::wheel::{Choices, Edge, Face, Loop, Play, Remedy, ShaftOf, SizesError};
@@ -226,6 +226,20 @@ impl InternalSizes {
             plate: Face { outer: circle(self.plate_radius), holes: Vec::new() },
             pin,
         }
+    }
+
+    /// Moment of inertia about their axis, in kg m², of the ring and of the plate that closes it, both of this thickness in millimetres
+    /// and of this density in kg/m³. The plate is as large as the ring and has the bore of the wheel's shaft.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Length`] and [`KinematicsError::Size`] for what is not positive and finite.
+    pub fn moment_of_inertia(&self, thickness: f64, density: f64) -> Result<f64, KinematicsError> {
+        let ring = self.outline().ring;
+        let bore = self.bore(self.wheel_shaft);
+        let holes = (bore > 0.0).then(|| Loop::circle(Vector2::zeros(), bore / 2.0, true));
+        let plate = Face { outer: ring.outer.clone(), holes: holes.into_iter().collect() };
+        Ok(ring.moment_of_inertia(thickness, density)? + plate.moment_of_inertia(thickness, density)?)
     }
 
     /// The inner line of the ring, clockwise.

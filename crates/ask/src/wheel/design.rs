@@ -6,7 +6,7 @@ use super::materials::materials;
 use super::mouth::check_mouth;
 use super::question::WheelQuestion;
 use super::recommended::recommended_crank_radius;
-use super::sized::{own_inertia, process_numbers, sizes, with_remedies};
+use super::sized::{own_inertia, own_inertia_of_internal, process_numbers, sizes, with_remedies};
 use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, number, rounded_down, rounded_up};
@@ -92,7 +92,10 @@ impl WheelDesign {
             (None, None) => None,
         };
         let thickness = sizes.map(|sizes| question.thickness.unwrap_or_else(|| usual_thickness(sizes.pin_diameter)));
-        let wheel_inertia = own_inertia(sizes.as_ref(), thickness, density)?;
+        let wheel_inertia = match &wheel {
+            AnyWheel::Internal(wheel) => own_inertia_of_internal(*wheel, crank_radius, density, &question)?,
+            _ => own_inertia(sizes.as_ref(), thickness, density)?,
+        };
         let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
             // A thickness that the program chose is no reason to refuse what was given.
             (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),

@@ -51,9 +51,15 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     };
     let from = ReportField::in_unit("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()), "°");
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
+    let is_without_wheel = design.wheel_inertia.is_none() && design.question.total_inertia.is_none();
+    let of_what = if is_without_wheel && design.inertia.is_some() {
+        "of what turns with the wheel, as given; the wheel's own is not in it"
+    } else {
+        "of the wheel and everything that turns with it"
+    };
     let fields = vec![
         ReportField::in_unit("inertia_kgm2", design.inertia, "kg m²")
-            .line("moment of inertia", "of the wheel and everything that turns with it")
+            .line("moment of inertia", of_what)
             .needing(Needs::INERTIA),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
             .line("", "part of the wheel itself, from its outline, thickness and density")

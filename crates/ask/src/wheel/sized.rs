@@ -16,6 +16,19 @@ pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density
     Ok(outline.map(|(sizes, thickness)| sizes.outline().wheel.moment_of_inertia(thickness, density)).transpose()?)
 }
 
+/// Moment of inertia of an internal wheel's ring with its plate, in kg m², if crank radius and thickness are given.
+pub(super) fn own_inertia_of_internal(
+    wheel: InternalWheel,
+    crank_radius: Option<f64>,
+    density: f64,
+    question: &WheelQuestion,
+) -> Result<Option<f64>, Error> {
+    let (Some(radius), Some(thickness)) = (crank_radius, question.thickness) else { return Ok(None) };
+    let sizes = |question: &WheelQuestion| internal_sizes(wheel, radius, question);
+    let sizes = sizes(question).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))?;
+    Ok(Some(sizes.moment_of_inertia(thickness, density)?))
+}
+
 /// What was chosen of the parts.
 fn choices(question: &WheelQuestion) -> Choices {
     Choices {
