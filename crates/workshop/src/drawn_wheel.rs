@@ -156,7 +156,11 @@ impl Drawing {
         let is_locking = |arc: &DrawnArc| (arc.centre - axis).norm() >= rim && arc.is_hollow_from(axis);
         let locking: Vec<&DrawnArc> = others.clone().filter(|arc| is_locking(arc)).collect();
         let ends = others.filter(|arc| (arc.centre - axis).norm() < rim && arc.sweep > LEAST_END && !is_circle(arc));
+        let ends: Vec<&DrawnArc> = ends.collect();
+        let within = (3.0 * uncertainty).max(SAME * size);
+        ends.iter().try_for_each(|end| self.straight_walls(&layers.wheel, axis, end, within))?;
         let mut slots: Vec<DrawnSlot> = ends
+            .into_iter()
             .map(|arc| DrawnSlot {
                 direction: direction(arc),
                 end: (arc.centre - axis).norm(),
@@ -289,6 +293,40 @@ impl Drawing {
             Some(DrawnSlot { direction, end: f64::midpoint(*foot, nearest.2) + width / 2.0, width })
         };
         walls.iter().filter_map(opposite).collect()
+    }
+
+    /// Finds the walls of a slot with a round end: from each end of the arc a line goes on outwards, in the direction of the slot. What is
+    /// drawn otherwise is no slot whose sizes tell where a pin sticks.
+    fn straight_walls(&self, layer: &str, axis: Point, end: &DrawnArc, within: f64) -> Result<(), DrawingError> {
+        let along = (end.centre - axis).normalize();
+        let fault = |what: String| {
+            let degrees = libm::atan2(along.y, along.x).to_degrees();
+            DrawingError::Sizes(format!(
+                "layer {layer}: of the slot at {degrees:.2}° (from the first axis, seen from the wheel's), {what}"
+            ))
+        };
+        for start in [end.points[0], end.points[2]] {
+            let goes_on = self.on(layer).find_map(|edge| match *edge {
+                Edge::Line { from, to } if (from - start).norm() < within => Some(to - start),
+                Edge::Line { from, to } if (to - start).norm() < within => Some(from - start),
+                _ => None,
+            });
+            let Some(wall) = goes_on.filter(|wall| wall.dot(&along) > 0.0) else {
+                return Err(fault(format!(
+                    "no wall goes on outwards from the end of its arc at ({:.3}, {:.3}); join them, or declare the layer of the wheel's outline",
+                    start.x, start.y
+                )));
+            };
+            let off = along.perp(&wall);
+            if off.abs() > within {
+                return Err(fault(format!(
+                    "a wall is {:.3} mm nearer to or farther from the slot's line at its outer end than at its inner one; a check takes \
+                     walls that are parallel within {within:.3} mm",
+                    off.abs()
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// Width of a slot between the lines beside its end; twice the end's radius where there are none.

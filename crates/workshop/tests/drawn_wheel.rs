@@ -173,6 +173,46 @@ fn what_is_no_drawing_of_a_wheel_is_refused_in_words() {
 }
 
 #[test]
+fn a_slot_whose_walls_are_not_straight_from_end_to_mouth_is_refused_with_its_place() {
+    let sizes = sizes(6, 1, 0.2);
+    let list = parts(&sizes, 5.0, &Mounting::default()).unwrap();
+    let right = Drawing::read(&dxf(&list.parts, PartLayout::Apart)).unwrap();
+    let said = |change: &dyn Fn(&mut Drawing, usize)| {
+        let mut drawing = right.clone();
+        let wall = |edge: &Edge| matches!(edge, Edge::Line { .. });
+        let at = drawing.edges.iter().position(|drawn| drawn.layer == "WHEEL" && wall(&drawn.edge)).unwrap();
+        change(&mut drawing, at);
+        drawing.measure(&LayerNames::default(), 0.01).map_err(|error| error.to_string())
+    };
+    let by = |across: [f64; 2]| {
+        move |drawing: &mut Drawing, at: usize| {
+            let Edge::Line { from, to } = &mut drawing.edges[at].edge else { panic!("a line") };
+            let along = (*to - *from).normalize();
+            let side = Vector2::new(-along.y, along.x);
+            (*from, *to) = (*from + side * across[0], *to + side * across[1]);
+        }
+    };
+    assert!(said(&by([0.0, 0.0])).is_ok());
+    // Within three times the uncertainty.
+    assert!(said(&by([0.02, 0.0])).is_ok() && said(&by([0.0, 0.02])).is_ok());
+    for (spoilt, words) in [
+        (said(&by([0.5, 0.0])), "a wall is 0.500 mm nearer to or farther from the slot's line"),
+        (said(&by([0.5, 0.5])), "no wall goes on outwards from the end of its arc at"),
+        (said(&|drawing, at| drop(drawing.edges.remove(at))), "no wall goes on outwards"),
+    ] {
+        let error = spoilt.unwrap_err();
+        assert!(error.contains(words) && error.contains("of the slot at "), "{error}");
+    }
+    // The slots of a ring open inwards.
+    let wheel = geneva_kinematics::internal_wheel::InternalWheel::new(6).unwrap();
+    let ring = geneva_kinematics::internal_sizes::InternalSizes::new(wheel, 50.0, &Choices::default()).unwrap();
+    let list = geneva_workshop::internal_parts(&ring, 5.0, &Mounting::default()).unwrap();
+    let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
+    let error = drawing.measure(&LayerNames::default(), 0.01).unwrap_err().to_string();
+    assert!(error.contains("no wall goes on outwards"), "{error}");
+}
+
+#[test]
 fn a_polyline_of_release_12_is_read_with_its_bulges() {
     // A half disc: a line, and a half circle whose bulge is 1.
     let text = "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nA\n66\n1\n70\n1\n0\nVERTEX\n8\nA\n10\n-2.0\n20\n0.0\n\
