@@ -313,7 +313,7 @@ impl Drawing {
             });
             let Some(wall) = goes_on.filter(|wall| wall.dot(&along) > 0.0) else {
                 return Err(fault(format!(
-                    "no wall goes on outwards from the end of its arc at ({:.3}, {:.3}); join them, or declare the layer of the wheel's outline",
+                    "no wall goes on outwards from the end of its arc at ({:.3}, {:.3}); join them, or say which layer has the wheel",
                     start.x, start.y
                 )));
             };
