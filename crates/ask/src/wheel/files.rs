@@ -6,7 +6,7 @@ use super::mounting::MountingQuestion;
 use super::mounting_error::{with_arguments, with_remedies_of_mounting};
 use super::mouth::given_mouths;
 use super::question::WheelQuestion;
-use super::sized::{self, with_remedies};
+use super::sized;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
@@ -356,8 +356,7 @@ impl WheelDesign {
                 as_typed(size)
             ));
         }
-        let sizes = |question: &WheelQuestion| sized::internal_sizes(*wheel, radius, question);
-        sizes(question).map(Some).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))
+        sized::internal_sizes(*wheel, radius, question).map(Some)
     }
 
     /// The parts for a file with this ending.

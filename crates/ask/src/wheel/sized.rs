@@ -24,9 +24,7 @@ pub(super) fn own_inertia_of_internal(
     question: &WheelQuestion,
 ) -> Result<Option<f64>, Error> {
     let (Some(radius), Some(thickness)) = (crank_radius, question.thickness) else { return Ok(None) };
-    let sizes = |question: &WheelQuestion| internal_sizes(wheel, radius, question);
-    let sizes = sizes(question).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))?;
-    Ok(Some(sizes.moment_of_inertia(thickness, density)?))
+    Ok(Some(internal_sizes(wheel, radius, question)?.moment_of_inertia(thickness, density)?))
 }
 
 /// What was chosen of the parts.
@@ -51,17 +49,18 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
     Sizes::new(wheel, scale, &with_plays(question, usual)?)
 }
 
-/// Sizes of an internal wheel with a crank radius in millimetres.
+/// Sizes of an internal wheel with a crank radius in millimetres; what does not fit is refused with values that fit.
 pub(super) fn internal_sizes(
     wheel: InternalWheel,
     crank_radius: f64,
     question: &WheelQuestion,
-) -> Result<InternalSizes, SizesError> {
+) -> Result<InternalSizes, Error> {
     let usual = |choices: &Choices| {
         let sizes = InternalSizes::new(wheel, crank_radius, choices)?;
         Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)
+    let sizes = |question: &WheelQuestion| InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?);
+    sizes(question).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))
 }
 
 /// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel

@@ -80,18 +80,21 @@ fn without_tags(text: &str) -> String {
     out
 }
 
-/// Whether the text of the example so far speaks of groups and their elements.
+/// Whether the text of the example so far, or just behind a formula, speaks of groups and their elements.
 pub(crate) fn speaks_of_groups(text: &str, span: Span) -> bool {
-    let (_, after) = text_around(text, span);
-    let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
-    ["group", "cyclic", "generator", "the order"].iter().any(|word| near.contains(word))
+    example_speaks_of(text, span, &["group", "cyclic", "generator", "the order"])
 }
 
-/// Whether the text of the example so far or just behind a formula speaks of coordinates of which only the ratios count.
+/// Whether the text of the example so far, or just behind a formula, speaks of coordinates of which only the ratios count.
 pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool {
+    example_speaks_of(text, span, &["homogeneous", "projective"])
+}
+
+/// Whether one of these words stands in the text of the example so far, or just behind a formula.
+fn example_speaks_of(text: &str, span: Span, words: &[&str]) -> bool {
     let (_, after) = text_around(text, span);
     let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
-    near.contains("homogeneous") || near.contains("projective")
+    words.iter().any(|word| near.contains(word))
 }
 
 /// Whether only marks and tags stand between a formula and one before it.
