@@ -322,8 +322,7 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
 fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     // With its thickness, an internal wheel's parts have an inertia, which is in the numbers.
-    let has_size = wanted.crank_radius.or(wanted.centre_distance).or(wanted.wheel_radius).is_some();
-    let has_inertia = wanted.thickness.is_some() && has_size;
+    let has_inertia = wanted.thickness.is_some() && wanted.scale().is_some();
     let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && (is_of_parts(format) || has_inertia));
     if !has_parts {
         let why = if wanted.kind == Some(WheelKind::Internal) {

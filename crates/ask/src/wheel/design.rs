@@ -70,7 +70,7 @@ impl WheelDesign {
         let table_inertia = table_inertia(&question)?;
         let materials = materials(&question)?;
         let density = question.density.unwrap_or(materials[1].density);
-        let mut wanted = scale(&question);
+        let mut wanted = question.scale();
         if let (None, AnyWheel::External(external), true) = (wanted, &wheel, question.recommends_size) {
             wanted = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
         }
@@ -78,7 +78,7 @@ impl WheelDesign {
             (AnyWheel::External(wheel), Some(wanted)) => {
                 let fits = |other: &WheelQuestion| {
                     let is_asked = refuse_contradictions(other).and_then(|()| check_mouth(other)).is_ok();
-                    is_asked && sizes(*wheel, scale(other).unwrap_or(wanted), other).is_ok()
+                    is_asked && sizes(*wheel, other.scale().unwrap_or(wanted), other).is_ok()
                 };
                 let sizes = sizes(*wheel, wanted, &question);
                 Some(sizes.map_err(|error| with_remedies(error, &question, fits))?)
@@ -364,14 +364,6 @@ fn refuse_contradictions(question: &WheelQuestion) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// The one length that was given.
-fn scale(question: &WheelQuestion) -> Option<Scale> {
-    let crank = question.crank_radius.map(Scale::CrankRadius);
-    let centres = question.centre_distance.map(Scale::CentreDistance);
-    let radius = question.wheel_radius.map(Scale::WheelRadius);
-    crank.or(centres).or(radius).or(question.outside_diameter.map(Scale::OutsideDiameter))
 }
 
 /// The error of a number that is not finite, by its key.

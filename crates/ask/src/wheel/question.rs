@@ -4,6 +4,7 @@ use super::kind::WheelKind;
 use super::mounting::MountingQuestion;
 use crate::worked::DriverSpeed;
 use geneva_dynamics::line_contact::Material;
+use geneva_kinematics::wheel::Scale;
 use geneva_kinematics::wheel::as_built::Process;
 
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
@@ -163,6 +164,14 @@ impl WheelQuestion {
     /// The speed of the driver, if it is given as such and not as a time.
     pub fn speed(&self) -> Option<DriverSpeed> {
         self.rpm.map(DriverSpeed::Rpm).or(self.rad_s.map(DriverSpeed::RadiansPerSecond))
+    }
+
+    /// The length in millimetres that scales the wheel, if one is given.
+    pub fn scale(&self) -> Option<Scale> {
+        let crank = self.crank_radius.map(Scale::CrankRadius);
+        let centres = self.centre_distance.map(Scale::CentreDistance);
+        let radius = self.wheel_radius.map(Scale::WheelRadius);
+        crank.or(centres).or(radius).or(self.outside_diameter.map(Scale::OutsideDiameter))
     }
 }
 
