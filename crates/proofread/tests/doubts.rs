@@ -147,14 +147,14 @@ fn a_document_of_which_a_third_differs_is_misread_but_for_single_edits() {
         let chains = wrong.iter().copied().chain(right);
         doubts(&chains.map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), TextFormat::Markdown)
     };
-    assert_eq!(of(&wrong, 14), [Some(Doubt::Frequent); 6]);
+    assert_eq!(of(&wrong, 14), [Some(Doubt::Slight); 6]);
     assert_eq!(of(&wrong, 15), [None; 6]);
     assert_eq!(of(&wrong[..5], 0), [None; 5]);
     // Misprints may be as many as they want.
     let slips = ["34 + 58 = 93", "71 + 67 = 238", "83 + 45 = 182", "96 + 38 = 143", "62 + 79 = 131", "57 + 75 = 1.32"];
     assert_eq!(of(&slips, 0), [None; 6]);
     let one_misread: Vec<_> = slips[..5].iter().chain(&wrong[..1]).copied().collect();
-    assert_eq!(of(&one_misread, 0), [None, None, None, None, None, Some(Doubt::Frequent)]);
+    assert_eq!(of(&one_misread, 0), [None, None, None, None, None, Some(Doubt::Slight)]);
 }
 
 #[test]
