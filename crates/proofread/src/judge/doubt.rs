@@ -204,7 +204,9 @@ impl PlacedPair<'_> {
         let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
         let wraps =
             self.formula.style == FormulaStyle::Plain && surroundings::goes_on_below(self.text, self.right.span);
-        self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
+        let thousands = surroundings::goes_on_in_thousands(self.text, self.right.span);
+        self.ends_chain()
+            && (goes_on || wraps || thousands || surroundings::goes_on_in_words(self.text, self.right.span))
             || surroundings::goes_on_with_arrow(self.text, self.right.span)
     }
 
