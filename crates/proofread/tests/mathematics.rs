@@ -342,3 +342,15 @@ fn thousands_may_be_parted_by_a_comma_and_a_blank() {
     unlisted(Markdown, &["There are n! = 8! = 40, 320 ways.", "It is $8! = 40, 320$."]);
     listed(Markdown, &["It is $8! = 40321$.", "It is $8! = 41, 32$."]);
 }
+
+#[test]
+fn a_letter_with_an_argument_or_an_index_is_a_value_of_its_own() {
+    unlisted(
+        Markdown,
+        &[r"$\mathrm{T}(4) = 0.1088$", r"$\hat y(-2) = 3 - 0.5(-2) = 4.$", r"We have $n = 400$ and $\pi^0 = 0.4$."],
+    );
+    let estimate =
+        |letter: &str| format!("<math><mrow><mtext>{letter}(6)</mtext><mo>=</mo><mn>0.2137</mn></mrow></math>");
+    unlisted(Html, &[&estimate("M"), &estimate("T")]);
+    listed(Markdown, &[r"$\hat y(-2) = 3 - 0.5(-2) = 5$", r"$2\pi^0 = 3$", r"$4\,\mathrm{V}(2) = 12\,\mathrm{V}$"]);
+}

@@ -223,6 +223,7 @@ impl PlacedPair<'_> {
             || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
             || bracket_symbols::may_be_residue_symbols(left, right)
             || bracket_symbols::may_be_cycles(left, right)
+            || (self.begins_chain() && bracket_symbols::may_be_indexed_letter(left))
             || bracket_symbols::may_be_places(left)
             || bracket_symbols::may_be_places(right)
             || ([left, right].into_iter().any(bracket_symbols::is_all_bracketed) && self.has_other_base())
