@@ -185,7 +185,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         let finding = &mut check.report.findings[at];
         match confidence {
             _ if finding.doubt.is_some() => {}
-            None => demote_to_doubt(finding, Doubt::Slight),
+            None => demote_to_doubt(finding, Doubt::Cluster),
             confidence => finding.confidence = confidence,
         }
     }
@@ -565,7 +565,8 @@ impl DocumentCheck<'_> {
             None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
                 self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
-                self.weighed.record(at, [&left.tokens, &right.tokens]);
+                let is_mended = !wanted || finding.hint.is_some();
+                self.weighed.record(at, [&left.tokens, &right.tokens], judgement.values.as_ref(), is_mended);
             }
             None => {}
         }

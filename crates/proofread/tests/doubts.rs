@@ -150,20 +150,21 @@ fn weighed(first: &str, others: usize, rights: usize) -> (Option<Doubt>, Option<
 }
 
 #[test]
-fn what_is_computed_and_what_else_differs_say_how_sure_a_difference_is() {
+fn digits_an_edit_and_what_else_differs_say_how_sure_a_difference_is() {
     let [high, low, aside] =
-        [(None, Some(Confidence::High)), (None, Some(Confidence::Low)), (Some(Doubt::Slight), None)];
-    // Little is computed.
-    assert_eq!(weighed("34 + 58 = 1", 0, 0), low);
-    assert_eq!(weighed("34 + 58 = 1", 0, 9), high);
-    assert_eq!(weighed("34 + 58 = 1", 4, 9), low);
-    // Five can all be looked at; of many, most are misread.
-    assert_eq!(weighed("34 + 58 = 1", 4, 0), low);
-    assert_eq!(weighed("34 + 58 = 1", 5, 0), aside);
-    assert_eq!(weighed("34 + 58 = 1", 5, 60), low);
-    // Much is computed, so it was read right, whatever the others are.
-    assert_eq!(weighed(r"\frac{2.15 \cdot 3.78}{1.92} - \sqrt{4.81} + 1.5^2 = 7.28", 0, 0), high);
-    assert_eq!(weighed(r"\frac{2.15 \cdot 3.78}{1.92} - \sqrt{4.81} + 1.5^2 = 7.28", 9, 0), high);
+        [(None, Some(Confidence::High)), (None, Some(Confidence::Low)), (Some(Doubt::Cluster), None)];
+    let [short, long] = ["34 + 58 = 1", "34.25 + 58.11 = 71.06"];
+    // Few digits, and none of them mends it.
+    assert_eq!([weighed(short, 0, 9), weighed(long, 0, 9)], [low, high]);
+    assert_eq!(weighed(r"\tan 31.0^\circ = 0.609", 0, 9), high, "one digit mends it");
+    // Five can all be looked at.
+    assert_eq!([weighed(short, 4, 0), weighed(long, 4, 0)], [low, high]);
+    assert_eq!([weighed(short, 5, 15), weighed(long, 5, 15)], [aside, low]);
+    assert_eq!(weighed(r"\tan 31.00^\circ = 0.6099", 5, 15), high, "one digit mends it");
+    // So many are no misprints, but for what a digit mends.
+    assert_eq!([weighed(long, 5, 14), weighed(r"\tan 31.00^\circ = 0.6099", 5, 14)], [aside, high]);
+    // The difference is slight.
+    assert_eq!(weighed(r"\frac{2.1512 \cdot 3.7812}{1.9231} + 1.5123^2 = 6.5213", 0, 0), low);
 }
 
 #[test]

@@ -20,7 +20,7 @@ fn a_page_shows_the_place_the_values_and_what_was_not_checked() {
     let (code, page) = page("a.md", text, &["--doubts", "--unchecked"]);
     assert_eq!(code, 1);
     for part in [
-        "<p class=\"result wrong\">2 findings: 1 on a number, 1 in doubt; 1 of them is less certain.</p>",
+        "<p class=\"result wrong\">2 findings: 1 on a number, 1 in doubt.</p>",
         "<li>Checked 2 chains of 3 chains that arithmetic can check",
         "1 fence of <code>python</code>.</li>",
         "It is $\\tan 31.0^\\circ = <mark>0.609</mark>$ here.",

@@ -33,7 +33,7 @@ fn neovim_shows_a_finding_explains_it_and_mends_it() {
     assert_eq!(result["failed"], Value::Null);
     let found = &result["found"];
     assert_eq!([&found["line"], &found["from"], &found["to"]], [&json!(2), &json!(30), &json!(35)], "{found}");
-    assert_eq!((&found["source"], &found["severity"]), (&json!("proofread"), &json!(3)), "{found}");
+    assert_eq!((&found["source"], &found["severity"]), (&json!("proofread"), &json!(2)), "{found}");
     assert!(found["message"].as_str().is_some_and(|said| said.contains("printed 0.609, recomputed 0.601")), "{found}");
     let hover = result["hover"].as_array().expect("lines");
     assert!(hover.contains(&json!("hint: `0.601` for `0.609` would agree")), "{hover:?}");

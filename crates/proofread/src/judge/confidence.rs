@@ -1,42 +1,30 @@
-//! How sure it is that a difference is a fault of the text: by how much is computed at its place, and how much of its document comes out as
-//! printed.
+//! How sure it is that a difference is a fault of the text: by how many digits are printed at its place, whether one edit mends it, and how many
+//! others its document has.
 //!
-//! What misreads a text is not known beforehand, since each new text has notations of its own. But in a text that is misread much comes out
-//! otherwise, and what is misread is mostly short, as a piece of something else is. The rates are in `judged/README.md`.
+//! What misreads a text is not known beforehand, since each new text has notations of its own. But what is misread is mostly short, as a piece
+//! of something else is; no slip of one digit explains it; and it comes in clusters. The rates are in `judged/README.md`.
 
-use crate::token::{Token, TokenKind};
+use crate::evaluate::value::SideValue;
+use crate::token::Token;
 
-/// Operations that count at most.
-const MOST_OPERATIONS: u32 = 6;
+/// Significant digits on both sides that are few.
+const FEW_DIGITS: u32 = 5;
 
-/// Significant digits that count at most.
-const MOST_DIGITS: u32 = 12;
-
-/// What a digit weighs, if an operation weighs one.
-const DIGIT: f64 = 0.3;
-
-/// What it weighs that a document has e times fewer differences.
-const PER_E_FOLD: f64 = 2.0;
-
-/// Pairs that are added to those of each document, and how many of these differ: what is expected where nothing else is known.
-const EXPECTED: (f64, f64) = (4.0, 0.2);
-
-/// The least weight of a difference that is listed where many of its document differ. Of those below it, one of seven was real at first
-/// contact.
-const LISTED: f64 = 7.4;
-
-/// The fewest pairs that differ in a document where differences of less weight are set aside. Fewer can all be looked at.
+/// Pairs that differ in a document that are many.
 const MANY: usize = 6;
 
-/// The least weight of a difference that is sure. Of these, three of four were real at first contact; of those between, one of three.
-const SURE: f64 = 8.8;
+/// The share of a document's pairs that differ, from which it is no longer printed as it is read.
+const LARGE_SHARE: f64 = 0.3;
+
+/// Two sides that differ by less, relative to the larger one, may differ by digits that are not printed.
+const SLIGHT: f64 = 1e-3;
 
 /// How sure it is that a difference is a fault of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Confidence {
-    /// Much is computed there, and hardly anything else of the document differs.
+    /// Nothing speaks against it.
     High,
-    /// Little is computed there, or much else of the document differs.
+    /// No single edit mends it, and few digits are printed there, or many other pairs of the document differ, or it is slight.
     Low,
 }
 
@@ -55,30 +43,33 @@ impl Confidence {
     /// use proofread::Confidence;
     ///
     /// assert_eq!(Confidence::High.caveat(), None);
-    /// assert_eq!(Confidence::Low.caveat(), Some("little is computed here, or much else of the document differs"));
+    /// assert!(Confidence::Low.caveat().is_some_and(|why| why.starts_with("no single edit mends it")));
     /// ```
     pub fn caveat(self) -> Option<&'static str> {
-        (self == Self::Low).then_some("little is computed here, or much else of the document differs")
+        const WHY: &str = "no single edit mends it, and it is short or slight, or much else of the document differs";
+        (self == Self::Low).then_some(WHY)
     }
 }
 
-/// What speaks for it that two sides that differ were read right.
+/// What speaks for and against it that two sides that differ were read right.
 ///
 /// ```
 /// use proofread::{Confidence, DifferenceEvidence};
 ///
-/// // 12.5 · 3.2 = 41.0 as the only one of forty that differs, and as one of ten.
-/// let alone = DifferenceEvidence { operations: 1, digits: 8, differing: 1, compared: 40 };
-/// assert_eq!(alone.confidence(), Some(Confidence::High));
-/// let of_many = DifferenceEvidence { differing: 10, ..alone };
-/// assert_eq!(of_many.confidence(), None);
+/// let sum = DifferenceEvidence { digits: 5, is_mended: false, is_slight: false, differing: 1, compared: 40 };
+/// assert_eq!(sum.confidence(), Some(Confidence::Low));
+/// assert_eq!(DifferenceEvidence { is_mended: true, ..sum }.confidence(), Some(Confidence::High));
+/// assert_eq!(DifferenceEvidence { digits: 8, ..sum }.confidence(), Some(Confidence::High));
+/// assert_eq!(DifferenceEvidence { differing: 6, ..sum }.confidence(), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DifferenceEvidence {
-    /// Operations on the two sides, those in exponents and units with them.
-    pub operations: u32,
     /// Significant digits printed on the two sides, at least one for each number.
     pub digits: u32,
+    /// Whether a hint tells the single edit that mends it; also if none was searched for.
+    pub is_mended: bool,
+    /// Whether the sides differ by less than a thousandth.
+    pub is_slight: bool,
     /// Pairs of the document that differ in their numbers, this one with them.
     pub differing: usize,
     /// Pairs of the document that were compared.
@@ -88,27 +79,32 @@ pub struct DifferenceEvidence {
 impl DifferenceEvidence {
     /// How sure the difference is; none if so little speaks for it that it is set aside.
     pub fn confidence(self) -> Option<Confidence> {
-        let others = |count: usize, more: f64| count.saturating_sub(1) as f64 + more;
-        let share = others(self.differing, EXPECTED.1) / others(self.compared, EXPECTED.0);
-        let computed = self.operations.min(MOST_OPERATIONS);
-        let printed = self.digits.min(MOST_DIGITS);
-        let weight = f64::from(computed) + DIGIT * f64::from(printed) - PER_E_FOLD * libm::log(share);
-        match weight {
-            weight if weight >= SURE => Some(Confidence::High),
-            weight if weight < LISTED && self.differing >= MANY => None,
-            _ => Some(Confidence::Low),
+        let is_short = self.digits <= FEW_DIGITS;
+        let has_many = self.differing >= MANY;
+        let is_misread = self.differing as f64 >= LARGE_SHARE * self.compared as f64 && !self.is_mended;
+        if has_many && (is_short || is_misread) {
+            return None;
         }
+        let is_low = !self.is_mended && (is_short || has_many || self.is_slight);
+        Some(if is_low { Confidence::Low } else { Confidence::High })
     }
 }
 
-/// Findings on numbers, each with how much is computed at its place.
+/// Findings on numbers, each with what speaks for and against it.
 #[derive(Default)]
-pub(crate) struct WeighedFindings(Vec<(usize, [u32; 2])>);
+pub(crate) struct WeighedFindings(Vec<(usize, DifferenceEvidence)>);
 
 impl WeighedFindings {
-    pub(crate) fn record(&mut self, finding: usize, sides: [&[Token]; 2]) {
-        let of = sides.map(|side| [operations(side), digits(side)]);
-        self.0.push((finding, [of[0][0].saturating_add(of[1][0]), of[0][1].saturating_add(of[1][1])]));
+    pub(crate) fn record(
+        &mut self,
+        finding: usize,
+        sides: [&[Token]; 2],
+        values: Option<&(SideValue, SideValue)>,
+        is_mended: bool,
+    ) {
+        let digits = sides.into_iter().map(digits).fold(0, u32::saturating_add);
+        let is_slight = values.is_some_and(|(left, right)| left.difference(right) < SLIGHT);
+        self.0.push((finding, DifferenceEvidence { digits, is_mended, is_slight, differing: 0, compared: 0 }));
     }
 
     /// How sure each of them is, in a document with so many pairs that differ of those that were compared.
@@ -117,34 +113,9 @@ impl WeighedFindings {
         differing: usize,
         compared: usize,
     ) -> impl Iterator<Item = (usize, Option<Confidence>)> {
-        self.0.into_iter().map(move |(finding, [operations, digits])| {
-            (finding, DifferenceEvidence { operations, digits, differing, compared }.confidence())
-        })
+        let whole = move |evidence| DifferenceEvidence { differing, compared, ..evidence };
+        self.0.into_iter().map(move |(finding, evidence)| (finding, whole(evidence).confidence()))
     }
-}
-
-/// The operations among tokens and inside them.
-fn operations(tokens: &[Token]) -> u32 {
-    let mut count = 0_u32;
-    let mut behind_number = false;
-    for token in tokens {
-        let is_operation = match &token.kind {
-            TokenKind::Operator('+' | '-') => behind_number,
-            TokenKind::Operator(sign) => "×·*/:÷∘!".contains(*sign),
-            TokenKind::Fraction(..) | TokenKind::Root(..) | TokenKind::Power(_) | TokenKind::Call(..) => true,
-            TokenKind::Function(_) => true,
-            _ => false,
-        };
-        count = count.saturating_add(u32::from(is_operation));
-        count = token.inner().map(operations).fold(count, u32::saturating_add);
-        if !token.is_space() {
-            behind_number = match &token.kind {
-                TokenKind::Operator(sign) => ")]}|!".contains(*sign),
-                kind => !matches!(kind, TokenKind::Line | TokenKind::Cell | TokenKind::Function(_)),
-            };
-        }
-    }
-    count
 }
 
 /// The significant digits of the numbers among tokens and inside them.

@@ -54,8 +54,8 @@ pub enum Doubt {
     Approximation,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
-    /// Little is computed there, and much else of the document differs.
-    Slight,
+    /// Many pairs of the document differ, and few digits are printed there, or so many that it may be misread.
+    Cluster,
     /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
     OtherTest,
     /// A total or a share may be of something else than the numbers beside it.
@@ -82,7 +82,7 @@ impl Doubt {
             Self::Inputs => "other digits of the terms would give the result",
             Self::Approximation => "what stands behind ≈ is exact, and may be a coarse approximation",
             Self::Habit => "other formulas of the document differ by the same factor",
-            Self::Slight => "little is computed there and much else of the document differs, so it may be misread",
+            Self::Cluster => "so much of the document differs that it may be written in a way that is misread",
             Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
             Self::OtherParts => "it may be the total or the share of something else",
         }
