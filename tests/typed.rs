@@ -121,11 +121,13 @@ fn values() -> Vec<(String, f64, &'static str)> {
         ("slots.five.driver", 180.0 - slots(5)),
         ("slots.eight.driver", 180.0 - slots(8)),
         ("question.ten-before", given("worked-ten-before", "--before-entry")),
+        ("question.instant.before", given("instant", "--at").abs()),
         ("quick-return.lever-angle", printed("quick-return.lever-angle")),
     ];
     let lengths = [("question.worked.crank-radius", given("worked", "--crank-radius"))];
     let bare = [
         ("question.worked.rpm", given("worked", "--rpm")),
+        ("question.instant.rpm", given("instant", "--rpm")),
         ("spread.parts", 1.0 / LEAST_SPREAD),
         ("explained.three", explained(3)),
         ("explained.six", explained(6)),

@@ -55,19 +55,24 @@ impl CheckQuestion {
         let speed = self.rpm.map(|rpm| rpm * 2.0 * PI / 60.0 * crank);
         let tightest = or_none(&not_all, turn.tightest.free.room());
         let greatest_words = "the greatest, wherever the wheel rests";
-        // Arcs of one radius and one place have no errors of their own, which is no measurement of them.
-        let is_of_one =
-            |size: MeasuredSize| matches!(size, MeasuredSize::ArcRadius(Some(_)) | MeasuredSize::ArcCentre(Some(_)));
-        let has_single_arcs = measured.sizes().iter().any(|of| is_of_one(of.size));
+        // Arcs or slots that are all alike have no errors of their own, which is no measurement of them.
+        let has_disc = built.disc_radius.is_some();
+        let is_of_one = |size: MeasuredSize| match size {
+            MeasuredSize::ArcRadius(Some(_)) | MeasuredSize::ArcCentre(Some(_)) => has_disc,
+            MeasuredSize::SlotWidth(Some(_)) | MeasuredSize::SlotDirection(_) => !has_disc,
+            _ => false,
+        };
+        let has_single_parts = measured.sizes().iter().any(|of| is_of_one(of.size));
         let station_error = most_of_arcs(|station| station.station_error.abs());
-        let station_error = Some(station_error).filter(|_| has_single_arcs && no_dwell.is_empty());
+        let station_error = Some(station_error).filter(|_| has_single_parts && no_dwell.is_empty());
         let error = degrees("station_error_deg", station_error);
         let error = match station_error {
             Some(_) => error.line("station error", "how far the worst station rests from its right place"),
-            None => error.words(
+            None if has_disc => error.words(
                 "station error",
                 "not known; it needs --locking-disc-radius, and each arc by itself as in --locking-arc-radius 1:15.1,2:15.2",
             ),
+            None => error.words("station error", "not known; it needs each slot by itself, as in --slot-width 1:6.1,2:6.0"),
         };
         vec![
             ReportField::in_unit("tightest_room_mm", tightest, "mm")
@@ -84,7 +89,7 @@ impl CheckQuestion {
             known(
                 degrees("dwell_backlash_deg", or_none(&no_dwell, most_of_arcs(|station| station.dwell_backlash))),
                 "",
-                "in the middle of the dwell, from the locking arc and the disc",
+                "in the middle of the dwell",
                 &no_dwell,
                 "in the dwell",
             ),

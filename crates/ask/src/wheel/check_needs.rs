@@ -102,7 +102,7 @@ pub(super) fn unmeasured(measured: &MeasuredWheel, needed: &[MeasuredSize]) -> V
         let count = measured.wheel().stations() as usize;
         let numbers: Vec<usize> = (0..count).filter(|number| !is_measured(measured, *size, Some(*number))).collect();
         let of_all = if numbers.len() == count { Vec::new() } else { numbers.clone() };
-        (!numbers.is_empty()).then(|| UnmeasuredSize { size: *size, numbers: of_all })
+        (!numbers.is_empty()).then_some(UnmeasuredSize { size: *size, numbers: of_all })
     });
     missing.collect()
 }
@@ -174,27 +174,35 @@ fn numbered(size: MeasuredSize) -> bool {
 
 /// The sizes without which nobody can say that a wheel turns, and that were not measured.
 pub(super) fn unmeasured_to_turn(measured: &MeasuredWheel, built: &AsBuiltWheel) -> Vec<UnmeasuredSize> {
-    unmeasured(measured, &[ENTRY, dwell(built)].concat())
+    unmeasured(measured, ENTRY).into_iter().chain(of_disc(measured, built)).collect()
 }
 
-/// What the play in the dwell rests on; nothing of a wheel without a dwell.
+/// What was not measured of disc and arcs; nothing of a wheel without a disc.
+fn of_disc(measured: &MeasuredWheel, built: &AsBuiltWheel) -> Vec<UnmeasuredSize> {
+    if built.disc_radius.is_some() { unmeasured(measured, DWELL) } else { Vec::new() }
+}
+
+/// What the play between two indexes rests on: disc and arc, or pin and slot where one pin enters as another leaves.
 pub(super) fn dwell(built: &AsBuiltWheel) -> &'static [MeasuredSize] {
-    if built.disc_radius.is_some() { DWELL } else { &[] }
+    if built.disc_radius.is_some() { DWELL } else { INDEX }
 }
 
 /// All sizes that a wheel is filled in with where they are not measured.
 pub(super) fn all_sizes(built: &AsBuiltWheel) -> Vec<MeasuredSize> {
     use MeasuredSize as Size;
-    let crescent: &[Size] =
-        if built.disc_radius.is_some() { &[Size::CrescentCentre, Size::CrescentRadius] } else { &[] };
-    [ENTRY, &[Size::SlotEnd(None)], dwell(built), crescent].concat()
+    let of_disc: &[&[Size]] = &[DWELL, &[Size::CrescentCentre, Size::CrescentRadius]];
+    let of_disc = if built.disc_radius.is_some() { of_disc.concat() } else { Vec::new() };
+    [ENTRY, &[Size::SlotEnd(None)], &of_disc].concat()
 }
 
 /// The sizes that count as right because they were not measured, in words: they can make a wheel jam, but seldom do. None if all were.
 pub(super) fn taken_as_right(measured: &MeasuredWheel, built: &AsBuiltWheel) -> Option<String> {
     use MeasuredSize as Size;
     let is_missing = |sizes: &[Size]| !unmeasured(measured, sizes).is_empty();
+    // Where only the centres of the arcs were, they stand for it.
+    let is_of_arcs = !measured.sizes().iter().any(|of| of.size == Size::CentreDistance);
     let all = [
+        ("the centre distance", is_of_arcs),
         ("the ends of the slots", is_missing(&[Size::SlotEnd(None)])),
         (
             "the cut in the disc",
@@ -202,7 +210,7 @@ pub(super) fn taken_as_right(measured: &MeasuredWheel, built: &AsBuiltWheel) -> 
         ),
     ];
     let named: Vec<String> = all.into_iter().filter(|(_, is)| *is).map(|(name, _)| name.to_owned()).collect();
-    let is_one = named.len() == 1 && named[0].starts_with("the cut");
+    let is_one = named.len() == 1 && !named[0].starts_with("the ends");
     let (verb, counts) = if is_one { ("was", "counts") } else { ("were", "count") };
     (!named.is_empty()).then(|| format!("{} {verb} not measured and {counts} as right", listed(&named)))
 }

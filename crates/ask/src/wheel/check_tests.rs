@@ -291,6 +291,11 @@ fn what_rests_on_a_size_that_was_not_measured_is_not_told() {
     assert_eq!(told(&index), ["index_backlash_deg"]);
     let dwell = report("--stations 6 --outside-diameter 87.1 --locking-disc-radius 15 --locking-arc-radius 15.1");
     assert_eq!(told(&dwell), ["dwell_backlash_deg"]);
+    // Where one pin enters as another leaves, there is no disc, and all play is of pins and slots.
+    let without_disc = "--stations 3 --pins 6 --crank-radius 25 --pin-diameter 2";
+    assert_eq!(told(&report(without_disc)), [""; 0]);
+    let with_slots = format!("{without_disc} --slot-width 2.1");
+    assert_eq!(told(&report(&with_slots)), ["index_backlash_deg", "dwell_backlash_deg"]);
     // Of single slots, those that were measured: the play of the widest is 0.2 mm at 25 mm from the axis.
     let single = report(
         "--stations 6 --centre-distance 50 --crank-radius 25 --pin-diameter 6 --slot-width 2:6.1+-0.5,5:6.2+-0.5 --outside-diameter 86.8",
@@ -328,6 +333,18 @@ fn what_is_named_tells_what_was_not_known() {
     assert_eq!(all.field("unmeasured").map(|field| &field.value), Some(&FieldValue::List(Vec::new())));
     assert_eq!(words(&all, "turns"), "yes, every station");
     assert!(!all.plain_sheet().contains("not known") && !all.plain_sheet().contains("not measured;"));
+}
+
+#[test]
+fn the_centres_of_the_arcs_stand_for_the_axes() {
+    let of_arcs = report(&RIGHT.replace("--centre-distance", "--locking-arc-centre"));
+    let said = words(&of_arcs, "turns");
+    assert!(said.starts_with("yes, every station; the centre distance, the ends of the slots and"), "{said}");
+    let with_ends = report(&format!("{RIGHT} --slot-end 24.8"));
+    assert_eq!(
+        words(&with_ends, "turns"),
+        "yes, every station; the cut in the disc was not measured and counts as right"
+    );
 }
 
 #[test]
