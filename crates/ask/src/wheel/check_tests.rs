@@ -301,7 +301,7 @@ fn what_rests_on_a_size_that_was_not_measured_is_not_told() {
         "--stations 6 --centre-distance 50 --crank-radius 25 --pin-diameter 6 --slot-width 2:6.1+-0.5,5:6.2+-0.5 --outside-diameter 86.8",
     );
     let play = single.field("index_backlash_deg").and_then(ReportField::number).expect("a play");
-    assert!((play - (2.0 * (0.1_f64 / 25.0).asin()).to_degrees()).abs() < 1e-9, "{play}");
+    assert!((play - (2.0 * libm::asin(0.1 / 25.0)).to_degrees()).abs() < 1e-9, "{play}");
     assert!(words(&single, "turns").contains("slot width of number 1, 3, 4 and 6 (--slot-width)"));
 }
 
