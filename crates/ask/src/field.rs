@@ -356,7 +356,7 @@ impl MechanismReport {
     ///
     /// ```
     /// let sheet = geneva_ask::answer("wheel --stations 6 --crank-radius 25.4")?.beside_inches().plain_sheet();
-    /// assert!(sheet.contains("50.80    mm    2.000 in  "), "{sheet}"); // the centre distance
+    /// assert!(sheet.contains(" 2.000 in  "), "{sheet}"); // the centre distance of 50.8 mm
     /// # Ok::<(), geneva_ask::Error>(())
     /// ```
     #[must_use]
