@@ -1,6 +1,7 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
+use super::drive::droop_warning;
 use super::mouth_rows;
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
@@ -224,6 +225,7 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 /// A distance of the axes at which the parts can't work together.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let mut found = design.warnings()?;
+    found.extend(droop_warning(design)?);
     // What can't be mounted is refused where the files are made.
     let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
     found.extend(thin.iter().map(ThinWall::to_string));
