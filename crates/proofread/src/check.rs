@@ -180,8 +180,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
-    let tally = &check.report.tally;
-    for (at, confidence) in check.weighed.confidences(tally.differing_pairs(), tally.pairs) {
+    for (at, confidence) in check.weighed.confidences(check.report.tally.differing_pairs()) {
         let finding = &mut check.report.findings[at];
         match confidence {
             _ if finding.doubt.is_some() => {}

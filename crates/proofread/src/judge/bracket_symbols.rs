@@ -173,12 +173,13 @@ pub(crate) fn may_be_order(left: &[Token], right: &[Token]) -> bool {
 pub(crate) fn may_be_indexed_letter(side: &[Token]) -> bool {
     let is_letter = |token: &Token| match &token.kind {
         TokenKind::Word(word) => word.chars().count() == 1,
-        TokenKind::Name(_) | TokenKind::Basis(_) => true,
+        TokenKind::Basis(_) => true,
         _ => false,
     };
     match without_space(side).as_slice() {
         [letter, Token { kind: TokenKind::Power(power), .. }] => {
-            is_letter(letter) && matches!(power.as_slice(), [zero] if zero.number() == Some("0"))
+            (is_letter(letter) || matches!(letter.kind, TokenKind::Name(_)))
+                && matches!(power.as_slice(), [zero] if zero.number() == Some("0"))
         }
         [letter, open, argument @ .., close] => {
             let signed = argument.split_last().is_some_and(|(number, sign)| {

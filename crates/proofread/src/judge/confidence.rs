@@ -13,9 +13,6 @@ const FEW_DIGITS: u32 = 5;
 /// Pairs that differ in a document that are many.
 const MANY: usize = 6;
 
-/// The share of a document's pairs that differ, from which it is no longer printed as it is read.
-const LARGE_SHARE: f64 = 0.3;
-
 /// Two sides that differ by less, relative to the larger one, may differ by digits that are not printed.
 const SLIGHT: f64 = 1e-3;
 
@@ -56,7 +53,7 @@ impl Confidence {
 /// ```
 /// use proofread::{Confidence, DifferenceEvidence};
 ///
-/// let sum = DifferenceEvidence { digits: 5, is_mended: false, is_slight: false, differing: 1, compared: 40 };
+/// let sum = DifferenceEvidence { digits: 5, is_mended: false, is_slight: false, differing: 1 };
 /// assert_eq!(sum.confidence(), Some(Confidence::Low));
 /// assert_eq!(DifferenceEvidence { is_mended: true, ..sum }.confidence(), Some(Confidence::High));
 /// assert_eq!(DifferenceEvidence { digits: 8, ..sum }.confidence(), Some(Confidence::High));
@@ -72,8 +69,6 @@ pub struct DifferenceEvidence {
     pub is_slight: bool,
     /// Pairs of the document that differ in their numbers, this one with them.
     pub differing: usize,
-    /// Pairs of the document that were compared.
-    pub compared: usize,
 }
 
 impl DifferenceEvidence {
@@ -81,12 +76,9 @@ impl DifferenceEvidence {
     pub fn confidence(self) -> Option<Confidence> {
         let is_short = self.digits <= FEW_DIGITS;
         let has_many = self.differing >= MANY;
-        let is_misread = self.differing as f64 >= LARGE_SHARE * self.compared as f64 && !self.is_mended;
-        if has_many && (is_short || is_misread) {
-            return None;
-        }
         let is_low = !self.is_mended && (is_short || has_many || self.is_slight);
-        Some(if is_low { Confidence::Low } else { Confidence::High })
+        let confidence = if is_low { Confidence::Low } else { Confidence::High };
+        (!(is_short && has_many)).then_some(confidence)
     }
 }
 
@@ -104,16 +96,12 @@ impl WeighedFindings {
     ) {
         let digits = sides.into_iter().map(digits).fold(0, u32::saturating_add);
         let is_slight = values.is_some_and(|(left, right)| left.difference(right) < SLIGHT);
-        self.0.push((finding, DifferenceEvidence { digits, is_mended, is_slight, differing: 0, compared: 0 }));
+        self.0.push((finding, DifferenceEvidence { digits, is_mended, is_slight, differing: 0 }));
     }
 
-    /// How sure each of them is, in a document with so many pairs that differ of those that were compared.
-    pub(crate) fn confidences(
-        self,
-        differing: usize,
-        compared: usize,
-    ) -> impl Iterator<Item = (usize, Option<Confidence>)> {
-        let whole = move |evidence| DifferenceEvidence { differing, compared, ..evidence };
+    /// How sure each of them is, in a document with so many pairs that differ.
+    pub(crate) fn confidences(self, differing: usize) -> impl Iterator<Item = (usize, Option<Confidence>)> {
+        let whole = move |evidence| DifferenceEvidence { differing, ..evidence };
         self.0.into_iter().map(move |(finding, evidence)| (finding, whole(evidence).confidence()))
     }
 }
