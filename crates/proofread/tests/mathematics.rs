@@ -354,3 +354,9 @@ fn a_letter_with_an_argument_or_an_index_is_a_value_of_its_own() {
     unlisted(Html, &[&estimate("M"), &estimate("T")]);
     listed(Markdown, &[r"$\hat y(-2) = 3 - 0.5(-2) = 5$", r"$2\pi^0 = 3$", r"$4\,\mathrm{V}(2) = 12\,\mathrm{V}$"]);
 }
+
+#[test]
+fn base_ten_is_the_usual_one() {
+    unlisted(Markdown, &["So $16 + 112 = 240$ in base 5 here."]);
+    listed(Markdown, &["So $16 + 112 = 125$ in base 10 here.", "So $16 + 112 = 125$ in base ten."]);
+}
