@@ -135,6 +135,11 @@ pub(crate) fn pins(text: &str) -> Result<u32, String> {
     whole(text, "pins", &format!("an integer from 1 to {MOST_PINS}"))
 }
 
+/// A number of holes on a circle. Which are possible, the library says.
+pub(crate) fn holes(text: &str) -> Result<u32, String> {
+    whole(text, "holes", "an integer from 2 to 12")
+}
+
 /// A number of threads.
 pub(crate) fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let possible = format!("an integer from 1 to {MOST_THREADS}");
@@ -326,7 +331,7 @@ mod tests {
     fn every_number_that_is_none_is_refused_with_a_range() {
         let parsers: [Parser<f64>; 7] =
             [positive, radians_a_second, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
-        let counts: [Parser<u32>; 3] = [slots, stations, pins];
+        let counts: [Parser<u32>; 4] = [slots, stations, pins, holes];
         let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
         for text in ["", "x", "１２", "0,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
             let numbers = parsers.iter().map(|parse| parse(text)).chain([threads(text)]);

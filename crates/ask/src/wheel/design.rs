@@ -1,10 +1,12 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
+use super::fitting::Fit;
 use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::check_mouth;
 use super::question::WheelQuestion;
+use super::ranges::refuse_out_of_range;
 use super::recommended::recommended_crank_radius;
 use super::sized::{own_inertia, own_inertia_of_internal, process_numbers, sizes, with_remedies};
 use super::times::SAME;
@@ -65,6 +67,7 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
+        refuse_out_of_range(&question)?;
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
@@ -78,7 +81,8 @@ impl WheelDesign {
             (AnyWheel::External(wheel), Some(wanted)) => {
                 let fits = |other: &WheelQuestion| {
                     let is_asked = refuse_contradictions(other).and_then(|()| check_mouth(other)).is_ok();
-                    is_asked && sizes(*wheel, other.scale().unwrap_or(wanted), other).is_ok()
+                    let found = sizes(*wheel, other.scale().unwrap_or(wanted), other).ok().filter(|_| is_asked);
+                    found.map_or(Fit::Not, |sizes| Fit::of(sizes.has_sound_walls()))
                 };
                 let sizes = sizes(*wheel, wanted, &question);
                 Some(sizes.map_err(|error| with_remedies(error, &question, fits))?)

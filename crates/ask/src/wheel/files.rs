@@ -1,6 +1,8 @@
 //! Files from which a wheel is made.
 
+use super::arguments::ActsOn;
 use super::design::WheelDesign;
+use super::fitting::Fit;
 use super::kind::{AnyWheel, WheelKind};
 use super::mounting::MountingQuestion;
 use super::mounting_error::{with_arguments, with_remedies_of_mounting};
@@ -204,8 +206,8 @@ impl WheelDesign {
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
         let (parts, kerf, internal) = (self.listed("svg-parts")?.parts, self.kerf()?, self.internal_sizes()?);
-        let can_be_cut = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
-        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_cut))
+        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
+        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
@@ -293,19 +295,18 @@ impl WheelDesign {
     /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
         let internal = self.internal_sizes()?;
-        let can_be_made = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
+        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
         let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
-        found.map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_made))
+        found.map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
     }
 
-    /// Whether the parts of this wheel can be mounted as another question asks, and cut out.
-    fn is_mounted(&self, internal: Option<&InternalSizes>, other: &WheelQuestion) -> bool {
+    /// How the parts of this wheel fit that are mounted as another question asks, and cut out.
+    fn mounted_fit(&self, internal: Option<&InternalSizes>, other: &WheelQuestion) -> Fit {
         let asked = &other.mounting;
         let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
-        mounting.is_ok_and(|mounting| {
-            let list = self.listed_with(internal, &mounting);
-            list.and_then(Result::ok).is_some_and(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()))
-        })
+        let list = mounting.ok().and_then(|mounting| self.listed_with(internal, &mounting)?.ok());
+        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()));
+        list.map_or(Fit::Not, |list| Fit::of(list.thin_walls.is_empty()))
     }
 
     /// The parts of this wheel, or of an internal one of these sizes, so mounted; none without a size.
@@ -323,7 +324,12 @@ impl WheelDesign {
         }
     }
 
-    fn mounting(&self) -> Result<Mounting, Error> {
+    /// The mounting of these parts.
+    ///
+    /// # Errors
+    ///
+    /// Arguments that need another one, or exclude one another.
+    pub(super) fn mounting(&self) -> Result<Mounting, Error> {
         self.mounting_of(&self.question.mounting)
     }
 
@@ -331,12 +337,34 @@ impl WheelDesign {
     fn mounting_of(&self, asked: &MountingQuestion) -> Result<Mounting, Error> {
         // What is cut out of a sheet has one height.
         let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
+        if (self.question.process, asked.stacked) == (Some(Process::Laser), Some(false)) {
+            return Err(refused!(
+                "--driver-pieces one-piece: a laser cuts through its sheet, and leaves no disc standing on a plate; give --driver-pieces \
+                 two-pieces, or another --process"
+            ));
+        }
         let of_process = self.process_numbers()?.map(|numbers| numbers.axial_play.value);
         Ok(Mounting {
             axial_play: self.axial_play().or(self.question.axial_play).or(of_process),
             is_stacked: asked.stacked.unwrap_or(is_of_sheet),
             ..asked.mounting()?
         })
+    }
+
+    /// The sizes of an internal wheel that are reported: none without a size, and none where nothing of the parts is chosen and the
+    /// usual ones don't fit.
+    ///
+    /// # Errors
+    ///
+    /// Choices that fit no such wheel.
+    pub(super) fn reported_internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
+        let is_chosen = self.question.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Parts));
+        self.internal_sizes().or_else(|refused| if is_chosen { Err(refused) } else { Ok(None) })
+    }
+
+    /// The gap between ring and plate of an internal wheel along the axes, in millimetres.
+    pub(super) fn axial_play_of_internal(&self, sizes: &InternalSizes) -> f64 {
+        self.mounting().ok().and_then(|mounting| mounting.axial_play).unwrap_or(sizes.play.slot)
     }
 
     /// The sizes of an internal wheel with a size.
@@ -529,6 +557,16 @@ mod tests {
             refused("--mouth-radius 1")
                 .starts_with("--mouth-radius 1: the slots of an internal wheel have sharp mouths")
         );
+        // A bush's screw has its head where the ring plate is; the screw itself has room, and so has a dowel.
+        let with_pin = |more: &str| {
+            let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
+            WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel").step().map(|_| ())
+        };
+        let said = with_pin("--pin-diameter 6 --pin-screw M3").expect_err("no room").to_string();
+        assert!(said.contains("choose a pin of 3 mm, which is then the screw itself, or a dowel"), "{said}");
+        for right in ["--pin-diameter 3 --pin-screw M3", "--pin-diameter 6 --pin-mount dowel"] {
+            assert_eq!(with_pin(right), Ok(()), "{right}");
+        }
         let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
         for file in [spherical.step(), spherical.scad(), spherical.drawings_svg()] {
             let said = file.expect_err("no parts").to_string();
@@ -564,6 +602,12 @@ mod tests {
         assert_eq!(solids, 4, "wheel, disc, plate and pin");
         let (printed, solids) = page("--process fdm");
         assert!(printed.contains("in one piece with") && solids == 2);
+        let text = "--stations 6 --crank-radius 25 --thickness 3 --process laser --driver-pieces one-piece";
+        let one_piece = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        for made in [one_piece.drawings_html(), one_piece.svg_parts(), one_piece.dxf(), one_piece.step()] {
+            let said = made.expect_err("a laser cuts through").to_string();
+            assert!(said.starts_with("--driver-pieces one-piece: a laser"), "{said}");
+        }
         let (routed, solids) = page("--process router --driver-pieces one-piece");
         assert!(routed.contains("in one piece with") && solids == 2);
     }

@@ -1,7 +1,7 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
-use super::mouth_rows;
+use super::{looseness, mouth_rows};
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
@@ -184,6 +184,7 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
     ];
+    fields.extend(looseness::fields(design, in_place));
     fields.extend(mouth_rows::knock(design, in_place));
     Ok(fields)
 }

@@ -9,6 +9,7 @@ mod instants;
 mod load;
 mod mounting;
 mod need;
+mod range;
 mod size;
 mod strength;
 mod wrong;
