@@ -17,6 +17,7 @@ mod loads;
 mod looseness;
 mod making;
 mod materials;
+mod mounted_parts;
 mod mounting;
 mod mounting_error;
 mod mouth;
