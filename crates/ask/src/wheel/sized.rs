@@ -67,7 +67,7 @@ pub(super) fn internal_sizes(
         let sizes = InternalSizes::new(wheel, crank_radius, choices)?;
         Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    let sizes = |question: &WheelQuestion| {
+    let sizes = |question: &WheelQuestion| -> Result<InternalSizes, SizesError> {
         let mut sizes = InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)?;
         sizes.play.pin = pin_shift(question, sizes.pin_diameter);
         Ok(sizes)
