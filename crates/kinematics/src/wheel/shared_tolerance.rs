@@ -162,7 +162,7 @@ impl Sizes {
     }
 
     /// How far all sizes may be wrong together, as [`shared_tolerance`](Self::shared_tolerance), with a limit on how many crank
-    /// angles are looked at for each of the clearances that it needs, 28 at most.
+    /// angles are looked at for each of the clearances that it needs, 28 at most, or twice as many with loose pins.
     ///
     /// # Errors
     ///
@@ -174,13 +174,19 @@ impl Sizes {
 
     /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius and centre distance.
     fn runs_with(&self, limit: &SharedTolerance, angles: u32) -> Result<bool, KinematicsError> {
+        // A pin that is off its place along its circle is as good as a disc that is turned.
+        let turn = self.play.pin / self.crank_radius;
+        let turns: &[f64] = if turn > 0.0 { &[-turn, turn] } else { &[0.0] };
         for error in [-self.play.bore - limit.nearer, self.play.bore + limit.farther] {
             for sense in [-1.0, 1.0] {
                 let wrong = self.with_errors(limit, sense);
-                let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
-                let tolerance = assembly.tolerance;
-                if assembly.closest_approach_within(angles, 0.0)?.distance < tolerance {
-                    return Ok(false);
+                for turn in turns {
+                    let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
+                    let tolerance = assembly.tolerance;
+                    let nearest = assembly.with_disc_turn(*turn).closest_approach_within(angles, 0.0)?;
+                    if nearest.distance < tolerance {
+                        return Ok(false);
+                    }
                 }
             }
         }
@@ -188,13 +194,10 @@ impl Sizes {
     }
 
     /// The sizes with all errors but those of the axes and of the slot's direction at these limits, the crank longer or shorter
-    /// by its sense of 1 or −1. The cut in the disc stays where it is, so a larger disc has its edges farther out on it. A pin that
-    /// is off its place along its circle is as good as a disc that is turned: the cut is narrower by as much.
+    /// by its sense of 1 or −1. The cut in the disc stays where it is, so a larger disc has its edges farther out on it.
     fn with_errors(&self, limit: &SharedTolerance, sense: f64) -> Self {
         let larger = |disc: LockingDisc| {
-            let radius = disc.radius + limit.locking;
-            let beside = self.play.pin * radius / self.crank_radius;
-            let cut = Crescent { radius: disc.crescent.radius - beside, ..disc.crescent };
+            let (cut, radius) = (disc.crescent, disc.radius + limit.locking);
             let (far, near) = (cut.centre + radius, cut.centre - radius);
             // By half the angle: sin²(x/2) = (cut² − (centre − disc)²) / (4 centre disc).
             let square = (cut.radius - near) * (cut.radius + near) / ((far - near) * (far + near));
