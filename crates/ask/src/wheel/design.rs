@@ -71,7 +71,7 @@ impl WheelDesign {
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = materials(&question)?;
+        let materials = materials(&question);
         let density = question.density.unwrap_or(materials[1].density);
         let mut wanted = question.scale();
         if let (None, AnyWheel::External(external), true) = (wanted, &wheel, question.recommends_size) {

@@ -125,10 +125,15 @@ pub(super) fn fitting_values(
         return Some(FittingValues { name: argument.name, given, least: None, most: Some(zero) });
     };
     // What was given doesn't fit, so a limit is on the way to it; on the other side it is looked for.
-    let [small, large] = [around.min(seed) / FAR, around.max(seed) * FAR];
+    let [floor, ceiling] = argument.range().unwrap_or([0.0, f64::INFINITY]);
+    let [small, large] = [(around.min(seed) / FAR).max(floor), (around.max(seed) * FAR).min(ceiling)];
     let below = given.filter(|given| *given < seed).or_else(|| (!may_be_zero || !fits(0.0)).then_some(small));
     let above = given.filter(|given| *given > seed).unwrap_or(large);
-    let limit = |end: f64| (!fits(end)).then(|| bisect_times(HALVINGS, [seed, end], fits)[0]);
+    let limit = |asked: f64| {
+        let end = asked.clamp(floor, ceiling);
+        // Where all fits that makes sense, its end is told to one who asked for more.
+        if fits(end) { (end != asked).then_some(end) } else { Some(bisect_times(HALVINGS, [seed, end], fits)[0]) }
+    };
     let (least, most) = (below.and_then(limit), limit(above));
     let typed = |limit: f64, rounded: fn(f64) -> String| {
         let rounded = rounded(limit);
@@ -296,7 +301,7 @@ mod tests {
     #[test]
     fn a_refusal_has_one_limit_which_leaves_what_can_be_made() {
         // With a process, a thicker shaft gets a thinner pin, so there is more room than beside the usual pin.
-        let shaft = "--stations 6 --crank-radius 10 --process fdm --wheel-shaft 12";
+        let shaft = "--stations 4 --crank-radius 25 --process fdm --wheel-shaft 30";
         let said = ask(shaft).expect_err("too thick").to_string();
         assert!(!said.contains("less than") && said.matches("give --wheel-shaft up to ").count() == 1, "{said}");
         assert_eq!(flaw(shaft, "wheel-shaft", &said), None);

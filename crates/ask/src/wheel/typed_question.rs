@@ -184,7 +184,7 @@ mod tests {
         ("--gear-ratio 10", Needs::GEAR_RATIO),
         ("--wheel-flat 5", Needs::WHEEL_FLAT),
         ("--driver-flat 1.5", Needs::DRIVER_FLAT),
-        ("--pin-screw M3", Needs::PIN_SCREW),
+        ("--pin-screw M3 --pin-screw-hole tapped --pin-diameter 3", Needs::PIN_SCREW),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.
