@@ -347,7 +347,7 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     }
     if !is_shape(format) {
         let why = format!("on --format {}, which has numbers only; add --out DIR for all files", format.name());
-        let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !is_named(IN_PLAY)(argument);
+        let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
         reject_any(wanted, is_of_files, &why)?;
     }
     if wanted.process.is_none() {
@@ -396,10 +396,6 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     }
     Ok(())
 }
-
-/// What of the mounting acts on play and yield, too: how parts are held on their shafts and on each other.
-const IN_PLAY: &[&str] =
-    &["wheel-flat", "driver-flat", "driver-hub-circle", "hub-dowel", "disc-dowel", "disc-dowel-circle"];
 
 /// What acts on numbers that only external wheels have.
 const NOT_OF_INTERNAL: &[&str] = &[

@@ -180,7 +180,8 @@ impl InternalSizes {
     /// Whether all that is left of the parts can be made: horn, locking segment and the plate between pin and bore are at least a fifth
     /// of the pin thick, and the locking arcs reach into the ring by as much. That is our choice, as of an external wheel.
     pub fn has_sound_walls(&self) -> bool {
-        let least = THIN * self.pin_diameter;
+        // But for rounding.
+        let least = (1.0 - 1e-9) * THIN * self.pin_diameter;
         let [outer, inner] = self.segment_radii;
         let reach = self.locking_arc_radius + self.mouth_radius - self.centre_distance;
         let to_pin = self.crank_radius - self.pin_radius() - self.bore(self.plate_shaft) / 2.0;

@@ -317,7 +317,7 @@ mod tests {
                     let design = WheelDesign::new(mended).expect("a wheel");
                     let sizes = design.sizes.expect("sizes");
                     let disc = sizes.locking_disc.expect("a disc").radius;
-                    assert!(sizes.has_sound_walls() && disc >= sizes.pin_radius(), "{said}: {disc}");
+                    assert!(sizes.has_sound_walls() && disc >= 0.999 * sizes.pin_radius(), "{said}: {disc}");
                     tried += 1;
                 }
             }

@@ -9,12 +9,19 @@ fn mm(key: &'static str, length: f64) -> ReportField {
     ReportField::in_unit(key, length, "mm").needing(Needs::SIZE)
 }
 
-/// The fields, each in the place of one with the same key, or else behind all others.
+/// The fields, each in the place of one with the same key, or else behind the one before it.
 pub(super) fn merged(mut fields: Vec<ReportField>, ring: Vec<ReportField>) -> Vec<ReportField> {
+    let mut last = 0;
     for field in ring {
-        match fields.iter_mut().find(|other| other.key == field.key) {
-            Some(other) => *other = field,
-            None => fields.push(field),
+        match fields.iter().position(|other| other.key == field.key) {
+            Some(at) => {
+                fields[at] = field;
+                last = at;
+            }
+            None => {
+                last = (last + 1).min(fields.len());
+                fields.insert(last, field);
+            }
         }
     }
     fields

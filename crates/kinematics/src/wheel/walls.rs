@@ -102,9 +102,10 @@ impl Sizes {
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
     /// ```
     pub fn has_sound_walls(&self) -> bool {
-        let least = THIN * self.pin_diameter;
+        // But for rounding.
+        let least = (1.0 - 1e-9) * THIN * self.pin_diameter;
         let reach = self.locking_arc_radius + self.tip_radius - self.centre_distance;
-        let has_disc = self.locking_disc.is_none_or(|disc| disc.radius >= self.pin_radius());
+        let has_disc = self.locking_disc.is_none_or(|disc| disc.radius >= (1.0 - 1e-9) * self.pin_radius());
         has_disc && reach >= least && self.walls().all(|(_, thickness)| thickness >= least)
     }
 
