@@ -1,5 +1,6 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
+use super::arguments::ActsOn;
 use super::fitting::Fit;
 use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
@@ -67,7 +68,7 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
-        refuse_out_of_range(&question)?;
+        refuse_out_of_range(&question, can_be_made)?;
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
@@ -268,6 +269,15 @@ impl WheelDesign {
         let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
         once(&self.shared_tolerance, || in_time(sizes.shared_tolerance_within(self.question.effort.tolerance)))
     }
+}
+
+/// Whether the wheel of a question can be made and run.
+fn can_be_made(question: &WheelQuestion) -> bool {
+    let has_files = || question.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Files));
+    WheelDesign::new(question.clone()).is_ok_and(|design| {
+        let runs = design.loads(design.wheel.indexing()).is_ok();
+        runs && (!has_files() || design.part_list().is_ok() && design.svg_parts().is_ok())
+    })
 }
 
 /// Of a limit that is refused itself, what is told, dimensionless.

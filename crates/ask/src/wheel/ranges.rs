@@ -1,7 +1,6 @@
 //! Numbers that make no sense are refused, with the values that do for this wheel.
 
-use super::arguments::{ActsOn, ArgumentSlot};
-use super::design::WheelDesign;
+use super::arguments::ArgumentSlot;
 use super::fitting::{FittingValues, fitting_values, refusal};
 use super::question::WheelQuestion;
 use crate::Error;
@@ -14,17 +13,22 @@ impl WheelQuestion {
     }
 }
 
-/// Refuses the first number that makes no sense, with the values of its argument with which the wheel can be made as it is asked for.
+/// Refuses the first number that makes no sense, with the values of its argument with which the wheel can be made as it is asked for;
+/// `can_be_made` says whether that of a question can.
 ///
 /// # Errors
 ///
 /// The argument, its value, and the values to give.
-pub(super) fn refuse_out_of_range(question: &WheelQuestion) -> Result<(), Error> {
+pub(super) fn refuse_out_of_range(
+    question: &WheelQuestion,
+    can_be_made: impl Fn(&WheelQuestion) -> bool,
+) -> Result<(), Error> {
     let far = question.numbers().into_iter().find(|(argument, value)| !argument.makes_sense(*value));
     let Some((argument, value)) = far else { return Ok(()) };
     let Some([least, most]) = argument.range() else { return Ok(()) };
     let tried = WheelQuestion { is_trial: true, ..question.clone() };
-    let found = if question.is_trial { None } else { fitting_values(&argument, &tried, &can_be_made) };
+    let fits = |other: &WheelQuestion| other.is_in_range() && can_be_made(other);
+    let found = if question.is_trial { None } else { fitting_values(&argument, &tried, &fits) };
     let range = || FittingValues {
         name: argument.name,
         given: Some(value),
@@ -37,16 +41,6 @@ pub(super) fn refuse_out_of_range(question: &WheelQuestion) -> Result<(), Error>
         _ => "that is too small to make sense",
     };
     Err(Error::Argument(refusal(reason, &[found.unwrap_or_else(range)])))
-}
-
-/// Whether the wheel of a question can be made and run.
-fn can_be_made(question: &WheelQuestion) -> bool {
-    let has_files = || question.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Files));
-    question.is_in_range()
-        && WheelDesign::new(question.clone()).is_ok_and(|design| {
-            let runs = design.loads(design.wheel.indexing()).is_ok();
-            runs && (!has_files() || design.part_list().is_ok() && design.svg_parts().is_ok())
-        })
 }
 
 #[cfg(test)]

@@ -237,8 +237,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The same with the disc turned by an angle in radians against the first pin, which is an error of either one's place. Distances are
-    /// then those past mid-index; before it they are those of a disc that is turned the other way.
+    /// Wheel and driver with the disc turned by an angle in radians against the first pin, which is an error of either one's place.
+    /// Distances are then those past mid-index; before it they are those of a disc that is turned the other way.
     pub(super) fn with_disc_turn(self, disc_turn: f64) -> Self {
         Self { disc_turn, ..self }
     }
