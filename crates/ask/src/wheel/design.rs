@@ -1,6 +1,5 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
-use super::arguments::ActsOn;
 use super::fitting::Fit;
 use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
@@ -68,7 +67,7 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
-        refuse_out_of_range(&question, can_be_made)?;
+        refuse_out_of_range(&question, false, can_be_run)?;
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
@@ -271,13 +270,9 @@ impl WheelDesign {
     }
 }
 
-/// Whether the wheel of a question can be made and run.
-fn can_be_made(question: &WheelQuestion) -> bool {
-    let has_files = || question.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Files));
-    WheelDesign::new(question.clone()).is_ok_and(|design| {
-        let runs = design.loads(design.wheel.indexing()).is_ok();
-        runs && (!has_files() || design.part_list().is_ok() && design.svg_parts().is_ok())
-    })
+/// Whether the wheel of a question can be run. How it is mounted is looked at where its parts are listed.
+fn can_be_run(question: &WheelQuestion) -> bool {
+    WheelDesign::new(question.clone()).is_ok_and(|design| design.loads(design.wheel.indexing()).is_ok())
 }
 
 /// Of a limit that is refused itself, what is told, dimensionless.

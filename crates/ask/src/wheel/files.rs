@@ -432,6 +432,9 @@ mod tests {
             assert!(file.expect("a file").len() > 1000);
         }
         assert!(internal.three_mf().is_ok());
+        let text = "--stations 6 --type internal --crank-radius 40 --thickness 6 --process fdm";
+        let printed = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        assert!(printed.drawings_html().expect("sheets").contains("expect at least "));
         let refused = |more: &str| {
             let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
             let question = WheelQuestion::parse(&text).expect("a question");

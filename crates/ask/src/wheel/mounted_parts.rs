@@ -8,6 +8,7 @@ use super::mounting::MountingQuestion;
 use super::mounting_error::with_remedies_of_mounting;
 use super::mouth::given_mouths;
 use super::question::WheelQuestion;
+use super::ranges::refuse_out_of_range;
 use super::sized;
 use crate::Error;
 use crate::number_format::as_typed;
@@ -22,10 +23,21 @@ impl WheelDesign {
     ///
     /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
+        self.refuse_mounting_out_of_range()?;
         let internal = self.internal_sizes()?;
         let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
         let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
         found.map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
+    }
+
+    /// Refuses numbers of the mounting that make no sense, with values with which these parts can be mounted.
+    ///
+    /// # Errors
+    ///
+    /// The argument, its value, and the values to give; and sizes of an internal wheel that don't fit.
+    pub(super) fn refuse_mounting_out_of_range(&self) -> Result<(), Error> {
+        let internal = self.internal_sizes()?;
+        refuse_out_of_range(&self.question, true, |other| self.mounted_fit(internal.as_ref(), other) != Fit::Not)
     }
 
     /// How the parts of this wheel fit that are mounted as another question asks, and cut out.

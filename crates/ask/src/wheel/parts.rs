@@ -225,6 +225,9 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 /// A distance of the axes at which the parts can't work together.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let mut found = design.warnings()?;
+    if design.sizes.is_some() {
+        design.refuse_mounting_out_of_range()?;
+    }
     // What can't be mounted is refused where the files are made.
     let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
     found.extend(thin.iter().map(ThinWall::to_string));

@@ -110,12 +110,14 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
 /// [`WheelDesign::count_assemblies`] counts them.
 pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
     let share = |key, value: Option<f64>| ReportField::in_unit(key, value, "").rounded(Rounding::Percent(1));
+    let is_internal = kind == WheelKind::Internal;
     let few = match found {
+        // Of a lower bound it is not known whether it is too low.
+        Some(found) if found.share() < ENOUGH && is_internal => ": with more play, more do",
         Some(found) if found.share() < ENOUGH => ": too few turn, choose more play",
         _ => "",
     };
     let interval = found.map(|found| found.interval());
-    let is_internal = kind == WheelKind::Internal;
     let for_certain = if is_internal { "for certain " } else { "" };
     let varied = if is_internal {
         "at most, likewise; more may turn, as the ring counts as if all its slots and arcs were as the worst of them, and as if it could \

@@ -1,6 +1,6 @@
 //! Numbers that make no sense are refused, with the values that do for this wheel.
 
-use super::arguments::ArgumentSlot;
+use super::arguments::{ActsOn, Argument, ArgumentSlot};
 use super::fitting::{FittingValues, fitting_values, refusal};
 use super::question::WheelQuestion;
 use crate::Error;
@@ -13,17 +13,21 @@ impl WheelQuestion {
     }
 }
 
-/// Refuses the first number that makes no sense, with the values of its argument with which the wheel can be made as it is asked for;
-/// `can_be_made` says whether that of a question can.
+/// Refuses the first number that makes no sense of the arguments that act on files, or of those that don't, with the values of its
+/// argument with which the wheel can be made as it is asked for; `can_be_made` says whether that of a question can.
 ///
 /// # Errors
 ///
 /// The argument, its value, and the values to give.
 pub(super) fn refuse_out_of_range(
     question: &WheelQuestion,
+    of_files: bool,
     can_be_made: impl Fn(&WheelQuestion) -> bool,
 ) -> Result<(), Error> {
-    let far = question.numbers().into_iter().find(|(argument, value)| !argument.makes_sense(*value));
+    let is_far = |(argument, value): &(Argument, f64)| {
+        argument.acts_on.contains(&ActsOn::Files) == of_files && !argument.makes_sense(*value)
+    };
+    let far = question.numbers().into_iter().find(is_far);
     let Some((argument, value)) = far else { return Ok(()) };
     let Some([least, most]) = argument.range() else { return Ok(()) };
     let tried = WheelQuestion { is_trial: true, ..question.clone() };
@@ -67,12 +71,14 @@ mod tests {
                 let [from, to] = knob.typed;
                 assert!(to <= most && (from <= 0.0 || from >= least), "--{}: {from} to {to}", argument.name);
             }
+            let is_of_files = argument.acts_on.contains(&crate::wheel::ActsOn::Files);
             let is_count = matches!(argument.place, ArgumentSlot::Count(_));
             let size = if argument.acts_on.contains(&crate::wheel::ActsOn::Size) { "" } else { " --crank-radius 25" };
             for value in if is_count { ["1", "1000000000"] } else { ["1e-9", "1e9"] } {
                 let text = format!("--stations 6{size} --{} {value}", argument.name);
                 let question = WheelQuestion::parse(&text).expect(&text);
-                match WheelDesign::new(question) {
+                let made = WheelDesign::new(question);
+                match made.and_then(|design| if is_of_files { design.part_list().map(|_| ()) } else { Ok(()) }) {
                     Err(error) => {
                         let said = error.to_string();
                         let start = format!("--{} ", argument.name);
