@@ -24,7 +24,10 @@ impl WheelDesign {
             ("Given", given(self)),
             ("Geometry", geometry(self, wheel)),
             ("Parts", ring_rows::merged(parts::parts(self), ring_rows::parts(self)?)),
-            ("Play and tolerances of the parts", parts::tolerances(self)?),
+            (
+                "Play and tolerances of the parts",
+                ring_rows::merged(parts::tolerances(self)?, ring_rows::looseness(self)?),
+            ),
             (
                 "Limits if all sizes are wrong at once",
                 ring_rows::merged(parts::together(self)?, ring_rows::together(self)?),

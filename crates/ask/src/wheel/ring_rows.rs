@@ -4,6 +4,7 @@ use super::design::WheelDesign;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::SharedTolerance;
+use geneva_workshop::{Mounting, ShaftFit};
 
 fn mm(key: &'static str, length: f64) -> ReportField {
     ReportField::in_unit(key, length, "mm").needing(Needs::SIZE)
@@ -85,6 +86,37 @@ pub(super) fn parts(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     Ok(fields)
 }
 
+/// The fields of how loosely parts are held; none as of the parts.
+///
+/// # Errors
+///
+/// Choices that fit no such wheel.
+pub(super) fn looseness(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
+    let Some(sizes) = design.reported_internal_sizes()? else { return Ok(Vec::new()) };
+    let mounting = design.mounting().ok();
+    let turning = |key, fit: fn(&Mounting) -> ShaftFit, shaft: f64| {
+        let angle = mounting.as_ref().and_then(|mounting| fit(mounting).turning_play(shaft, sizes.play.bore));
+        ReportField::in_unit(key, angle.map(f64::to_degrees), "°")
+    };
+    let (of_wheel, of_driver) =
+        (Needs::WHEEL_SHAFT.union(Needs::WHEEL_FLAT), Needs::DRIVER_SHAFT.union(Needs::DRIVER_FLAT));
+    let shift = design.question.mounting.pin_screw.map(|_| sizes.play.pin);
+    Ok(vec![
+        turning("wheel_flat_play_deg", |mounting| mounting.wheel_fit, sizes.wheel_shaft)
+            .line("play on the flat", "of the wheel on its shaft, to either side, in a bore with that play")
+            .needing(Needs::SIZE.union(of_wheel)),
+        turning("driver_flat_play_deg", |mounting| mounting.driver_fit, sizes.plate_shaft)
+            .line("", "of the driver on its shaft, to either side")
+            .needing(Needs::SIZE.union(of_driver)),
+        ReportField::in_unit("pin_shift_mm", shift, "mm")
+            .line(
+                "place of the pin",
+                "off by so much in any direction, as the hole of its screw lets it; limits and yield count it",
+            )
+            .needing(Needs::SIZE.union(Needs::PIN_SCREW)),
+    ])
+}
+
 /// The fields of how far each size may be wrong if all are; none as of the parts.
 ///
 /// # Errors
@@ -149,6 +181,11 @@ mod tests {
         assert!(share > 0.5 && low < share, "{share} {low}");
         let tight = number(&RING.replace("--process fdm", "--process fdm --play 0.2"), "yield").expect("a yield");
         assert!(tight < share - 0.3, "{tight} {share}");
+        // A screw M6 in its hole of 6.6 mm, and a flat that is 1 mm deep, on a bore with 0.4 mm of play.
+        let held = format!("{RING} --pin-diameter 6 --pin-screw M6 --wheel-flat 7");
+        assert!((number(&held, "pin_shift_mm").expect("a screw") - 0.3).abs() < 1e-9);
+        let turn = ((3.0_f64 / 4.0).acos() - (3.4_f64 / 4.0).acos()).to_degrees();
+        assert!((number(&held, "wheel_flat_play_deg").expect("a flat") - turn).abs() < 1e-9);
         let limits = number("wheel --stations 6 --type internal --crank-radius 40 --play 0.4", "all_crank_radius_mm");
         assert!(limits.is_some_and(|limit| limit > 0.0 && limit < 0.04));
     }
