@@ -128,7 +128,6 @@ fn values() -> Vec<(String, f64, &'static str)> {
     let bare = [
         ("question.worked.rpm", given("worked", "--rpm")),
         ("question.instant.rpm", given("instant", "--rpm")),
-        ("question.twice-as-fast.rpm", given("worked-twice-as-fast", "--rpm")),
         ("spread.parts", 1.0 / LEAST_SPREAD),
         ("explained.three", explained(3)),
         ("explained.six", explained(6)),

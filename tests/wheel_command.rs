@@ -5,6 +5,7 @@ mod cycle;
 mod designer;
 mod everywhere;
 mod idle;
+mod lengths;
 mod loads;
 mod parts;
 mod times;

@@ -57,7 +57,7 @@ fn what_is_no_range_is_told_what_one_is() {
         ("a", "FROM:TO:COUNT"),
         ("0.1:0.3", "FROM:TO:COUNT"),
         ("0.1:0.3:5:log:7", "FROM:TO:COUNT"),
-        ("0.1:0,3:5", "FROM:TO:COUNT"),
+        ("0.1:0,3:5", "give 0.3, with a decimal point"),
         ("0.1:0.3:0", "1 or more"),
         ("0.1:0.3:-5", "1 or more"),
         ("0.1:0.3:many", "1 or more"),

@@ -87,6 +87,16 @@ fn the_check_of_the_chapter_blames_the_centre_distance() {
     assert_eq!(found["culprit"], "centre distance");
     let first = found["change_first"].as_str().expect("words");
     assert!(first.contains("make centre distance 50"), "{first}");
+    assert_eq!(found["lands_on_corner"], true);
+    // Without a size, what rests on it is not told, and the option that would tell it is named.
+    let words: Vec<&str> = question.split(' ').collect();
+    for (without, lost) in [("--slot-width", "index_backlash_deg"), ("--locking-disc-radius", "dwell_backlash_deg")] {
+        let at = words.iter().position(|word| *word == without).expect("an option");
+        let fewer = object(&[&words[..at], &words[at + 2..]].concat());
+        assert!(!found[lost].is_null() && fewer[lost].is_null() && fewer["turns"].is_null(), "{without}");
+        let unmeasured = fewer["unmeasured"].as_array().expect("options");
+        assert!(unmeasured.contains(&without.trim_start_matches('-').into()), "{unmeasured:?}");
+    }
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The fields of an answer: values under keys, with units, names and meanings.
 
-use crate::number_format::{angle, no_greater, number, to_digits};
+use crate::number_format::{angle, inches, no_greater, number, to_digits};
 use geneva_fields::{DataRow, FieldValue};
 use serde::ser::{Serialize, Serializer};
 use std::borrow::Cow;
@@ -112,6 +112,8 @@ pub struct SheetLine {
 pub enum SheetNumber {
     /// The value, in its unit.
     Value,
+    /// The value, in its unit, and then in another one, with that unit.
+    Both(String),
     /// The size of a value that is signed or has a direction, in the value's unit, and the direction.
     Size(f64, String),
     /// None: words say it all.
@@ -182,7 +184,7 @@ impl ReportField {
     pub fn on_a_sheet(&self) -> String {
         match (self.line.as_ref().map(|line| &line.shows), &self.value) {
             (Some(SheetNumber::Size(size, _)), _) => number(*size),
-            (Some(SheetNumber::Value), FieldValue::Number(value)) => match self.rounding {
+            (Some(SheetNumber::Value | SheetNumber::Both(_)), FieldValue::Number(value)) => match self.rounding {
                 Rounding::Limit(digits) => to_digits(no_greater(*value, digits), digits),
                 _ if self.unit == "°" => angle(*value),
                 _ => number(*value),
@@ -190,6 +192,16 @@ impl ReportField {
             (Some(SheetNumber::Value), FieldValue::Count(count)) => count.to_string(),
             _ => String::new(),
         }
+    }
+
+    /// The field with its length in millimetres also in inches on its line; all others are left as they are.
+    fn beside_inches(mut self) -> Self {
+        if let (Some(line), "mm", FieldValue::Number(length)) = (&mut self.line, self.unit, &self.value)
+            && line.shows == SheetNumber::Value
+        {
+            line.shows = SheetNumber::Both(inches(*length, matches!(self.rounding, Rounding::Limit(_))));
+        }
+        self
     }
 
     /// The field also on pages: a figure that a reader moves lists it under its name.
@@ -344,6 +356,27 @@ impl MechanismReport {
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         self.not_finite().is_none()
+    }
+
+    /// The answer with each length in millimetres on its sheet also in inches, to a thousandth, or to a ten-thousandth if it is short.
+    ///
+    /// ```
+    /// let sheet = geneva_ask::answer("wheel --stations 6 --crank-radius 25.4")?.beside_inches().plain_sheet();
+    /// assert!(sheet.contains(" 2.000 in  "), "{sheet}"); // the centre distance of 50.8 mm
+    /// # Ok::<(), geneva_ask::Error>(())
+    /// ```
+    #[must_use]
+    pub fn beside_inches(mut self) -> Self {
+        let fields = |fields: Vec<ReportField>| fields.into_iter().map(ReportField::beside_inches).collect();
+        self.sections = self.sections.into_iter().map(|(title, of)| (title, fields(of))).collect();
+        self.list = self.list.map(|(key, items)| {
+            let items = items.into_iter().map(|item| Item { fields: fields(item.fields), ..item });
+            (key, items.collect())
+        });
+        let remark = "Inches are rounded, limits downwards; the millimetres count, and all files are in millimetres.";
+        self.note =
+            [self.note.as_str(), remark].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+        self
     }
 
     /// The key of the first number that is not finite, if there is one.

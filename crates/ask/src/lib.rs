@@ -27,6 +27,7 @@ pub mod pin;
 pub mod quick_return;
 mod sheet;
 mod timekeepers;
+pub mod typed_number;
 pub mod wheel;
 pub mod worked;
 
@@ -119,5 +120,8 @@ fn pairs(text: &str) -> impl Iterator<Item = Result<(&str, &str), Error>> {
 
 /// The number that an argument is given.
 fn number<T: FromStr>(name: &str, text: &str) -> Result<T, Error> {
-    text.replace('−', "-").parse().map_err(|_| refused!("--{name} {text}: not a number; give one"))
+    text.replace('−', "-").parse().map_err(|_| {
+        let advice = typed_number::advice(text, typed_number::TypedNumber::Plain);
+        refused!("--{name} {text}: {}", advice.unwrap_or_else(|| "not a number; give one".to_owned()))
+    })
 }

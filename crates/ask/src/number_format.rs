@@ -67,6 +67,25 @@ pub fn to_digits(value: f64, digits: usize) -> String {
     geneva_figures::with_minus_sign(&number)
 }
 
+/// A length in millimetres in inches, to a thousandth, or to a ten-thousandth below a tenth; a limit is rounded towards zero.
+pub fn inches(millimetres: f64, is_limit: bool) -> String {
+    let inches = millimetres / MILLIMETRES_OF_AN_INCH;
+    let (decimals, scale) = if inches.abs() < 0.1 { (4, 1e4) } else { (3, 1e3) };
+    let rounded = if is_limit {
+        // What is lost in computing is no part of a limit.
+        (no_greater(inches.abs(), DIGITS_OF_A_LIMIT) * scale).floor().copysign(inches) / scale
+    } else {
+        inches
+    };
+    geneva_figures::with_minus_sign(&format!("{:.decimals$} in", rounded + 0.0))
+}
+
+/// Millimetres of an inch, by definition.
+pub(crate) const MILLIMETRES_OF_AN_INCH: f64 = 25.4;
+
+/// Significant digits of a limit before it is rounded to decimals.
+const DIGITS_OF_A_LIMIT: usize = 10;
+
 /// An angle in degrees with as many digits. Zero and the half turn have no sign.
 pub fn angle(degrees: f64) -> String {
     let written = number(if degrees.abs() <= NO_ANGLE { 0.0 } else { degrees });
@@ -92,6 +111,15 @@ mod tests {
         let written = [0.0, 2.0, -1.0 / 3.0, 99.999, 12_345.6, 1e9, 1e-9].map(number);
         assert_eq!(written, ["0", "2.000", "−0.3333", "100.0", "12346", "1.000e9", "1.000e−9"]);
         assert_eq!([-1e-15, 1e-3, -179.999_99, 180.0, -30.0].map(angle), ["0", "0.001000", "180.0", "180.0", "−30.00"]);
+    }
+
+    #[test]
+    fn inches_have_thousandths_and_short_ones_a_digit_more() {
+        let plain = [25.4, 12.7, 86.720_1, -0.5, 0.02, 2.54, 0.0].map(|length| inches(length, false));
+        assert_eq!(plain, ["1.000 in", "0.500 in", "3.414 in", "−0.0197 in", "0.0008 in", "0.100 in", "0.0000 in"]);
+        // 0.049 mm are 0.00193 in; what holds must not be told larger.
+        let limits = [0.049, 0.0254, 2.539_9, 3.0, -0.049].map(|length| inches(length, true));
+        assert_eq!(limits, ["0.0019 in", "0.0010 in", "0.0999 in", "0.118 in", "−0.0019 in"]);
     }
 
     #[test]

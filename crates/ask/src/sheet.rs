@@ -12,6 +12,8 @@ struct Written<'a> {
     name: &'static str,
     number: String,
     unit: &'static str,
+    /// The number in another unit, with that.
+    other: &'a str,
     direction: &'a str,
     meaning: &'a str,
 }
@@ -19,12 +21,13 @@ struct Written<'a> {
 impl<'a> Written<'a> {
     fn of(field: &'a ReportField) -> Option<Self> {
         let line = field.line.as_ref()?;
-        let (unit, direction) = match &line.shows {
-            SheetNumber::Value => (field.unit, ""),
-            SheetNumber::Size(_, direction) => (field.unit, direction.as_str()),
-            SheetNumber::Words => ("", ""),
+        let (unit, other, direction) = match &line.shows {
+            SheetNumber::Value => (field.unit, "", ""),
+            SheetNumber::Both(other) => (field.unit, other.as_str(), ""),
+            SheetNumber::Size(_, direction) => (field.unit, "", direction.as_str()),
+            SheetNumber::Words => ("", "", ""),
         };
-        Some(Self { name: line.name, number: field.on_a_sheet(), unit, direction, meaning: &line.meaning })
+        Some(Self { name: line.name, number: field.on_a_sheet(), unit, other, direction, meaning: &line.meaning })
     }
 }
 
@@ -47,6 +50,7 @@ impl MechanismReport {
         let mut page = format!("{on}{}{off}\n", wrapped("", &self.title).trim_end());
         page += &wrapped("", self.introduction);
         for (title, lines) in &sections {
+            let other = lines.iter().map(|line| length(line.other)).max().unwrap_or(0);
             let direction = lines.iter().map(|line| length(line.direction)).max().unwrap_or(0);
             if !lines.is_empty() {
                 page += &format!("\n{on}{title}{off}\n");
@@ -56,6 +60,9 @@ impl MechanismReport {
                 if !line.number.is_empty() {
                     let (before, after) = split(&line.number);
                     lead += &format!("{before:>whole$}{after:<decimals$} {:<unit$}  ", line.unit);
+                }
+                if other > 0 && !line.number.is_empty() {
+                    lead += &format!("{:>other$}  ", line.other);
                 }
                 if direction > 0 {
                     lead += &format!("{:>direction$}  ", line.direction);

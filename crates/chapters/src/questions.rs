@@ -46,7 +46,11 @@ const QUESTIONS: &[(&str, &str)] = &[
         "wheel --stations 4 --crank-radius 25 --process fdm --pin-screw M3 --wheel-hub-circle 20 \
          --hub-holes 4 --hub-screw M3 --out printed",
     ),
-    ("checked", "wheel check --stations 6 --centre-distance 50.45 --crank-radius 25 --outside-diameter 87.1"),
+    (
+        "checked",
+        "wheel check --stations 6 --centre-distance 50.45 --crank-radius 25 --outside-diameter 86.95 --pin-diameter 7.5 --slot-width 7.6 \
+         --locking-disc-radius 13.65 --locking-arc-radius 13.72",
+    ),
     (
         "replaced",
         "wheel --stations 6 --outside-diameter 86.9 --locking-arc-radius 13.72 --pin-diameter 7.5 --out new-wheel",

@@ -2,6 +2,9 @@
 //! a series.
 
 use crate::output::{TextLayout, heading};
+use crate::typed::CommandFormat;
+use anyhow::bail;
+use clap::{Args, ValueEnum};
 use geneva_ask::MechanismReport;
 
 pub(crate) use geneva_press::fields::{DataRow, csv, json};
@@ -10,6 +13,42 @@ pub(crate) use geneva_press::fields::{DataRow, csv, json};
 pub(crate) fn sheet(answer: &MechanismReport, layout: TextLayout) -> String {
     let bold = heading();
     answer.sheet(|lead, text| layout.wrapped(lead, text), [&format!("{bold}"), &format!("{bold:#}")])
+}
+
+/// An answer as a sheet with lengths in this unit: millimetres, with inches beside them if these are asked for.
+pub(crate) fn with_lengths_in(unit: SheetUnit, answer: MechanismReport) -> MechanismReport {
+    match unit {
+        SheetUnit::Mm => answer,
+        SheetUnit::In => answer.beside_inches(),
+    }
+}
+
+/// Units of the lengths on a sheet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SheetUnit {
+    /// Millimetres
+    #[default]
+    Mm,
+    /// Millimetres, and inches beside them
+    In,
+}
+
+/// The unit of the lengths on a sheet, as an option.
+#[derive(Args, Debug)]
+pub(crate) struct SheetUnitArgument {
+    /// Unit of the lengths on the sheet; all other formats and all files are in millimetres
+    #[arg(long, value_name = "UNIT", default_value = "mm")]
+    pub unit: SheetUnit,
+}
+
+impl SheetUnitArgument {
+    /// Refuses inches where no sheet is wanted.
+    pub(crate) fn reject_without_sheet(&self, format: CommandFormat) -> anyhow::Result<()> {
+        if self.unit == SheetUnit::In && format != CommandFormat::Text {
+            bail!("--unit in has no effect on --format {}, whose lengths are in mm; leave it out", format.name());
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]

@@ -174,7 +174,7 @@ Examples:
   geneva wheel --stations 6 --index-time 0.4 --table-mass 2 --table-diameter 300 --out wheel
   geneva wheel check --stations 6 --centre-distance 50.4 --crank-radius 25 --outside-diameter 87.1
 
-Lengths are in millimetres, or in inches with their unit: 0.5in, 1/8in, 1-1/2in. An option that would have no effect is \
+Lengths are in millimetres, or with a unit: 0.5in, 1/8in, 1-1/2in, 2cm. With --unit in, the sheet has inches, too. An option that would have no effect is \
 refused, and the message says what to add.")]
     Wheel(Box<wheel::WheelArguments>),
     /// Solve a pin in a slot at one instant: how fast the wheel turns and the pin slides, with every step

@@ -16,7 +16,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 pub(crate) use geneva_ask::number_format::{as_typed, rounded};
-use geneva_ask::wheel::in_millimetres;
+use geneva_ask::typed_number::{TypedNumber, advice, in_millimetres};
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -27,6 +27,9 @@ const MOST_DEGREES: f64 = 1e9;
 /// Pins of a driver whose wheel has three stations; with more stations there are fewer.
 const MOST_PINS: u32 = 6;
 
+/// Holes or dowels on a circle that may be asked for.
+const HOLES: RangeInclusive<u32> = 2..=12;
+
 /// Most threads that may be asked for.
 pub(crate) const MOST_THREADS: usize = 1024;
 
@@ -35,26 +38,37 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     above_zero(text, "number")
 }
 
-/// A length in millimetres, above zero: the unit of all lengths of a wheel. It can be typed in inches, `2.5in` or `1-1/2in`.
+/// A length in millimetres, above zero: the unit of all lengths of a wheel. It can be typed with its unit, `2.5in`, `1-1/2in` or `2cm`.
 pub(crate) fn millimetres(text: &str) -> Result<f64, String> {
-    let (number, unit) = in_millimetres(text);
-    above_zero(&number, LENGTH).map(|length| length * unit)
+    length(text, |number| above_zero(number, LENGTH))
 }
 
-/// A length in millimetres that is zero or more, or in inches.
+/// A length in millimetres that is zero or more, or with its unit.
 pub(crate) fn millimetres_or_zero(text: &str) -> Result<f64, String> {
-    let (number, unit) = in_millimetres(text);
-    zero_or_more(&number).map(|length| length * unit)
+    length(text, zero_or_more)
 }
 
-/// A length in millimetres of either sign, or in inches.
+/// A length in millimetres of either sign, or with its unit.
 pub(crate) fn signed_millimetres(text: &str) -> Result<f64, String> {
+    length(text, |typed| {
+        let most = COMPUTABLE.end();
+        let size = read(typed, || {
+            format!("not a number; give a {LENGTH} from −{most:e} to {most:e}, with a decimal point, not a comma")
+        })?;
+        if size == 0.0 { Ok(size) } else { computable(typed, size) }
+    })
+}
+
+/// A length in millimetres whose number is read by `parse`; the unit may be behind it.
+fn length(text: &str, parse: impl Fn(&str) -> Result<f64, String>) -> Result<f64, String> {
     let (typed, unit) = in_millimetres(text);
-    let most = COMPUTABLE.end();
-    let length = number(&typed).ok_or_else(|| {
-        format!("not a number; give a {LENGTH} from −{most:e} to {most:e}, with a decimal point, not a comma")
-    })?;
-    if length == 0.0 { Ok(length) } else { computable(&typed, length).map(|length| length * unit) }
+    let wrong = if number(&typed).is_none() { advice(text, TypedNumber::Length) } else { None };
+    wrong.map_or_else(|| parse(&typed).map(|length| length * unit), Err)
+}
+
+/// A number, or what to write instead: where that can't be told, `otherwise` says what is wrong.
+fn read(text: &str, otherwise: impl Fn() -> String) -> Result<f64, String> {
+    number(text).ok_or_else(|| advice(text, TypedNumber::Plain).unwrap_or_else(&otherwise))
 }
 
 /// What a length is, in messages.
@@ -63,7 +77,7 @@ const LENGTH: &str = "length in millimetres";
 /// A number that is zero or more.
 pub(crate) fn zero_or_more(text: &str) -> Result<f64, String> {
     let most = COMPUTABLE.end();
-    let value = number(text).ok_or_else(|| {
+    let value = read(text, || {
         format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
     })?;
     if value < 0.0 || value.is_nan() {
@@ -88,7 +102,7 @@ pub(crate) fn radians_a_second(text: &str) -> Result<f64, String> {
 /// A speed of a crank in this unit, in either sense.
 fn turning(text: &str, unit: &str) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
-    let value = number(text).ok_or_else(|| {
+    let value = read(text, || {
         format!("not a speed; give {least:e} to {most:e} {unit}, or below zero, with a decimal point, not a comma")
     })?;
     if value == 0.0 || value.is_nan() {
@@ -102,8 +116,10 @@ fn turning(text: &str, unit: &str) -> Result<f64, String> {
 
 /// An angle in degrees. Which are possible, the mechanism says.
 pub(crate) fn degrees(text: &str) -> Result<f64, String> {
-    number(text).ok_or_else(|| {
-        format!("not an angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}, with a decimal point, not a comma")
+    read(text, || {
+        format!(
+            "not an angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}, with a decimal point, not a comma"
+        )
     })
 }
 
@@ -135,9 +151,15 @@ pub(crate) fn pins(text: &str) -> Result<u32, String> {
     whole(text, "pins", &format!("an integer from 1 to {MOST_PINS}"))
 }
 
-/// A number of holes on a circle. Which are possible, the library says.
+/// A number of holes or dowels on a circle.
 pub(crate) fn holes(text: &str) -> Result<u32, String> {
-    whole(text, "holes", "an integer from 2 to 12")
+    let possible = format!("an integer from {} to {}", HOLES.start(), HOLES.end());
+    let holes: u32 = whole(text, "holes or dowels", &possible)?;
+    if HOLES.contains(&holes) {
+        Ok(holes)
+    } else {
+        Err(format!("not a possible number of holes or dowels; give {possible}"))
+    }
 }
 
 /// A number of threads.
@@ -169,15 +191,13 @@ pub(crate) fn value_named<T: Copy + Send + Sync + 'static>(
 /// The number that was typed, if it is above zero and can be computed with; `what` it is.
 fn above_zero(text: &str, what: &str) -> Result<f64, String> {
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
-    match number(text) {
-        None => Err(format!(
-            "not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma"
-        )),
-        Some(value) if value > 0.0 => computable(text, value),
-        Some(_) => Err(format!(
-            "{} is not above zero; give a {what} from {least:e} to {most:e}",
-            escape_and_shorten(text.trim())
-        )),
+    let value = read(text, || {
+        format!("not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma")
+    })?;
+    if value > 0.0 {
+        computable(text, value)
+    } else {
+        Err(format!("{} is not above zero; give a {what} from {least:e} to {most:e}", escape_and_shorten(text.trim())))
     }
 }
 
@@ -333,7 +353,7 @@ mod tests {
             [positive, radians_a_second, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
         let counts: [Parser<u32>; 4] = [slots, stations, pins, holes];
         let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
-        for text in ["", "x", "１２", "0,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
+        for text in ["", "x", "１２", "1,2,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
             let numbers = parsers.iter().map(|parse| parse(text)).chain([threads(text)]);
             for refused in numbers.chain(counts.iter().map(|parse| parse(text).map(f64::from))).filter_map(Result::err)
             {
@@ -342,6 +362,27 @@ mod tests {
                 assert!(ends && given.contains(|sign: char| sign.is_ascii_digit()), "{text}: {refused}");
             }
         }
+    }
+
+    #[test]
+    fn a_comma_and_a_unit_are_answered_with_what_to_write() {
+        let parsers: [Parser<f64>; 8] = [
+            positive,
+            radians_a_second,
+            millimetres,
+            millimetres_or_zero,
+            signed_millimetres,
+            zero_or_more,
+            turns_a_minute,
+            finite_degrees,
+        ];
+        for parse in parsers {
+            assert_eq!(parse("87,1"), Err("give 87.1, with a decimal point, not a comma".to_owned()));
+            let said = parse("5lb").expect_err("a unit");
+            assert!(said.contains("without lb") || said.contains("mm, cm, m or in"), "{said}");
+        }
+        assert_eq!([millimetres("2inch"), millimetres("5cm"), millimetres("0.05m")], [Ok(50.8), Ok(50.0), Ok(50.0)]);
+        assert!(millimetres("-2in").is_err_and(|said| said.contains("above zero")));
     }
 
     #[test]
@@ -354,7 +395,7 @@ mod tests {
             (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
             (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
-            (millimetres("0,1"), "millimetres above zero, from 1e-30 to 1e30, with a decimal point"),
+            (millimetres("x"), "millimetres above zero, from 1e-30 to 1e30, with a decimal point"),
             (radians_a_second("0"), "radians per second for counter-clockwise"),
             (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),

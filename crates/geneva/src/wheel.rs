@@ -3,7 +3,7 @@
 //! Its options are the rows of the table of arguments in `ask`. None is ignored in silence: one that would have no effect is refused,
 //! with what would give it one.
 
-use crate::fields;
+use crate::fields::{self, SheetUnit, SheetUnitArgument};
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, as_typed, formats};
 use crate::wheel_check::CheckArguments;
@@ -50,6 +50,9 @@ pub(crate) struct WheelArguments {
     /// files, and a spherical one has none but the sheet, the numbers and the drawing
     #[arg(long, value_name = "DIR", conflicts_with_all = ["format", "output"])]
     pub out: Option<PathBuf>,
+    /// The unit of the lengths on the sheet.
+    #[command(flatten)]
+    pub unit: SheetUnitArgument,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -66,8 +69,9 @@ Examples:
   geneva wheel check --stations 6 --centre-distance 2in --crank-radius 1in --pin-diameter 1/4in --uncertainty 0.002in
   geneva wheel check --dxf wheel.dxf --layer wheel=STAR --rpm 60
 
-Give what you have measured. What is missing is taken from the nearest right wheel. Lengths are in millimetres, or in inches with \
-their unit: 0.5in, 1/8in, 1-1/2in.")]
+Give what you have measured. What is missing is filled in from the nearest right wheel, and what rests on it is not told: the answer \
+says what to measure. Lengths are in millimetres, or with a unit: 0.5in, 1/8in, 1-1/2in, 2cm. Decimals have a point; commas are \
+between slots or arcs.")]
     Check(Box<CheckArguments>),
 }
 
@@ -165,6 +169,7 @@ fn materials() -> impl TypedValueParser<Value = Material> {
 /// The wheel that is wanted, in the format that is wanted, or in all of them.
 pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
     let (format, question) = (wanted.format, wanted.asked.0.clone());
+    wanted.unit.reject_without_sheet(format)?;
     if let Some(proposed) = proposed(&question)? {
         reject_with_proposals(&question, wanted)?;
         return match format {
@@ -178,7 +183,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
             reject_any(&question, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
         }
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
-        return write_all(&design, folder, layout);
+        return write_all(&design, folder, wanted.unit.unit, layout);
     }
     let recommends_size = question.process.is_some();
     let design = WheelDesign::new(WheelQuestion { recommends_size, ..question })?;
@@ -196,7 +201,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Csv => cycle(&design)?,
         CommandFormat::Json => fields::json(&design.answer()?)?,
         CommandFormat::Fields => design.answer()?.table(),
-        _ => fields::sheet(&design.answer()?, layout),
+        _ => fields::sheet(&fields::with_lengths_in(wanted.unit.unit, design.answer()?), layout),
     })
 }
 
@@ -220,11 +225,16 @@ fn proposed(question: &WheelQuestion) -> anyhow::Result<Option<MechanismReport>>
 }
 
 /// Writes all that is said of a wheel to a folder: each file is complete or not there. Tells what is where.
-fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow::Result<String> {
+fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextLayout) -> anyhow::Result<String> {
+    let is_internal = design.wheel.kind() == WheelKind::Internal && design.crank_radius.is_some();
+    if is_internal && design.question.thickness.is_none() {
+        bail!("--out {}: the files of an internal wheel need its thickness; add --thickness MM", folder.display());
+    }
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
+    let on_sheet = fields::with_lengths_in(unit, answer.clone());
     let mut files = vec![
-        ("sheet.txt", answer.plain_sheet().into_bytes()),
+        ("sheet.txt", on_sheet.plain_sheet().into_bytes()),
         ("numbers.csv", answer.table().into_bytes()),
         ("cycle.csv", cycle(design)?.into_bytes()),
     ];
@@ -257,7 +267,7 @@ fn write_all(design: &WheelDesign, folder: &Path, layout: TextLayout) -> anyhow:
         written += &format!("Not written, {why}:\n");
         missing.iter().for_each(|name| written += &format!("  {name}\n"));
     }
-    let sheet = fields::sheet(&answer, layout);
+    let sheet = fields::sheet(&on_sheet, layout);
     Ok(format!("{sheet}\nWritten to {}\n{written}", folder.display()))
 }
 
@@ -297,6 +307,9 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
         ),
     )?;
     reject_materials(wanted, &format!("with {by}, which propose wheels without loads; leave it out"))?;
+    if options.unit.unit == SheetUnit::In {
+        bail!("--unit in has no effect with {by}, which propose wheels without a size; leave it out");
+    }
     if options.format == CommandFormat::Fields {
         bail!(
             "--format fields is for one wheel, but {by} propose several; choose --format csv, which has a row for each"

@@ -1,6 +1,6 @@
 //! A wheel that exists: does it turn, and which of its measured sizes contradicts the others?
 
-use crate::fields;
+use crate::fields::{self, SheetUnitArgument};
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, formats};
 use anyhow::{Context, bail};
@@ -42,6 +42,9 @@ pub(crate) struct CheckArguments {
         (CommandFormat::Fields, "The numbers as CSV: a row with key, name, value, unit and meaning for each"),
     ]))]
     pub format: CommandFormat,
+    /// The unit of the lengths on the sheet.
+    #[command(flatten)]
+    pub unit: SheetUnitArgument,
     /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
@@ -82,6 +85,7 @@ impl FromArgMatches for MeasuredSizes {
 
 /// What is said of the wheel, in the format that is wanted.
 pub(crate) fn page(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Result<String> {
+    wanted.unit.reject_without_sheet(wanted.format)?;
     let uncertainty = wanted.uncertainty.unwrap_or(UNCERTAINTY);
     let mut question = match (&wanted.dxf, wanted.stations) {
         (Some(path), _) => {
@@ -103,7 +107,7 @@ pub(crate) fn page(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Resul
         CommandFormat::Json => fields::json(&report)?,
         CommandFormat::Fields => report.table(),
         CommandFormat::Csv => fields::csv(report.rows().next(), report.rows().cloned())?,
-        _ => fields::sheet(&report, layout),
+        _ => fields::sheet(&fields::with_lengths_in(wanted.unit.unit, report), layout),
     })
 }
 

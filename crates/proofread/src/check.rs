@@ -6,11 +6,11 @@ use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::confidence::WeighedFindings;
 use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
-use crate::judge::frequent::UnmendedFindings;
 use crate::judge::letter_units::units_in_letters;
 use crate::judge::money::has_several_currencies;
 use crate::judge::number_columns;
@@ -150,7 +150,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         before: None,
         results: EarlierResults::default(),
         factors: Factors::default(),
-        unmended: UnmendedFindings::default(),
+        weighed: WeighedFindings::default(),
         open_pairs: 0,
         budget: options.hint_effort,
         is_plain_text: format == TextFormat::Plain,
@@ -180,11 +180,12 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
-    let tally = &check.report.tally;
-    for at in check.unmended.of_a_misread_document(tally.differing_pairs(), tally.pairs) {
+    for (at, confidence) in check.weighed.confidences(check.report.tally.differing_pairs()) {
         let finding = &mut check.report.findings[at];
-        if finding.doubt.is_none() {
-            demote_to_doubt(finding, Doubt::Frequent);
+        match confidence {
+            _ if finding.doubt.is_some() => {}
+            None => demote_to_doubt(finding, Doubt::Cluster),
+            confidence => finding.confidence = confidence,
         }
     }
     check.report.not_read = not_read;
@@ -265,8 +266,8 @@ struct DocumentCheck<'t> {
     results: EarlierResults,
     /// The factors between the sides that differ.
     factors: Factors,
-    /// The findings that no single edit mends.
-    unmended: UnmendedFindings,
+    /// The findings on numbers, each with how much is computed there.
+    weighed: WeighedFindings,
     /// How many pairs were compared of which it stays open whether they agree.
     open_pairs: usize,
     /// What the search for hints may still cost.
@@ -550,23 +551,21 @@ impl DocumentCheck<'_> {
         let doubt = doubt.flatten();
         let wanted =
             list == ReportSection::Numbers && doubt.is_none() && self.report.findings.len() < self.options.hints;
-        let edits = wanted.then(|| {
+        let hint = wanted.then(|| {
             let neighbours = neighbours(chain, left, right);
             let around = text_around(self.text, formula.span);
             let judgement = &judgement;
-            HintSearch { left, right, relation, judgement, neighbours, around }.single_edits(&mut self.budget)
+            HintSearch { left, right, relation, judgement, neighbours, around }.hint(&mut self.budget)
         });
-        let may_be_mended = edits.as_ref().is_none_or(|edits| edits.may_fit);
-        let hint = edits.and_then(|edits| edits.likely).filter(|hint| !hint.stands_in(self.text));
+        let hint = hint.flatten().filter(|hint| !hint.stands_in(self.text));
         let mut finding = ChainFinding::new(chain, left, right, &judgement, list, hint);
         match doubt {
             Some(doubt) => demote_to_doubt(&mut finding, doubt),
             None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
                 self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
-                if !may_be_mended {
-                    self.unmended.record(at);
-                }
+                let is_mended = !wanted || finding.hint.is_some();
+                self.weighed.record(at, [&left.tokens, &right.tokens], judgement.values.as_ref(), is_mended);
             }
             None => {}
         }

@@ -23,6 +23,7 @@ pub use check::{CheckOptions, CheckReport, proofread};
 pub use effort::CheckEffort;
 pub use evaluate::binding::NamePolicy;
 pub use judge::chain_verdict::ChainVerdict;
+pub use judge::confidence::{Confidence, DifferenceEvidence};
 pub use judge::doubt::Doubt;
 pub use judge::explanation::explanation_names;
 pub use judge::section::ReportSection;

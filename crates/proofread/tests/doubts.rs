@@ -1,7 +1,7 @@
 //! Which differences are set aside, each in a chain of ours beside one that has the same fault and is read whole.
 
 use crate::report;
-use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
+use proofread::{CheckOptions, Confidence, Doubt, ReportSection, TextFormat, proofread};
 
 /// Why the differences in a text are set aside; none for one that counts.
 fn doubts(text: &str, format: TextFormat) -> Vec<Option<Doubt>> {
@@ -137,24 +137,32 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
     assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [None; 3]);
 }
 
+/// The first of some differing chains, in a document with others that differ and some that agree.
+fn weighed(first: &str, others: usize, rights: usize) -> (Option<Doubt>, Option<Confidence>) {
+    let others = (1..=others).map(|n| format!("{n}4 + {n}3 = {}", 9 * n));
+    let right = (1..=rights).map(|n| format!("{n}4 + {n}3 = {}", 20 * n + 7));
+    let text: String =
+        [first.to_owned()].into_iter().chain(others).chain(right).map(|of| format!("It is ${of}$.\n\n")).collect();
+    let report = proofread(&text, TextFormat::Markdown, CheckOptions::default()).expect("a short text");
+    let first = &report.findings[0];
+    assert_eq!(first.doubt.is_some(), first.section == ReportSection::Doubts);
+    (first.doubt, first.confidence)
+}
+
 #[test]
-fn a_document_of_which_a_third_differs_is_misread_but_for_single_edits() {
-    // The sums are in another arithmetic, so no digit explains their results.
-    let wrong = ["34 + 58 = 1", "71 + 67 = 22", "83 + 45 = 14", "96 + 38 = 2", "62 + 79 = 27", "57 + 75 = 18"];
-    let right: Vec<String> = (1..=15).map(|n| format!("{n}4 + {n}3 = {}", 20 * n + 7)).collect();
-    let of = |wrong: &[&str], rights: usize| {
-        let right = right[..rights].iter().map(String::as_str);
-        let chains = wrong.iter().copied().chain(right);
-        doubts(&chains.map(|of| format!("It is ${of}$.\n\n")).collect::<String>(), TextFormat::Markdown)
-    };
-    assert_eq!(of(&wrong, 14), [Some(Doubt::Frequent); 6]);
-    assert_eq!(of(&wrong, 15), [None; 6]);
-    assert_eq!(of(&wrong[..5], 0), [None; 5]);
-    // Misprints may be as many as they want.
-    let slips = ["34 + 58 = 93", "71 + 67 = 238", "83 + 45 = 182", "96 + 38 = 143", "62 + 79 = 131", "57 + 75 = 1.32"];
-    assert_eq!(of(&slips, 0), [None; 6]);
-    let one_misread: Vec<_> = slips[..5].iter().chain(&wrong[..1]).copied().collect();
-    assert_eq!(of(&one_misread, 0), [None, None, None, None, None, Some(Doubt::Frequent)]);
+fn digits_an_edit_and_what_else_differs_say_how_sure_a_difference_is() {
+    let [high, low, aside] =
+        [(None, Some(Confidence::High)), (None, Some(Confidence::Low)), (Some(Doubt::Cluster), None)];
+    let [short, long] = ["34 + 58 = 1", "34.25 + 58.11 = 71.06"];
+    // Few digits, and none of them mends it.
+    assert_eq!([weighed(short, 0, 9), weighed(long, 0, 9)], [low, high]);
+    assert_eq!(weighed(r"\tan 31.0^\circ = 0.609", 0, 9), high, "one digit mends it");
+    // Five can all be looked at.
+    assert_eq!([weighed(short, 4, 0), weighed(long, 4, 0)], [low, high]);
+    assert_eq!([weighed(short, 5, 15), weighed(long, 5, 15)], [aside, low]);
+    assert_eq!(weighed(r"\tan 31.00^\circ = 0.6099", 5, 15), high, "one digit mends it");
+    // The difference is slight.
+    assert_eq!(weighed(r"\frac{2.1512 \cdot 3.7812}{1.9231} + 1.5123^2 = 6.5213", 0, 0), low);
 }
 
 #[test]

@@ -24,9 +24,9 @@ fn four_times_the_text_is_less_than_six_times_the_work() {
     let mut over = Vec::new();
     for structure in structures::all() {
         let (name, format, grown) = &structure;
-        let sizes = [3_000, 12_000, 48_000].map(|size| steps(&grown(size), &structure));
-        if sizes[2] > MOST_FOR_A_BYTE * 48_000 {
-            over.push(format!("{format:?}, {name}: {} steps for each byte", sizes[2] / 48_000));
+        let sizes = [2_000, 8_000, 32_000].map(|size| steps(&grown(size), &structure));
+        if sizes[2] > MOST_FOR_A_BYTE * 32_000 {
+            over.push(format!("{format:?}, {name}: {} steps for each byte", sizes[2] / 32_000));
         }
         for pair in sizes.windows(2) {
             if pair[1] >= 6 * pair[0].max(ONCE) {

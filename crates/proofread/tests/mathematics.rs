@@ -304,3 +304,59 @@ fn a_sum_in_html_is_exact_too() {
     unlisted(Html, &[&sum("9")]);
     listed(Html, &[&sum("10")]);
 }
+
+#[test]
+fn a_bar_is_about_the_terms_with_a_variable() {
+    unlisted(
+        Markdown,
+        &[
+            r"$\frac{1}{3}+\frac{x^2}{2}\Big|_0^1=\frac{5}{6}$",
+            r"$4 - 2.5 - \frac{x^2}{2}\Big|_0^1 = 1$",
+            r"$x^2 + 5\Big|_0^1 = 1$",
+            r"$(3 + x)\Big|_0^1 = 1$",
+        ],
+    );
+    listed(
+        Markdown,
+        &[
+            r"$\frac{1}{3}+\frac{x^2}{2}\Big|_0^1=\frac{1}{2}$",
+            r"$4 - 2.5 - \frac{x^2}{2}\Big|_0^1 = 2$",
+            r"$x^2 + 5\Big|_0^1 = 6$",
+            r"$(3 + x)\Big|_0^1 = 4$",
+        ],
+    );
+}
+
+#[test]
+fn a_sign_behind_a_dot_is_that_of_a_factor_of_matrices() {
+    let of = |result: &str| {
+        format!(
+            r"$$\begin{{pmatrix}}1&0\\0&3\end{{pmatrix}}\cdot -\frac{{1}}{{2}}\begin{{pmatrix}}2&0\\0&2\end{{pmatrix}} = {result}$$"
+        )
+    };
+    unlisted(Markdown, &[&of(r"\begin{pmatrix}-1&0\\0&-3\end{pmatrix}")]);
+}
+
+#[test]
+fn thousands_may_be_parted_by_a_comma_and_a_blank() {
+    unlisted(Markdown, &["There are n! = 8! = 40, 320 ways.", "It is $8! = 40, 320$."]);
+    listed(Markdown, &["It is $8! = 40321$.", "It is $8! = 41, 32$."]);
+}
+
+#[test]
+fn a_letter_with_an_argument_or_an_index_is_a_value_of_its_own() {
+    unlisted(
+        Markdown,
+        &[r"$\mathrm{T}(4) = 0.1088$", r"$\hat y(-2) = 3 - 0.5(-2) = 4.$", r"We have $n = 400$ and $\pi^0 = 0.4$."],
+    );
+    let estimate =
+        |letter: &str| format!("<math><mrow><mtext>{letter}(6)</mtext><mo>=</mo><mn>0.2137</mn></mrow></math>");
+    unlisted(Html, &[&estimate("M"), &estimate("T")]);
+    listed(Markdown, &[r"$\hat y(-2) = 3 - 0.5(-2) = 5$", r"$2\pi^0 = 3$", r"$4\,\mathrm{V}(2) = 12\,\mathrm{V}$"]);
+}
+
+#[test]
+fn base_ten_is_the_usual_one() {
+    unlisted(Markdown, &["So $16 + 112 = 240$ in base 5 here."]);
+    listed(Markdown, &["So $16 + 112 = 125$ in base 10 here.", "So $16 + 112 = 125$ in base ten."]);
+}

@@ -11,7 +11,7 @@ fn listed(text: &str, format: TextFormat) -> Vec<String> {
     let findings = proofread(text, format, CheckOptions::default()).expect("a text").findings;
     findings
         .into_iter()
-        .filter(|of| of.section == ReportSection::Numbers || of.doubt == Some(Doubt::Frequent))
+        .filter(|of| of.section == ReportSection::Numbers || of.doubt == Some(Doubt::Cluster))
         .map(|of| of.right)
         .collect()
 }

@@ -1,5 +1,6 @@
 //! The rates beside the program: `judged/rates.csv` is what the records give, and README says what it says.
 
+use proofread::{Confidence, DifferenceEvidence};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -12,7 +13,7 @@ const COUNTED: &str = include_str!("../judged/counted.csv");
 const README: &str = include_str!("../README.md");
 
 /// The contact whose rates are told: the last one.
-const LAST: &str = "fifteenth";
+const LAST: &str = "sixteenth";
 
 #[derive(serde::Deserialize)]
 struct Flag {
@@ -23,6 +24,21 @@ struct Flag {
     repeats: String,
     hint: String,
     hint_right: String,
+    digits: Option<u32>,
+    slight: String,
+    document_differing: Option<usize>,
+}
+
+impl Flag {
+    /// What spoke for it and against it; none if it was not recorded.
+    fn evidence(&self) -> Option<DifferenceEvidence> {
+        Some(DifferenceEvidence {
+            digits: self.digits?,
+            is_mended: !self.hint.is_empty(),
+            is_slight: self.slight == "yes",
+            differing: self.document_differing?,
+        })
+    }
 }
 
 #[derive(serde::Deserialize)]
@@ -148,11 +164,41 @@ fn the_readme_says_how_reliable_the_program_is() {
 fn every_record_names_its_contact_and_judges_each_flag() {
     for flag in read::<Flag>(FLAGS) {
         assert!(
-            ["twelfth", "thirteenth", "fourteenth", "fifteenth"].contains(&flag.contact.as_str()),
+            ["twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "sixteenth, later"]
+                .contains(&flag.contact.as_str()),
             "{}",
             flag.contact
         );
         assert!(["real", "rounding", "convention", "purpose", "misread"].contains(&flag.judgement.as_str()));
         assert!(["yes", "no"].contains(&flag.repeats.as_str()));
     }
+}
+
+/// Real flags on numbers and all of them, by what spoke for them: of high confidence, of low, and set aside.
+fn by_confidence(is_counted: impl Fn(&Flag) -> bool) -> [(u32, u32); 3] {
+    let mut tiers = [(0, 0); 3];
+    for flag in read::<Flag>(FLAGS).iter().filter(|flag| flag.list == "numbers" && is_counted(flag)) {
+        let Some(evidence) = flag.evidence() else { continue };
+        let tier = match evidence.confidence() {
+            Some(Confidence::High) => 0,
+            Some(Confidence::Low) => 1,
+            None => 2,
+        };
+        tiers[tier] = (tiers[tier].0 + u32::from(flag.judgement == "real"), tiers[tier].1 + 1);
+    }
+    tiers
+}
+
+#[test]
+fn confidence_tells_real_flags_from_others_at_each_contact() {
+    let record = include_str!("../judged/README.md");
+    for contact in ["twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "sixteenth, later"] {
+        let [high, low, aside] = by_confidence(|flag| flag.contact == contact);
+        let of = |(real, all): (u32, u32)| format!("{real} of {all}");
+        let row = format!("| {contact} | {} | {} | {} |", of(high), of(low), of(aside));
+        assert!(record.contains(&row), "{row}");
+    }
+    let share = |(real, all): (u32, u32)| f64::from(real) / f64::from(all);
+    let [high, low, aside] = by_confidence(|_| true).map(share);
+    assert!(high > 0.7 && low < 0.45 && aside < 0.25, "{high} {low} {aside}");
 }

@@ -71,7 +71,8 @@ fn what_a_finding_weighs_is_told_by_its_list() {
         results(&run).iter().map(of).collect::<Vec<_>>()
     };
     let fails = |level: &str| vec![["fail".to_owned(), level.to_owned()]];
-    assert_eq!(level("$2 + 2 = 5$", &[]), fails("error"));
+    assert_eq!(level(r"$2.35 \cdot 4.12 - 1.5^2 = 8.53$", &[]), fails("error"));
+    assert_eq!(level("$2 + 2 = 5$", &[]), fails("warning"));
     assert_eq!(level("t(28) = 2.20, p = .36", &[]), fails("error"));
     assert_eq!(level("$43.4 - 29.8 = 13.8$", &[]), fails("warning"));
     assert_eq!(level("Let $a = 5.0$. Then $2a = 12.0$.", &["--bindings=always"]), fails("warning"));

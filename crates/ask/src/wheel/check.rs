@@ -3,18 +3,20 @@
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
 use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
+use super::check_needs::{
+    DEPTH, ENTRY, UnmeasuredSize, all_sizes, options, taken_as_right, unmeasured, unmeasured_of_verdict,
+};
 use super::check_remedies::{WheelRemedy, first_change, remedies};
-use super::check_words::{corners, entry_words, named, place, shallow_words, turning_words, typed, with_unit};
-use super::typed_question::length;
+use super::check_words::{corners, entry_words, named, shallow_words, turning_words, typed, with_unit};
 use crate::number_format::{as_typed, count, number, to_digits};
+use crate::typed_number::length;
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
-    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel, StationTurn,
+    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
-use std::f64::consts::PI;
 
 /// What is asked of a wheel that exists.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,10 +115,14 @@ impl CheckQuestion {
         let in_words = |error: BuiltError| Error::Argument(error.to_string());
         let turn = built.turn().map_err(in_words)?;
         let shallow = shallow_slots(&self.measured, &built);
+        let open = unmeasured_of_verdict(&self.measured, &built, &turn);
+        // A jam of sizes that are filled in is none of this wheel.
+        let jam = turn.jam.as_ref().filter(|_| open.is_empty());
         let checked = CheckedWheel {
-            coarse: turn.jam.as_ref().and_then(|jam| too_coarse(&self.measured, jam)),
-            remedies: remedies(&self.measured, &nearest, &built, &shallow).map_err(in_words)?,
-            mistakes: self.measured.known_mistakes(&nearest, Some(&turn)),
+            coarse: jam.and_then(|jam| too_coarse(&self.measured, jam)),
+            remedies: remedies(&self.measured, &nearest, &built, &shallow, open.is_empty()).map_err(in_words)?,
+            mistakes: self.measured.known_mistakes(&nearest, jam.map(|_| &turn)),
+            open,
             nearest: &nearest,
             built: &built,
             turn: &turn,
@@ -130,11 +136,12 @@ impl CheckQuestion {
                 count(wheel.stations() as usize, "station"),
                 count(wheel.pins() as usize, "pin")
             ),
-            introduction: "What was not measured is taken from the nearest right wheel. Slots and arcs are numbered counter-clockwise from 1; in \
-                           a drawing, slot 1 is the one nearest to the right, and arc 1 is between the slots 1 and 2.",
+            introduction: "What was not measured is as in the nearest right wheel, and what rests on it is not told. Slots and arcs are \
+                           numbered counter-clockwise from 1; in a drawing, slot 1 is the one nearest to the right, and arc 1 is between \
+                           the slots 1 and 2.",
             sections: vec![
                 ("Verdict", self.verdict(&checked)),
-                (right_heading(&nearest), right_sizes(&nearest)),
+                (right_heading(&nearest), right_sizes(&self.measured, &nearest)),
                 ("As it was made", self.as_made(&built, &turn)),
             ],
             list: Some(("measurements", items)),
@@ -146,69 +153,34 @@ impl CheckQuestion {
         }
     }
 
-    /// A remark on pin and slots that are taken from the nearest right wheel; empty if they were measured.
-    fn unmeasured(&self, nearest: &NearestWheel) -> String {
-        let is_slot = |size| matches!(size, MeasuredSize::SlotWidth(_));
-        let has_slot = self.measured.sizes().iter().any(|of| is_slot(of.size));
-        let [pin, slot] = [nearest.pin_diameter, nearest.slot_width].map(number);
-        match (self.is_pin_measured(), has_slot) {
-            (true, true) => String::new(),
-            (false, true) => format!("; this is with a pin of {pin} mm, which was not measured"),
-            (true, false) => format!("; this is with slots of {slot} mm, which were not measured"),
-            (false, false) => {
-                format!("; this is with a pin of {pin} mm and slots of {slot} mm, which were not measured")
-            }
-        }
-    }
-
     fn is_pin_measured(&self) -> bool {
         self.measured.sizes().iter().any(|of| of.size == MeasuredSize::PinDiameter)
-    }
-
-    /// Play, errors and blows of the wheel as it was made.
-    fn as_made(&self, built: &AsBuiltWheel, turn: &BuiltTurn) -> Vec<ReportField> {
-        let most = |of: fn(&StationTurn) -> f64| turn.stations.iter().map(of).fold(0.0, f64::max);
-        let lost = turn.stations.iter().filter_map(|station| station.entry).map(|entry| entry.lost_motion);
-        let lost = lost.fold(0.0, |one: f64, other| if other.abs() > one.abs() { other } else { one });
-        let degrees = |key, value: f64| ReportField::in_unit(key, value.to_degrees(), "°");
-        let crank = built.pins().iter().map(|pin| pin.crank_radius).fold(0.0, f64::max);
-        let speed = self.rpm.map(|rpm| rpm * 2.0 * PI / 60.0 * crank);
-        let centred = most(|station| station.entry.map_or(0.0, |entry| entry.centred));
-        let tightest = turn.tightest;
-        vec![
-            ReportField::in_unit("tightest_room_mm", tightest.free.room(), "mm")
-                .line("tightest place", format!("room of the wheel there; {}", place(&tightest))),
-            degrees("tightest_crank_angle_deg", tightest.crank_angle)
-                .line("", "crank angle from the line of centres there"),
-            degrees("index_backlash_deg", most(|station| station.index_backlash))
-                .line("backlash", "at mid-index from end to end, of the loosest station"),
-            degrees("dwell_backlash_deg", most(|station| station.dwell_backlash))
-                .line("", "in the middle of the dwell"),
-            degrees("greatest_dwell_backlash_deg", turn.greatest_dwell_backlash())
-                .line("", "the greatest in the dwell"),
-            degrees("station_error_deg", most(|station| station.station_error.abs()))
-                .line("station error", "how far the worst station rests from its right place"),
-            degrees("lost_motion_deg", lost).line(
-                "lost motion",
-                "of the crank, from where a right pin enters to where the slot is met; below zero too early",
-            ),
-            ReportField::new("blow_ratio", centred)
-                .line("blow", "over the pin's speed, with the wheel in the middle of its backlash"),
-            ReportField::new("greatest_blow_ratio", turn.greatest_blow())
-                .line("", "the greatest, wherever the wheel rests"),
-            ReportField::in_unit("blow_mm_s", speed.map(|speed| speed * centred), "mm/s").in_other_unit(),
-            ReportField::in_unit("greatest_blow_mm_s", speed.map(|speed| speed * turn.greatest_blow()), "mm/s")
-                .in_other_unit(),
-            ReportField::new("can_miss", turn.can_miss()),
-        ]
     }
 }
 
 impl CheckQuestion {
     fn verdict(&self, checked: &CheckedWheel<'_>) -> Vec<ReportField> {
-        let CheckedWheel { nearest, built, turn, mistakes, remedies, coarse, shallow } = checked;
+        let CheckedWheel { nearest, built, turn, mistakes, remedies, coarse, shallow, open } = checked;
         let (turn, coarse) = (*turn, *coarse);
-        let turns = turning_words(built, turn, coarse) + &self.unmeasured(nearest);
+        let is_known = coarse.is_none() && open.is_empty();
+        let turns = turning_words(built, turn, coarse, open);
+        let turns = match taken_as_right(&self.measured, built).filter(|_| is_known && turn.is_driven()) {
+            Some(taken) => format!("{turns}; {taken}"),
+            None => turns,
+        };
+        let no_entry = unmeasured(&self.measured, ENTRY);
+        let entry = if no_entry.is_empty() {
+            entry_words(turn)
+        } else {
+            format!("not known where and with which blow the pin comes in; it needs {}", options(&no_entry))
+        };
+        let no_depth = unmeasured(&self.measured, DEPTH);
+        let depth = if no_depth.is_empty() || !shallow.is_empty() {
+            shallow_words(shallow, self.measured.wheel().stations() as usize)
+        } else {
+            format!("not known whether they are deep enough; it needs {}", options(&no_depth))
+        };
+        let filled_in = unmeasured(&self.measured, &all_sizes(built));
         // What the other sizes ask for instead.
         let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
         let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
@@ -221,15 +193,17 @@ impl CheckQuestion {
         };
         let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
         let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
-        let is_enough = coarse.is_some() || turn.is_driven();
+        let is_enough = !is_known || turn.is_driven();
         let first = first_change(remedies).or((!is_enough).then(|| NO_REMEDY.to_owned()));
+        let nothing = if open.is_empty() { "nothing" } else { "nothing that was measured" };
         let missing = shallow.iter().map(|of| of.missing).reduce(f64::max);
         let numbers = shallow.iter().map(|of| FieldValue::from(of.slot + 1)).collect();
         vec![
-            ReportField::new("turns", coarse.is_none().then_some(turn.is_driven())).words("turns", turns),
-            ReportField::new("lands_on_corner", corners(turn).next().is_some()).words("entry", entry_words(turn)),
-            ReportField::new("shallow_slots", FieldValue::List(numbers))
-                .words("slots", shallow_words(shallow, self.measured.wheel().stations() as usize)),
+            ReportField::new("turns", is_known.then_some(turn.is_driven())).words("turns", turns),
+            ReportField::new("unmeasured", FieldValue::List(filled_in.iter().map(|of| of.option().into()).collect())),
+            ReportField::new("lands_on_corner", no_entry.is_empty().then(|| corners(turn).next().is_some()))
+                .words("entry", entry),
+            ReportField::new("shallow_slots", FieldValue::List(numbers)).words("slots", depth),
             ReportField::in_unit("missing_depth_mm", missing, "mm"),
             ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
                 "contradiction",
@@ -250,7 +224,7 @@ impl CheckQuestion {
                 if explained.is_empty() { "none that we know".to_owned() } else { explained.join("; ") },
             ),
             ReportField::new("change_first", first.clone())
-                .words("change first", first.unwrap_or_else(|| "nothing".to_owned())),
+                .words("change first", first.unwrap_or_else(|| nothing.to_owned())),
         ]
     }
 }
@@ -299,6 +273,8 @@ struct CheckedWheel<'a> {
     remedies: Vec<WheelRemedy>,
     coarse: Option<TooCoarse>,
     shallow: &'a [ShallowSlot],
+    /// What was not measured and decides whether the wheel turns; empty if that is known.
+    open: Vec<UnmeasuredSize>,
 }
 
 /// Which right wheel is shown.
@@ -310,19 +286,32 @@ fn right_heading(nearest: &NearestWheel) -> &'static str {
     }
 }
 
-fn right_sizes(nearest: &NearestWheel) -> Vec<ReportField> {
-    let mm = |key, value: f64, name, meaning: &'static str| ReportField::in_unit(key, value, "mm").line(name, meaning);
+/// The sizes of the nearest right wheel, with a remark on those of which nothing was measured.
+fn right_sizes(measured: &MeasuredWheel, nearest: &NearestWheel) -> Vec<ReportField> {
+    use MeasuredSize as Size;
+    let mm = |key, value: f64, name, meaning: &'static str, size: Size| {
+        let is_measured = measured.sizes().iter().any(|of| of.size.name() == size.name());
+        let remark = if is_measured { "" } else { "; not measured" };
+        ReportField::in_unit(key, value, "mm").line(name, format!("{meaning}{remark}"))
+    };
+    let of = nearest;
     vec![
-        mm("crank_radius_mm", nearest.crank_radius, "crank radius", "driver's axis to a pin's centre"),
-        mm("centre_distance_mm", nearest.centre_distance, "centre distance", "wheel's axis to driver's axis"),
-        mm("tip_radius_mm", nearest.tip_radius, "rim", "radius, half of the outside diameter"),
-        mm("pin_diameter_mm", nearest.pin_diameter, "pin", "diameter"),
-        mm("slot_width_mm", nearest.slot_width, "slot", "width"),
-        mm("slot_end_mm", nearest.slot_end, "", "wheel's axis to the centre of its round end"),
-        mm("locking_arc_radius_mm", nearest.arc_radius, "locking arc", "radius"),
-        mm("locking_disc_radius_mm", nearest.disc_radius, "locking disc", "radius"),
-        mm("crescent_centre_mm", nearest.crescent_centre, "crescent", "driver's axis to its centre"),
-        mm("crescent_radius_mm", nearest.crescent_radius, "", "radius"),
+        mm("crank_radius_mm", of.crank_radius, "crank radius", "driver's axis to a pin's centre", Size::CrankRadius),
+        mm(
+            "centre_distance_mm",
+            of.centre_distance,
+            "centre distance",
+            "wheel's axis to driver's axis",
+            Size::CentreDistance,
+        ),
+        mm("tip_radius_mm", of.tip_radius, "rim", "radius, half of the outside diameter", Size::TipRadius),
+        mm("pin_diameter_mm", of.pin_diameter, "pin", "diameter", Size::PinDiameter),
+        mm("slot_width_mm", of.slot_width, "slot", "width", Size::SlotWidth(None)),
+        mm("slot_end_mm", of.slot_end, "", "wheel's axis to the centre of its round end", Size::SlotEnd(None)),
+        mm("locking_arc_radius_mm", of.arc_radius, "locking arc", "radius", Size::ArcRadius(None)),
+        mm("locking_disc_radius_mm", of.disc_radius, "locking disc", "radius", Size::DiscRadius),
+        mm("crescent_centre_mm", of.crescent_centre, "crescent", "driver's axis to its centre", Size::CrescentCentre),
+        mm("crescent_radius_mm", of.crescent_radius, "", "radius", Size::CrescentRadius),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! The measured sizes that can be asked about, as they are typed.
 
-use super::typed_question::length;
 use crate::Error;
+use crate::typed_number::{TypedNumber, advice, length};
 use geneva_kinematics::wheel::as_built::{MeasuredError, MeasuredSize, MeasuredWheel};
 use std::f64::consts::PI;
 
@@ -84,11 +84,29 @@ const fn argument(
 }
 
 impl CheckArgument {
+    /// Which size it is, of all slots or arcs.
+    pub(super) fn size_of_all(&self) -> MeasuredSize {
+        (self.size)(None)
+    }
+
     /// Adds the measurements of a typed value.
+    ///
+    /// # Errors
+    ///
+    /// What is no number, a comma in a number, a slot or an arc that there is not or that is given twice.
     pub(super) fn add(&self, measured: &mut MeasuredWheel, text: &str, default: f64) -> Result<(), Error> {
-        for one in text.split(',') {
+        let entries: Vec<&str> = text.split(',').map(str::trim).collect();
+        if entries.len() > 1 && !entries.iter().all(|one| one.contains(':')) {
+            return Err(refused!("--{} {text}: {}", self.name, self.comma_advice(measured, &entries, default)));
+        }
+        let mut places = Vec::new();
+        for one in entries {
             let (place, value) = one.split_once(':').map_or((None, one), |(place, value)| (Some(place), value));
-            let place = place.map(|place| crate::number::<usize>(self.name, place)).transpose()?;
+            let place = place.map(|place| crate::number::<usize>(self.name, place.trim())).transpose()?;
+            if let Some(place) = place.filter(|place| places.contains(place)) {
+                return Err(refused!("--{} {text}: number {place} is given twice; give each number once", self.name));
+            }
+            places.extend(place);
             let is_of_one = matches!((self.size)(None), MeasuredSize::SlotDirection(_));
             let is_of_many = (self.size)(Some(0)).number().is_some();
             if place == Some(0) || (place.is_some() && !is_of_many) || (place.is_none() && is_of_one) {
@@ -116,6 +134,31 @@ impl CheckArgument {
             measured.add(size, self.scale * value, uncertainty).map_err(measured_error)?;
         }
         Ok(())
+    }
+}
+
+impl CheckArgument {
+    /// What to write instead of these entries, some of which have no number of a slot or an arc: a comma may be meant for a point.
+    fn comma_advice(&self, measured: &MeasuredWheel, entries: &[&str], default: f64) -> String {
+        let mut with_points = String::new();
+        for (k, one) in entries.iter().enumerate() {
+            let mark = if one.contains(':') { "," } else { "." };
+            with_points += if k == 0 { "" } else { mark };
+            with_points += one;
+        }
+        let is_numbered = with_points.contains(':');
+        let of_one = if is_numbered { None } else { advice(&entries.join(","), TypedNumber::Length) };
+        let is_read = || self.add(&mut measured.clone(), &with_points, default).is_ok();
+        let written =
+            of_one.or_else(|| is_read().then(|| format!("give {with_points}, with a decimal point, not a comma")));
+        match (written, (self.size)(Some(0)).number().is_some()) {
+            (Some(written), false) => written,
+            (Some(written), true) => {
+                format!("{written}; commas are between slots or arcs with their numbers, as in 1:6.1,2:6.0")
+            }
+            (None, true) => "give each slot or arc with its number, as in 1:6.1,2:6.0".to_owned(),
+            (None, false) => "there is one only; give a single number, with a decimal point".to_owned(),
+        }
     }
 }
 

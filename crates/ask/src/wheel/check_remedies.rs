@@ -49,13 +49,14 @@ impl WheelRemedy {
     }
 }
 
-/// The remedies of a wheel, in words, the best first: the right values of the sizes that contradict the others, and the least change
-/// with which it turns.
+/// The remedies of a wheel, in words, the best first: the right values of the sizes that contradict the others, and, if it is known
+/// whether it turns, the least change with which it does.
 pub(super) fn remedies(
     measured: &MeasuredWheel,
     nearest: &NearestWheel,
     built: &AsBuiltWheel,
     shallow: &[ShallowSlot],
+    is_known: bool,
 ) -> Result<Vec<WheelRemedy>, BuiltError> {
     let culprits: Vec<&Culprit> = nearest.culprit.iter().chain(&nearest.further_culprits).collect();
     let turn = built.turn()?;
@@ -69,6 +70,9 @@ pub(super) fn remedies(
         let is_enough = |remedy: &WheelRemedy| remedy.carried_out(built, 0.0).turn().is_ok_and(|turn| turn.is_driven());
         let finest = rounded(*DIGITS.end());
         let mended = DIGITS.map(rounded).find(is_enough).or_else(|| {
+            if !is_known {
+                return Some(rounded(*DIGITS.start()));
+            }
             let after = finest.carried_out(built, 0.0);
             let change = *after.least_changes().ok()?.first()?;
             Some(WheelRemedy { change: Some(change), ..finest.clone() })
@@ -76,7 +80,7 @@ pub(super) fn remedies(
         found.extend(mended);
     }
     // What may be chance is nothing to mend.
-    if turn.jam.as_ref().is_some_and(|jam| too_coarse(measured, jam).is_none()) {
+    if is_known && turn.jam.as_ref().is_some_and(|jam| too_coarse(measured, jam).is_none()) {
         let changes = built.least_changes()?;
         let is_deeper = |change: &&SizeChange| matches!(change.size, MeasuredSize::SlotEnd(_)) && !shallow.is_empty();
         let change = changes.iter().find(is_deeper).or(changes.first()).copied();

@@ -2,6 +2,7 @@
 
 use super::CheckQuestion;
 use crate::wheel::check_certainty::shallow_slots;
+use crate::wheel::check_needs::unmeasured_of_verdict;
 use crate::wheel::check_remedies::{WheelRemedy, remedies};
 use crate::{FieldValue, MechanismReport, ReportField};
 use geneva_kinematics::wheel::as_built::AsBuiltWheel;
@@ -101,8 +102,12 @@ fn every_wrong_size_is_named_the_worst_first_with_the_numbers_of_the_right_wheel
 #[test]
 fn what_is_not_measured_or_not_counted_is_said() {
     let of_three = report("--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.72");
-    assert!(words(&of_three, "turns").contains("were not measured"), "{}", words(&of_three, "turns"));
-    assert!(!words(&report(RIGHT), "turns").contains("not measured"));
+    assert!(words(&of_three, "turns").starts_with("not known; measure the pin diameter (--pin-diameter), "));
+    let taken =
+        "yes, every station; the ends of the slots and the cut in the disc were not measured and count as right";
+    assert_eq!(words(&report(RIGHT), "turns"), taken);
+    let with_all = format!("{RIGHT} --slot-end 24.8 --crescent-centre 42 --crescent-radius 36.92");
+    assert_eq!(words(&report(&with_all), "turns"), "yes, every station");
     assert!(of_three.note.contains("corners of the slots count as sharp") && of_three.note.contains("bores"));
     let question = CheckQuestion::parse(RIGHT).expect("sizes");
     let mut with_hole = CheckQuestion { screw_hole: Some(3.4), has_mouths: true, ..question };
@@ -186,7 +191,8 @@ fn remedies_of(question: &str) -> (Vec<WheelRemedy>, AsBuiltWheel) {
     let nearest = measured.nearest().expect("a wheel");
     let built = measured.as_built(&nearest);
     let shallow = shallow_slots(&measured, &built);
-    (remedies(&measured, &nearest, &built, &shallow).expect("remedies"), built)
+    let open = unmeasured_of_verdict(&measured, &built, &built.turn().expect("a turn"));
+    (remedies(&measured, &nearest, &built, &shallow, open.is_empty()).expect("remedies"), built)
 }
 
 #[test]
@@ -242,4 +248,156 @@ fn a_pin_that_passes_outside_the_rim_turns_nothing() {
     assert_eq!(unheld.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
     assert!(words(&unheld, "turns").contains("nothing holds the wheel"), "{}", words(&unheld, "turns"));
     assert_eq!(text(&far, "change_first"), "make centre distance 50.00 mm");
+}
+
+/// All that is told of play, entry and blows.
+const MADE: [&str; 10] = [
+    "tightest_room_mm",
+    "index_backlash_deg",
+    "dwell_backlash_deg",
+    "greatest_dwell_backlash_deg",
+    "station_error_deg",
+    "lost_motion_deg",
+    "blow_ratio",
+    "greatest_blow_ratio",
+    "can_miss",
+    "lands_on_corner",
+];
+
+/// Which of these are told.
+fn told(report: &MechanismReport) -> Vec<&'static str> {
+    let is_told = |key: &&str| report.field(key).is_some_and(|field| field.value != FieldValue::Missing);
+    MADE.into_iter().filter(|key| is_told(key)).collect()
+}
+
+#[test]
+fn what_rests_on_a_size_that_was_not_measured_is_not_told() {
+    let few = report("--stations 6 --outside-diameter 87.1 --pin-diameter 6 --rpm 60");
+    assert_eq!(told(&few), [""; 0]);
+    assert_eq!((text(&few, "turns"), text(&few, "blow_mm_s")), ("Missing".to_owned(), "Missing".to_owned()));
+    for (key, option) in [
+        ("turns", "--locking-arc-radius"),
+        ("lands_on_corner", "--centre-distance"),
+        ("shallow_slots", "--slot-end"),
+        ("index_backlash_deg", "--slot-width"),
+        ("dwell_backlash_deg", "--locking-disc-radius"),
+        ("station_error_deg", "--locking-arc-radius 1:15.1,2:15.2"),
+        ("change_first", "nothing that was measured"),
+    ] {
+        assert!(words(&few, key).contains(option), "{key}: {}", words(&few, key));
+    }
+    // Each kind of play needs its own two sizes.
+    let index = report("--stations 6 --outside-diameter 87.1 --pin-diameter 6 --slot-width 6.1");
+    assert_eq!(told(&index), ["index_backlash_deg"]);
+    let dwell = report("--stations 6 --outside-diameter 87.1 --locking-disc-radius 15 --locking-arc-radius 15.1");
+    assert_eq!(told(&dwell), ["dwell_backlash_deg"]);
+    // Where one pin enters as another leaves, there is no disc, and all play is of pins and slots.
+    let without_disc = "--stations 3 --pins 6 --crank-radius 25 --pin-diameter 2";
+    assert_eq!(told(&report(without_disc)), [""; 0]);
+    let with_slots = format!("{without_disc} --slot-width 2.1");
+    assert_eq!(told(&report(&with_slots)), ["index_backlash_deg", "dwell_backlash_deg"]);
+    // Of single slots, those that were measured: the play of the widest is 0.2 mm at 25 mm from the axis.
+    let single = report(
+        "--stations 6 --centre-distance 50 --crank-radius 25 --pin-diameter 6 --slot-width 2:6.1+-0.5,5:6.2+-0.5 --outside-diameter 86.8",
+    );
+    let play = single.field("index_backlash_deg").and_then(ReportField::number).expect("a play");
+    assert!((play - (2.0 * libm::asin(0.1 / 25.0)).to_degrees()).abs() < 1e-9, "{play}");
+    assert!(words(&single, "turns").contains("slot width of number 1, 3, 4 and 6 (--slot-width)"));
+}
+
+#[test]
+fn what_is_named_tells_what_was_not_known() {
+    let few = "--stations 6 --outside-diameter 86.72 --pin-diameter 4";
+    let report_of_few = report(few);
+    let FieldValue::List(options) = &report_of_few.field("unmeasured").expect("options").value else {
+        panic!("a list")
+    };
+    let value = |option: &str| match option {
+        "centre-distance" => "50",
+        "crank-radius" => "25",
+        "slot-width" => "4.2",
+        "slot-end" => "24.8",
+        "locking-disc-radius" => "18.8",
+        "locking-arc-radius" => "1:18.9,2:18.9,3:18.9,4:18.9,5:18.9,6:18.9",
+        "crescent-centre" => "42",
+        "crescent-radius" => "36.92",
+        other => panic!("{other}"),
+    };
+    let mut question = few.to_owned();
+    for option in options {
+        let FieldValue::Text(option) = option else { panic!("a name") };
+        question += &format!(" --{option} {}", value(option));
+    }
+    let all = report(&question);
+    assert_eq!(told(&all), MADE);
+    assert_eq!(all.field("unmeasured").map(|field| &field.value), Some(&FieldValue::List(Vec::new())));
+    assert_eq!(words(&all, "turns"), "yes, every station");
+    assert!(!all.plain_sheet().contains("not known") && !all.plain_sheet().contains("not measured;"));
+}
+
+#[test]
+fn the_centres_of_the_arcs_stand_for_the_axes() {
+    let of_arcs = report(&RIGHT.replace("--centre-distance", "--locking-arc-centre"));
+    let said = words(&of_arcs, "turns");
+    assert!(said.starts_with("yes, every station; the centre distance, the ends of the slots and"), "{said}");
+    let with_ends = report(&format!("{RIGHT} --slot-end 24.8"));
+    assert_eq!(
+        words(&with_ends, "turns"),
+        "yes, every station; the cut in the disc was not measured and counts as right"
+    );
+}
+
+#[test]
+fn a_jam_counts_only_if_the_sizes_that_meet_were_measured() {
+    // The disc would be deep in its arc if both were as designed.
+    let open = report("--stations 6 --crank-radius 25 --centre-distance 49.5");
+    assert_eq!(text(&open, "turns"), "Missing");
+    assert!(
+        words(&open, "turns").contains("As in the nearest right wheel, they would leave"),
+        "{}",
+        words(&open, "turns")
+    );
+    assert!(text(&open, "change_first").starts_with("make centre distance 50"), "{}", text(&open, "change_first"));
+    // A pin that is thicker than its slot jams wherever the axes are.
+    let thick = report("--stations 6 --outside-diameter 87.1 --pin-diameter 6+-0.02 --slot-width 5.8+-0.02");
+    assert_eq!(thick.field("turns").map(|field| &field.value), Some(&FieldValue::Flag(false)));
+}
+
+#[test]
+fn a_worn_slot_widens_the_play_in_mid_index_only() {
+    let of = |width: &str| {
+        let report = report(&format!(
+            "--stations 6 --centre-distance 50 --crank-radius 25 --outside-diameter 86.8 --pin-diameter 6 --slot-width {width} \
+             --locking-disc-radius 15.3 --locking-arc-radius 15.4"
+        ));
+        ["index_backlash_deg", "dwell_backlash_deg"]
+            .map(|key| report.field(key).and_then(ReportField::number).expect("a play"))
+    };
+    let new = of("6.06");
+    for width in ["6.4", "7", "1:6.06,2:6.06,3:7,4:6.06,5:6.06,6:6.06"] {
+        let worn = of(width);
+        assert!(worn[0] > 1.5 * new[0], "{width}: {worn:?}");
+        assert!((worn[1] - new[1]).abs() < 1e-9, "{width}: {worn:?} {new:?}");
+    }
+}
+
+#[test]
+fn a_comma_in_a_number_is_refused_with_what_to_write() {
+    let refused = |sizes: &str| CheckQuestion::parse(&format!("--stations 6 {sizes}")).expect_err(sizes).to_string();
+    for (sizes, said) in [
+        ("--outside-diameter 87,1", "give 87.1, with a decimal point, not a comma"),
+        ("--outside-diameter 87,1+-0,05", "give 87.1+-0.05, with a decimal point, not a comma"),
+        ("--slot-width 6,1", "give 6.1, with a decimal point, not a comma; commas are between slots"),
+        ("--slot-width 1:6,1,2:6,05", "give 1:6.1,2:6.05, with a decimal point, not a comma; commas are between slots"),
+        ("--slot-width 6.1,6.0,6.2", "give each slot or arc with its number, as in 1:6.1,2:6.0"),
+        ("--crank-radius 25,25.1,25.2", "there is one only"),
+        ("--slot-width 1:6,1:7", "number 1 is given twice; give each number once"),
+        ("--slot-direction 1:0.1,1:0.2", "number 1 is given twice"),
+        ("--uncertainty 0,05", "give 0.05, with a decimal point"),
+        ("--rpm 60,5", "give 60.5, with a decimal point"),
+        ("--crank-radius 5lb", "lb is not a unit of length that is read here; give a number in mm, cm, m or in"),
+    ] {
+        let error = refused(sizes);
+        assert!(error.starts_with(sizes) && error.contains(said), "{sizes}: {error}");
+    }
 }

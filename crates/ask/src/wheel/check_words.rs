@@ -1,6 +1,7 @@
 //! What is said of a wheel that was checked: whether it turns, where it is tight, and how the pin comes in.
 
 use super::check_certainty::{ShallowSlot, TooCoarse};
+use super::check_needs::{UnmeasuredSize, to_measure};
 use crate::number_format::{count, number, to_digits};
 use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltBlow, BuiltContact, BuiltTurn, Jam, MeasuredSize, StationTurn,
@@ -78,9 +79,27 @@ pub(super) fn entry_words(turn: &BuiltTurn) -> String {
     )
 }
 
-/// Whether the wheel turns, in words.
-pub(super) fn turning_words(built: &AsBuiltWheel, turn: &BuiltTurn, coarse: Option<TooCoarse>) -> String {
+/// Whether the wheel turns, in words; it is open where sizes were not measured that decide it.
+pub(super) fn turning_words(
+    built: &AsBuiltWheel,
+    turn: &BuiltTurn,
+    coarse: Option<TooCoarse>,
+    open: &[UnmeasuredSize],
+) -> String {
     let lands = corners(turn).next().is_some();
+    if !open.is_empty() {
+        let filled_in = match &turn.jam {
+            Some(jam) => format!(
+                "As in the nearest right wheel, they would leave {} mm too little at a crank angle of {}°: {}",
+                number(-jam.free.room()),
+                number(jam.crank_angle.to_degrees()),
+                place(jam)
+            ),
+            None if turn.misses() => "As in the nearest right wheel, they would never meet".to_owned(),
+            None => "Nothing that was measured stops the wheel".to_owned(),
+        };
+        return format!("not known; measure {}. {filled_in}", to_measure(open));
+    }
     match (&turn.jam, coarse) {
         (Some(_), Some(coarse)) => format!(
             "the measurements are too coarse for this wheel: {} mm seem to be missing, but with these uncertainties chance alone can \
@@ -124,7 +143,7 @@ pub(super) fn shallow_words(shallow: &[ShallowSlot], slots: usize) -> String {
     let most = shallow.iter().map(|slot| slot.missing).fold(0.0, f64::max);
     let least = shallow.iter().map(|slot| slot.missing).fold(f64::INFINITY, f64::min);
     if shallow.is_empty() {
-        return "none too shallow for the pin that is known of".to_owned();
+        return "deep enough for the pin".to_owned();
     }
     if shallow.len() == slots && most - least < ALIKE {
         return format!("all slots are {} mm too shallow for the pin", number(most));

@@ -2,13 +2,35 @@
 
 use super::design::WheelDesign;
 use super::friction::{disc, held_torque};
-use crate::number_format::degrees;
+use crate::number_format::{as_typed, degrees, rounded_up, to_digits};
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::indexing::Indexing;
 
 const LOADED: Needs = Needs::SPEED.union(Needs::INERTIA);
 const GEARED: Needs = LOADED.union(Needs::GEAR_RATIO);
 const STARTED: Needs = LOADED.union(Needs::DRIVER_INERTIA).union(Needs::DRIVE_TORQUE);
+
+/// The speed droop, over the driver's speed, above which a maker is warned: our choice.
+const MOST_DROOP: f64 = 0.1;
+
+/// A warning of a driver that loses too much of its speed in each index, with the inertia that it needs.
+pub(super) fn droop_warning(design: &WheelDesign) -> Result<Option<String>, Error> {
+    let Some(inertia) = design.question.driver_inertia else { return Ok(None) };
+    let Some(loads) = design.loads(design.wheel.indexing())? else { return Ok(None) };
+    let droop = loads.speed_droop(inertia)?;
+    // Of 1 − 1/√(1 + J v²/I) with I unknown.
+    let enough = loads.reflected_inertia().peak / (1.0 / ((1.0 - MOST_DROOP) * (1.0 - MOST_DROOP)) - 1.0);
+    Ok((droop > MOST_DROOP).then(|| {
+        format!(
+            "--driver-inertia {}: in each index the driver loses {} % of its speed unless the motor helps, and more than {} % is much \
+             (our choice), so the motion and the loads are not those of a constant speed; take {} kg m² or more",
+            as_typed(inertia),
+            to_digits(100.0 * droop, 2),
+            as_typed(100.0 * MOST_DROOP),
+            rounded_up(enough)
+        )
+    }))
+}
 
 /// The fields of the motor.
 pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
@@ -44,6 +66,16 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let motor_speed = question.speed().zip(ratio).map(|(speed, ratio)| speed.rpm() * ratio);
     let newton_metres = |key, value: Option<f64>| ReportField::in_unit(key, value, "N m");
     let inertia = |key, value: Option<f64>| ReportField::in_unit(key, value, "kg m²");
+    // Without the driver's inertia, the motor turns the wheel alone.
+    let driver = question.driver_inertia.unwrap_or(0.0);
+    let at_motor = match question.driver_inertia {
+        Some(_) => {
+            "inertia at the motor in mid-index, of the wheel and of all that turns with the driver: (J v² + driver's) / gear ratio²"
+        }
+        None => {
+            "reflected inertia at the motor in mid-index, of the wheel alone: J v² / gear ratio²; --driver-inertia adds the driver's"
+        }
+    };
     Ok(vec![
         inertia("reflected_inertia_kgm2", reflected.map(|reflected| reflected.peak))
             .line(
@@ -58,7 +90,8 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .line("crank torque in the dwell", "what the locking disc, as in the middle part of the dwell, and the driver's own friction take")
             .needing(LOADED),
         ReportField::in_unit("locking_disc_force_n", disc_force, "N")
-            .line("force on the locking disc", "in the middle part of the dwell: torque on the wheel / arm of the arc's end; near the ends of the dwell it is more")
+            .line("force on the locking disc", "with which the wheel presses on it in the middle part of the dwell: held torque, or else friction torque, / arm of the force at \
+                 the locking arc's end; near the ends of the dwell it is greater")
             .needing(Needs::SIZE.union(Needs::DISC_FRICTION)),
         newton_metres("breakaway_torque_nm", loads.map(|loads| loads.breakaway_torque()))
             .line("breakaway torque", "at the crank, after a stop in mid-index: friction alone")
@@ -81,10 +114,10 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
         newton_metres("motor_rms_torque_nm", geared(loads.map(|loads| loads.rms_crank_torque())))
             .line("", "its RMS")
             .needing(GEARED),
-        inertia("motor_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.peak))))
-            .line("", "reflected inertia at the motor in mid-index: / gear ratio²")
+        inertia("motor_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.peak + driver))))
+            .line("", at_motor)
             .needing(GEARED),
-        inertia("motor_mean_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.mean))))
+        inertia("motor_mean_reflected_inertia_kgm2", geared(geared(reflected.map(|reflected| reflected.mean + driver))))
             .line("", "its mean")
             .needing(GEARED),
     ])
@@ -111,7 +144,10 @@ mod tests {
         let report = report("--gear-ratio 8 --held-torque 0.7 --driver-inertia 0.0246");
         // Of six stations the wheel is as fast as its driver in mid-index.
         assert_relative_eq!(number(&report, "reflected_inertia_kgm2"), 0.0246, max_relative = 1e-12);
-        assert_relative_eq!(number(&report, "motor_reflected_inertia_kgm2"), 0.0246 / 64.0, max_relative = 1e-12);
+        // The motor turns the wheel and the flywheel.
+        assert_relative_eq!(number(&report, "motor_reflected_inertia_kgm2"), 2.0 * 0.0246 / 64.0, max_relative = 1e-12);
+        let mean = number(&report, "mean_reflected_inertia_kgm2") + 0.0246;
+        assert_relative_eq!(number(&report, "motor_mean_reflected_inertia_kgm2"), mean / 64.0, max_relative = 1e-12);
         assert_relative_eq!(number(&report, "motor_speed_rpm"), 400.0, max_relative = 1e-12);
         assert_relative_eq!(number(&report, "holding_torque_nm"), 0.7, max_relative = 1e-12);
         // Two equal inertias share the energy of one.
@@ -119,6 +155,37 @@ mod tests {
         let peak = number(&report, "motor_peak_torque_nm") * 8.0;
         assert_relative_eq!(peak, number(&report, "peak_crank_torque_nm"), max_relative = 1e-12);
         assert_relative_eq!(number(&report, "peak_power_w"), peak * 50.0 * TAU / 60.0, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn without_a_flywheel_the_motor_feels_the_wheel_alone_and_says_so() {
+        let alone = report("--gear-ratio 8");
+        let field = alone.field("motor_reflected_inertia_kgm2").expect("a field");
+        assert_relative_eq!(field.number().expect("an inertia"), 0.0246 / 64.0, max_relative = 1e-12);
+        assert!(field.line.as_ref().is_some_and(|line| line.meaning.contains("of the wheel alone")));
+    }
+
+    #[test]
+    fn a_flywheel_that_is_too_light_is_warned_of_with_one_that_is_not() {
+        let warned = |more: &str| {
+            let report = report(more);
+            let line = report.field("warnings").expect("warnings").line.clone();
+            line.map_or_else(String::new, |line| line.meaning.into_owned())
+        };
+        // Two equal inertias share the energy of one: the speed falls by 29 %.
+        let said = warned("--driver-inertia 0.0246");
+        assert!(said.contains("--driver-inertia 0.0246: in each index the driver loses 29 % of its speed"), "{said}");
+        assert!(said.contains("more than 10 %") && said.contains("our choice"), "{said}");
+        let enough = said.split("take ").nth(1).and_then(|rest| rest.split(' ').next()).expect("an inertia");
+        assert!(!warned(&format!("--driver-inertia {enough}")).contains("loses"), "{enough}");
+        let less = 0.999 * enough.parse::<f64>().expect("a number");
+        assert!(warned(&format!("--driver-inertia {less}")).contains("loses 10 %"), "{less}");
+        assert!(!warned("").contains("loses"));
+        // Of an internal wheel, too, and of one without a size.
+        let other =
+            answer("wheel --stations 6 --type internal --rpm 60 --inertia 0.01 --driver-inertia 0.001").expect("loads");
+        let line = other.field("warnings").and_then(|field| field.line.clone()).expect("a warning");
+        assert!(line.meaning.contains("loses"));
     }
 
     #[test]

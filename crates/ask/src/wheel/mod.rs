@@ -4,6 +4,8 @@ mod arguments;
 mod check;
 mod check_arguments;
 mod check_certainty;
+mod check_made;
+mod check_needs;
 mod check_remedies;
 mod check_words;
 mod design;
@@ -50,6 +52,5 @@ pub use process::{ASSEMBLIES, yield_fields};
 pub use question::{SearchEffort, WheelQuestion};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
-pub use typed_question::in_millimetres;
 
 pub use geneva_workshop::LayerNames;

@@ -1,6 +1,7 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
+use super::drive::droop_warning;
 use super::{looseness, mouth_rows};
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
@@ -228,6 +229,7 @@ pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
     if design.sizes.is_some() {
         design.refuse_mounting_out_of_range()?;
     }
+    found.extend(droop_warning(design)?);
     // What can't be mounted is refused where the files are made.
     let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
     found.extend(thin.iter().map(ThinWall::to_string));

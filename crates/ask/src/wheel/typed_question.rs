@@ -1,12 +1,12 @@
-//! A question about a wheel as it is typed: arguments with their values, lengths in millimetres or inches.
+//! A question about a wheel as it is typed: arguments with their values, lengths in millimetres or with their unit.
 
 use super::arguments::{Argument, ArgumentSlot, NamedChoice, arguments};
 use super::kind::WheelKind;
 use super::question::WheelQuestion;
+use crate::typed_number::length;
 use crate::{Error, number, pairs};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
-use std::borrow::Cow;
 
 impl WheelQuestion {
     /// Reads arguments as they are typed: `--stations 6 --rpm 60`. With `--out DIR`, a wheel without a size gets the recommended one.
@@ -104,48 +104,6 @@ impl WheelQuestion {
     }
 }
 
-/// A length in millimetres: a number, or one in inches, `2.5in` or `1-1/2in`.
-///
-/// # Errors
-///
-/// What is no number.
-pub(super) fn length(name: &str, text: &str) -> Result<f64, Error> {
-    let (text, unit) = in_millimetres(text);
-    number::<f64>(name, &text).map(|value| value * unit)
-}
-
-/// A length as it is typed, without its unit, and the millimetres of that unit: `2.5in`, `2.5"`, `1/8in`, `1-1/2in`, `8mm` or `8`.
-/// A fraction of an inch becomes a decimal number; one without a unit is left as it is, and is no number.
-///
-/// ```
-/// use geneva_ask::wheel::in_millimetres;
-///
-/// assert_eq!(in_millimetres("0.5in"), ("0.5".into(), 25.4)); // mm
-/// assert_eq!(in_millimetres("1-1/2in"), ("1.5".into(), 25.4));
-/// assert_eq!(in_millimetres("8"), ("8".into(), 1.0));
-/// ```
-pub fn in_millimetres(text: &str) -> (Cow<'_, str>, f64) {
-    const INCH: f64 = 25.4;
-    let without = |units: &[&str]| units.iter().find_map(|unit| text.trim().strip_suffix(unit)).map(str::trim_end);
-    match without(&["in", "\"", "″"]) {
-        Some(inches) => (fraction(inches).map_or(inches.into(), |inches| inches.to_string().into()), INCH),
-        None => (without(&["mm"]).unwrap_or(text).into(), 1.0),
-    }
-}
-
-/// The value of `1/8`, `1-1/2` or `1 1/2`, with a sign or without; none of anything else.
-fn fraction(text: &str) -> Option<f64> {
-    let (sign, size) = match text.strip_prefix(['-', '−']) {
-        Some(size) => (-1.0, size),
-        None => (1.0, text),
-    };
-    let (above, below) = size.split_once('/')?;
-    let (whole, above) = above.trim().split_once(['-', ' ']).unwrap_or(("0", above));
-    let [whole, above, below] = [whole, above, below].map(|digits| digits.trim().parse::<u32>().ok());
-    let below = below.filter(|below| *below > 0)?;
-    Some(sign * (f64::from(whole?) + f64::from(above?) / f64::from(below)))
-}
-
 fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error> {
     let found = all.iter().find(|(known, _)| *known == text).map(|(_, found)| *found);
     found.ok_or_else(|| {
@@ -156,7 +114,7 @@ fn one_of<T: Copy>(name: &str, text: &str, all: &[(&str, T)]) -> Result<T, Error
 
 #[cfg(test)]
 mod tests {
-    use super::{ArgumentSlot, NamedChoice, WheelQuestion, arguments, length};
+    use super::{ArgumentSlot, NamedChoice, WheelQuestion, arguments};
     use crate::{FieldValue, Needs, ReportField, answer, further};
     use std::collections::BTreeMap;
 
@@ -215,27 +173,10 @@ mod tests {
     }
 
     #[test]
-    fn inches_are_decimal_numbers_or_fractions() {
-        // Sixty-fourths are exact in binary, so the closed form is, too.
-        let right = [
-            ("1in", 1.0),
-            ("0.5in", 0.5),
-            ("1/8in", 0.125),
-            ("1-1/2in", 1.5),
-            ("1 1/2 in", 1.5),
-            ("-3/64\"", -0.046_875),
-            ("−1/4″", -0.25),
-        ];
-        for (text, inches) in right {
-            assert_eq!(length("crank-radius", text).expect(text), inches * 25.4, "{text}");
-        }
-        assert_eq!(length("crank-radius", "8mm").expect("millimetres"), 8.0);
-        for text in ["1/8", "1/8mm", "1/0in", "1/in", "/8in", "1/2/4in", "1.5/8in", "1--1/2in", "in"] {
-            let error = length("crank-radius", text).expect_err(text);
-            assert!(error.to_string().starts_with("--crank-radius"), "{error}");
-        }
-        let question = WheelQuestion::parse("--crank-radius 1-1/2in --play 1/64in").expect("inches");
-        assert_eq!((question.crank_radius, question.play), (Some(1.5 * 25.4), Some(25.4 / 64.0)));
+    fn lengths_may_have_units() {
+        let question = WheelQuestion::parse("--crank-radius 1-1/2in --play 1/64in --thickness 1cm").expect("units");
+        let lengths = (question.crank_radius, question.play, question.thickness);
+        assert_eq!(lengths, (Some(1.5 * 25.4), Some(25.4 / 64.0), Some(10.0)));
     }
 
     #[test]

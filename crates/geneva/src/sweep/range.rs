@@ -3,6 +3,7 @@
 use crate::typed::{self, as_typed, number, rounded};
 use anyhow::ensure;
 use clap::ValueEnum;
+use geneva_ask::typed_number::{TypedNumber, advice};
 
 /// How the values of a range are spaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -39,7 +40,8 @@ impl Range {
 
     /// A range whose ends can be typed as `value` reads them; what is between them can be too.
     fn of(text: &str, value: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
-        let value = |text: &str| if number(text).is_some() { value(text) } else { Err(FORM.to_owned()) };
+        let wrong = |text: &str| advice(text, TypedNumber::Plain).unwrap_or_else(|| FORM.to_owned());
+        let value = |text: &str| if number(text).is_some() { value(text) } else { Err(wrong(text)) };
         let parts: Vec<_> = text.split(':').map(str::trim).collect();
         let (from, to, count, spacing) = match parts[..] {
             [only] => return value(only).map(|value| Self { from: value, to: value, count: 1, spacing: None }),

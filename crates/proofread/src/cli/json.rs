@@ -3,6 +3,7 @@
 use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::confidence::Confidence;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
@@ -41,6 +42,7 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -
         "explanation": finding.explanation,
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::reason),
+        "confidence": finding.confidence.map(Confidence::name),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "reading": finding.reading,
         "names": finding.names,
@@ -127,6 +129,7 @@ fn sum(of: &RunTotals) -> Value {
     json!({
         "documents": of.documents,
         "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
+        "less_certain": of.less_certain,
         "accepted": of.accepted,
         "accepted_gone": of.idle_cases.gone,
         "accepted_unread": of.idle_cases.unread,

@@ -116,6 +116,7 @@ struct CommandRun<'a> {
     not_read: UnreadParts,
     documents: usize,
     found: [usize; 6],
+    less_certain: usize,
     failed: bool,
 }
 
@@ -133,6 +134,8 @@ struct RunTotals {
     documents: usize,
     /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
     found: [usize; 6],
+    /// Findings on numbers that are less certain.
+    less_certain: usize,
     accepted: usize,
     /// The accepted cases that left nothing out; none where only what is new was looked at.
     idle_cases: IdleCases,
@@ -180,6 +183,7 @@ impl<'a> CommandRun<'a> {
             not_read: UnreadParts::default(),
             documents: 0,
             found: [0; 6],
+            less_certain: 0,
             failed: false,
         })
     }
@@ -229,6 +233,7 @@ impl<'a> CommandRun<'a> {
             tally: self.sum,
             documents: self.documents,
             found: self.found,
+            less_certain: self.less_certain,
             accepted: self.baseline.accepted_count(),
             idle_cases: self.idle_cases(),
             unchecked_parts: self.project.unchecked_parts(&files),
@@ -340,6 +345,7 @@ impl<'a> CommandRun<'a> {
         self.documents += 1;
         for finding in &findings {
             self.found[finding.section as usize] += 1;
+            self.less_certain += usize::from(finding.caveat().is_some());
         }
         if self.arguments.accept.is_none() {
             let CheckReport { tally, not_checked, not_read, unchecked, .. } = report;

@@ -47,7 +47,9 @@ impl ReportWriter for TextWriter {
 
 /// How many findings there are and on which lists; none if there are none.
 pub(super) fn findings_sentence(sum: &RunTotals) -> Option<String> {
-    summary::describe_findings(|list| sum.found[list as usize]).map(|said| said + ".")
+    let said = summary::describe_findings(|list| sum.found[list as usize])?;
+    let less = (sum.less_certain > 0).then(|| format!("; {} less certain", summary::describe_part(sum.less_certain)));
+    Some(said + less.as_deref().unwrap_or_default() + ".")
 }
 
 /// All that is said of a run beside [`findings_sentence`], to somebody who did not start it and has no options to set.
@@ -233,6 +235,9 @@ pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
     let mut notes = Vec::new();
     if let Some(doubt) = finding.doubt {
         notes.push(("set aside", doubt.reason().to_owned()));
+    }
+    if let Some(caveat) = finding.caveat() {
+        notes.push(("less certain", caveat.to_owned()));
     }
     if let Some(why) = &finding.why {
         notes.push(("why", why.clone()));

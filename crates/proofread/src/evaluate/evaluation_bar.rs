@@ -5,6 +5,29 @@ use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, collect_names, trim_space};
 
+/// Where the terms begin that a bar is about: behind the sign after terms without a variable, since a constant would vanish between the limits,
+/// as in `1/3 + x²/2|₀¹`.
+fn start_of_variable_terms(tokens: &[Token]) -> usize {
+    let mut depth = 0_usize;
+    let mut start = 0;
+    let mut has_term = false;
+    for (at, token) in tokens.iter().enumerate() {
+        let mut names = Vec::new();
+        collect_names(std::slice::from_ref(token), &mut names);
+        if !names.is_empty() {
+            break;
+        }
+        depth += usize::from(token.is_one_of("([{"));
+        depth = depth.saturating_sub(usize::from(token.is_one_of(")]}")));
+        if depth == 0 && token.is_one_of("+-") && has_term {
+            (start, has_term) = (at + 1, false);
+        } else {
+            has_term |= !token.is_space() && !token.is_one_of("+-·×*/(");
+        }
+    }
+    start
+}
+
 impl Evaluator<'_> {
     /// The difference of an expression's values at the limits of the bar behind it, if there is a bar.
     pub(crate) fn evaluate_bar(&mut self, tokens: &[Token]) -> Option<Evaluated<SideValue>> {
@@ -12,7 +35,15 @@ impl Evaluator<'_> {
         if tokens[..at].last().is_some_and(|before| before.is_sign(']')) {
             return None;
         }
-        let value = self.evaluate_between(&tokens[..at], &tokens[at]);
+        let (before, of) = tokens[..at].split_at(start_of_variable_terms(&tokens[..at]));
+        let value = self.evaluate_between(of, &tokens[at]);
+        let value = if trim_space(before).is_empty() {
+            value
+        } else {
+            let is_minus = before.last().is_some_and(|sign| sign.is_sign('-'));
+            let before = self.evaluate_all(&before[..before.len() - 1]);
+            value.and_then(|value| before?.sum(&if is_minus { value.negate() } else { value }, false))
+        };
         let rest = trim_space(&tokens[at + 1..]);
         Some(value.and_then(|value| {
             let Some(first) = rest.first() else { return Ok(value) };

@@ -69,7 +69,9 @@ fn expand(side: &[Token], multiply: MatrixProduct) -> Option<Entries> {
             depth += usize::from(token.is_one_of("([{"));
             depth = depth.saturating_sub(usize::from(token.is_one_of(")]}")));
         }
-        if token.is_some_and(|token| depth > 0 || !token.is_one_of("+-")) {
+        // A sign behind that of a product is the sign of a factor.
+        let is_of_factor = trim_space(&side[..at]).last().is_some_and(|before| before.is_one_of("·×*"));
+        if token.is_some_and(|token| depth > 0 || is_of_factor || !token.is_one_of("+-")) {
             continue;
         }
         let term = trim_space(&side[from..at]);

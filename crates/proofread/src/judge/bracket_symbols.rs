@@ -168,6 +168,29 @@ pub(crate) fn may_be_order(left: &[Token], right: &[Token]) -> bool {
     is_order && !any(right, &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.')))
 }
 
+/// Whether a side is a letter with an index or an argument that looks like a unit, a unit vector or a constant with a factor or an
+/// exponent: T(4) for an estimate with four steps, ŷ(−1) for a fitted value, π⁰ for a value under a hypothesis.
+pub(crate) fn may_be_indexed_letter(side: &[Token]) -> bool {
+    let is_letter = |token: &Token| match &token.kind {
+        TokenKind::Word(word) => word.chars().count() == 1,
+        TokenKind::Basis(_) => true,
+        _ => false,
+    };
+    match without_space(side).as_slice() {
+        [letter, Token { kind: TokenKind::Power(power), .. }] => {
+            (is_letter(letter) || matches!(letter.kind, TokenKind::Name(_)))
+                && matches!(power.as_slice(), [zero] if zero.number() == Some("0"))
+        }
+        [letter, open, argument @ .., close] => {
+            let signed = argument.split_last().is_some_and(|(number, sign)| {
+                number.number().is_some() && matches!(sign, [] | [_]) && sign.iter().all(|sign| sign.is_one_of("+-"))
+            });
+            is_letter(letter) && open.is_sign('(') && close.is_sign(')') && signed
+        }
+        _ => false,
+    }
+}
+
 /// Whether a side is one number with its unit in brackets: (2.00 A).
 pub(crate) fn is_bracketed_quantity(side: &[Token]) -> bool {
     matches!(without_space(side).as_slice(), [open, number, unit, close]

@@ -54,8 +54,8 @@ pub enum Doubt {
     Approximation,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
-    /// Too many pairs of the document differ for misprints, and no single edit mends this one.
-    Frequent,
+    /// Few digits are printed there, and many pairs of the document differ.
+    Cluster,
     /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
     OtherTest,
     /// A total or a share may be of something else than the numbers beside it.
@@ -82,7 +82,7 @@ impl Doubt {
             Self::Inputs => "other digits of the terms would give the result",
             Self::Approximation => "what stands behind ≈ is exact, and may be a coarse approximation",
             Self::Habit => "other formulas of the document differ by the same factor",
-            Self::Frequent => "so much of the document differs that it may be written in a way that is misread",
+            Self::Cluster => "it is short, and so many others of the document differ that they may be misread",
             Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
             Self::OtherParts => "it may be the total or the share of something else",
         }
@@ -204,7 +204,9 @@ impl PlacedPair<'_> {
         let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
         let wraps =
             self.formula.style == FormulaStyle::Plain && surroundings::goes_on_below(self.text, self.right.span);
-        self.ends_chain() && (goes_on || wraps || surroundings::goes_on_in_words(self.text, self.right.span))
+        let thousands = surroundings::goes_on_in_thousands(self.text, self.right.span);
+        self.ends_chain()
+            && (goes_on || wraps || thousands || surroundings::goes_on_in_words(self.text, self.right.span))
             || surroundings::goes_on_with_arrow(self.text, self.right.span)
     }
 
@@ -221,6 +223,7 @@ impl PlacedPair<'_> {
             || bracket_symbols::may_name_pi(left, right, judgement.values.as_ref())
             || bracket_symbols::may_be_residue_symbols(left, right)
             || bracket_symbols::may_be_cycles(left, right)
+            || (self.begins_chain() && bracket_symbols::may_be_indexed_letter(left))
             || bracket_symbols::may_be_places(left)
             || bracket_symbols::may_be_places(right)
             || ([left, right].into_iter().any(bracket_symbols::is_all_bracketed) && self.has_other_base())

@@ -3,13 +3,13 @@
 mod binary_numbers;
 mod bracket_symbols;
 pub(crate) mod chain_verdict;
+pub(crate) mod confidence;
 pub(crate) mod counted_nouns;
 pub(crate) mod denial;
 pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
-pub(crate) mod frequent;
 pub(crate) mod letter_units;
 mod lost_digits;
 pub(crate) mod money;

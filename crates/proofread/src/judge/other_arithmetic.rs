@@ -88,7 +88,8 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let source = text.get(span.range()).unwrap_or_default();
-    let near = format!("{sentence} {source} {rest}").to_ascii_lowercase();
+    let near =
+        format!("{sentence} {source} {rest}").to_ascii_lowercase().replace("base 10 ", " ").replace("base ten", "");
     let places = |word: &'static str| {
         let letter = |c: char| c.is_ascii_alphabetic();
         let near = &near;

@@ -436,6 +436,14 @@ pub(crate) fn ends_in_list(text: &str, span: Span) -> bool {
     })
 }
 
+/// Whether three digits stand behind a comma and a blank after a number of up to three, as thousands are sometimes parted: `40, 320`.
+pub(crate) fn goes_on_in_thousands(text: &str, span: Span) -> bool {
+    let digits = |of: &str| of.chars().take_while(char::is_ascii_digit).count();
+    let number = text.get(span.range()).unwrap_or_default();
+    let next = text_behind(text, span).strip_prefix(", ");
+    (1..=3).contains(&number.len()) && digits(number) == number.len() && next.is_some_and(|next| digits(next) == 3)
+}
+
 /// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
 pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
     let rest = text_behind(text, span).trim_start();

@@ -151,14 +151,6 @@ fn printed_digits(tokens: &[Token]) -> usize {
     tokens.iter().enumerate().map(of).sum()
 }
 
-/// What the search for a single edit found.
-pub(crate) struct SingleEdits {
-    /// The one that most likely was the slip.
-    pub likely: Option<Hint>,
-    /// Whether the sides agree with any at all; also if not all were tried.
-    pub may_fit: bool,
-}
-
 /// An edit that fits, and how likely it is.
 struct Fit {
     hint: Hint,
@@ -170,14 +162,13 @@ struct Fit {
 }
 
 impl HintSearch<'_> {
-    /// The edits that make the sides agree, and the one that most likely was the slip; what the search costs is taken from `budget`.
+    /// The one edit that most likely was the slip; what the search costs is taken from `budget`.
     ///
     /// Each edit that makes the sides agree is as likely as its kind, over the number of places where it could have happened. Against them
     /// stands that something else happened, and that the edit fits by accident: with a result of few digits, that is likely.
     /// If only the last digit differs, it must be one of the printed result: of a digit as far behind in an operand, this is no
     /// evidence.
-    pub(crate) fn single_edits(&self, budget: &mut usize) -> SingleEdits {
-        let unknown = SingleEdits { likely: None, may_fit: true };
+    pub(crate) fn hint(&self, budget: &mut usize) -> Option<Hint> {
         let values = self.judgement.values.as_ref();
         let is_literal = values.map_or([false, true], |(left, right)| [left.is_literal(), right.is_literal()]);
         let printed = if is_literal[1] || !is_literal[0] { 1 } else { 0 };
@@ -186,7 +177,7 @@ impl HintSearch<'_> {
         let sides = [self.left, self.right];
         let sizes = sides.map(|side| size(&side.tokens));
         if sizes.into_iter().any(|size| size > LONGEST) {
-            return unknown;
+            return None;
         }
         let each = sizes[0] + sizes[1];
         let mut places = Places::default();
@@ -237,16 +228,13 @@ impl HintSearch<'_> {
                 let _ = whole_side(side, &mut tries);
             }
             if is_spent {
-                return unknown;
+                return None;
             }
         }
         let all: f64 = found.iter().map(|fit| fit.weight).sum();
-        let may_fit = !found.is_empty();
-        let best = found.into_iter().reduce(|best, fit| if fit.weight > best.weight { fit } else { best });
-        let is_likely = |best: &Fit| {
-            best.weight >= LEAST_SHARE * (all + best.accident) && only.is_none_or(|only| only == best.side)
-        };
-        SingleEdits { likely: best.filter(is_likely).map(|best| best.hint), may_fit }
+        let best = found.into_iter().reduce(|best, fit| if fit.weight > best.weight { fit } else { best })?;
+        let is_likely = best.weight >= LEAST_SHARE * (all + best.accident) && only.is_none_or(|only| only == best.side);
+        is_likely.then_some(best.hint)
     }
 
     /// Which of the neighbours agree with the sides as they are.
@@ -312,7 +300,7 @@ mod tests {
             let relation = Relation::Equal;
             let search =
                 HintSearch { left, right, relation, judgement: &judgement, neighbours: [None; 2], around: [""; 2] };
-            found = search.single_edits(&mut MOST_FOR_ALL.clone()).likely;
+            found = search.hint(&mut MOST_FOR_ALL.clone());
         })
         .expect("it is read");
         found.map(|hint| hint.words)

@@ -229,7 +229,9 @@ impl MeasuredWheel {
         (1..all.sizes().len()).filter(is_suspect).map(|place| all.sizes()[place].size).collect()
     }
 
-    /// The wheel as it was measured; what was not measured is as in the nearest right wheel.
+    /// The wheel as it was measured; what was not measured is as in the nearest right wheel. Of the centre distance and the distance of the
+    /// arcs' centres from the wheel's axis, which are equal in a right wheel, one that was measured and agrees stands for the other, so that no
+    /// play in the dwell comes from what the fit leaves between them.
     ///
     /// ```
     /// use geneva_kinematics::wheel::Wheel;
@@ -243,6 +245,21 @@ impl MeasuredWheel {
     /// ```
     pub fn as_built(&self, nearest: &NearestWheel) -> AsBuiltWheel {
         let mut built = nearest_parts(self.wheel(), nearest);
+        let is_wrong = |size: MeasuredSize| {
+            let mut culprits = nearest.culprit.iter().chain(&nearest.further_culprits);
+            culprits.any(|culprit| culprit.size.name() == size.name())
+        };
+        let axes = self.mean(|size| size == MeasuredSize::CentreDistance);
+        let arcs = self.mean(|size| matches!(size, MeasuredSize::ArcCentre(_)));
+        match (axes, arcs) {
+            (Some(axes), None) if !is_wrong(MeasuredSize::CentreDistance) => {
+                built.set(MeasuredSize::ArcCentre(None), axes);
+            }
+            (None, Some(arcs)) if !is_wrong(MeasuredSize::ArcCentre(None)) => {
+                built.set(MeasuredSize::CentreDistance, arcs);
+            }
+            _ => {}
+        }
         for of in self.sizes() {
             built.set(of.size, of.value);
         }

@@ -38,8 +38,9 @@ impl EditorFeatures {
 
 /// How grave the protocol calls a finding: 2 is a warning, 3 information and 4 a hint. Nothing is an error, which is a word
 /// for what keeps a text from being read.
-fn severity(section: ReportSection) -> u8 {
-    match section {
+fn severity(finding: &ChainFinding) -> u8 {
+    match finding.section {
+        ReportSection::Numbers if finding.caveat().is_some() => 3,
         ReportSection::Numbers | ReportSection::Statistics => 2,
         ReportSection::Units | ReportSection::Bindings => 3,
         ReportSection::Doubts | ReportSection::Agreeing => 4,
@@ -61,7 +62,7 @@ pub(super) fn diagnostics(checked: &CheckedText, address: &str, features: Editor
 fn diagnostic(finding: &ChainFinding, index: &PositionIndex<'_>, address: &str, features: EditorFeatures) -> Value {
     let mut out = json!({
         "range": index.range(finding.at),
-        "severity": severity(finding.section),
+        "severity": severity(finding),
         "code": finding.verdict.name(),
         "source": "proofread",
         "message": message(finding),
