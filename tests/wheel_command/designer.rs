@@ -2,7 +2,7 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
-use geneva_ask::wheel::{ActsOn, ArgumentSlot, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::wheel::{ActsOn, Argument, ArgumentSlot, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_live::{Live, LiveArguments, LiveReply, by_name};
@@ -112,7 +112,9 @@ fn whole_answer(live: &Live, settings: &LiveArguments) -> Result<LiveReply, Stri
 fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
     // What acts on files alone is refused beside numbers.
     let is_of_files = |name: &str| {
-        let mut known = arguments().filter(|argument| argument.acts_on.contains(&ActsOn::Files));
+        let acts_on = |argument: &Argument, what| argument.acts_on.contains(&what);
+        let mut known =
+            arguments().filter(|argument| acts_on(argument, ActsOn::Files) && !acts_on(argument, ActsOn::Play));
         name.strip_prefix("--").is_some_and(|name| known.any(|argument| argument.name == name))
     };
     let pairs = command[1..].chunks(2).filter(|pair| !is_of_files(&pair[0])).flatten();
@@ -127,9 +129,12 @@ fn compare(live: &Live, Asked { page, command }: &Asked) -> Option<usize> {
     };
     let object = object(&words);
     let message = moved.message.as_deref().unwrap_or_default();
-    let warnings = object["warnings"].as_array().expect("a list").iter();
+    // Walls beside chosen holes are told where the page offers the files.
+    let warnings =
+        object["warnings"].as_array().expect("a list").iter().map(|warning| warning.as_str().expect("words"));
+    let warnings = warnings.filter(|warning| !warning.contains(" mm are left between "));
     let mut rest = message.to_lowercase();
-    for warning in warnings.map(|warning| warning.as_str().expect("words").to_lowercase() + ".") {
+    for warning in warnings.map(|warning| warning.to_lowercase() + ".") {
         assert!(rest.contains(&warning), "{message}: {warning}: {}", command.join(" "));
         rest = rest.replacen(&warning, "", 1);
     }

@@ -53,6 +53,12 @@ impl Needs {
     pub const WHEEL_SHAFT: Self = Self(1 << 9);
     /// The diameter of the driver's shaft, in the plane of the wheel and in the plate.
     pub const DRIVER_SHAFT: Self = Self(1 << 10);
+    /// The flat of the wheel's shaft.
+    pub const WHEEL_FLAT: Self = Self(1 << 11);
+    /// The flat of the driver's shaft.
+    pub const DRIVER_FLAT: Self = Self(1 << 12);
+    /// The screw of the pins.
+    pub const PIN_SCREW: Self = Self(1 << 13);
 
     /// The coefficient of friction of the locking disc.
     pub const DISC_FRICTION: Self = Self(1 << 16);

@@ -42,8 +42,8 @@ pub struct Material {
 /// | hardened steel | a third of the hardness of 513 HV: 50 HRC, the least of a hardened dowel pin (ASME B18.8.2); the third by D. Tabor, *The Hardness of Metals* |
 /// | aluminium | least proof stress of EN AW-6061-T6 (EN 755-2) |
 ///
-/// From memory, as we haven't had the tables before us: the two strengths from Shigley's book, strength and modulus of aluminium, and
-/// that 50 HRC are 513 HV.
+/// From memory, as we haven't had the tables before us: the two strengths from Shigley's book, strength and modulus of aluminium, the
+/// bending of plywood, and that 50 HRC are 513 HV.
 ///
 /// Plastics creep, and with time and heat they get softer. Acetal: J. M. Margolis (ed.), *Engineering Plastics Handbook*, table 5.5,
 /// tensile modulus of the homopolymer at room temperature; its strength is 60 MPa, our choice below what data sheets give. Nylon and
@@ -51,9 +51,11 @@ pub struct Material {
 /// yield strength. PLA: data of a printed bar in its weaker direction (pro3dcomposites.com: 2,539 MPa, 26 MPa at yield, 1.264 g/cm³).
 /// PETG: the low ends for a printed bar (additive.tools: 2 GPa, 44 MPa). Across the layers printed parts bear a third less. MDF: what
 /// is asked of a general-purpose board over 6 to 9 mm in bending (risunboard.com, *MDF Classification*, table 4, whose row of bending
-/// strength has a wrong heading); its density is our choice. Poisson's ratios of acetal, PLA, PETG and MDF are
+/// strength has a wrong heading); its density is our choice. Plywood: the low ends for bending (Forest Products Laboratory, *Wood
+/// Handbook*, FPL-GTR-190, table 12-1: from 7 GPa and 34 MPa), and the high end of its density, our choice, as it is the safe side of
+/// the inertia. Poisson's ratios of acetal, PLA, PETG, MDF and plywood are
 /// assumed: from 0.3 to 0.4 the pressure changes by less than 2.5 % to either side.
-pub const MATERIALS: [Material; 12] = [
+pub const MATERIALS: [Material; 13] = [
     material("steel", 207e9, 0.292, 7800.0, 210e6),
     material("stainless-steel", 190e9, 0.305, 7750.0, 205e6),
     material("cast-iron", 100e9, 0.211, 7200.0, 214e6),
@@ -66,6 +68,7 @@ pub const MATERIALS: [Material; 12] = [
     material("pla", 2.54e9, 0.35, 1264.0, 26e6),
     material("petg", 2.0e9, 0.35, 1270.0, 44e6),
     material("mdf", 2.5e9, 0.3, 750.0, 25e6),
+    material("plywood", 7.0e9, 0.3, 600.0, 34e6),
 ];
 
 const fn material(name: &'static str, modulus: f64, poisson: f64, density: f64, strength: f64) -> Material {

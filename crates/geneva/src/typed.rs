@@ -351,7 +351,7 @@ mod tests {
     fn every_number_that_is_none_is_refused_with_a_range() {
         let parsers: [Parser<f64>; 7] =
             [positive, radians_a_second, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
-        let counts: [Parser<u32>; 3] = [slots, stations, pins];
+        let counts: [Parser<u32>; 4] = [slots, stations, pins, holes];
         let threads = |text: &str| threads(text).map(|threads| threads.get() as f64);
         for text in ["", "x", "１２", "1,2,3", "-", "1e", "nan", "-.5", "1e309", "-1e999", "5e-324"] {
             let numbers = parsers.iter().map(|parse| parse(text)).chain([threads(text)]);

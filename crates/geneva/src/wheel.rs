@@ -148,7 +148,7 @@ fn option(argument: &Argument) -> Arg {
         ArgumentSlot::SignedLength(_) => option.value_parser(typed::signed_millimetres).allow_hyphen_values(true),
         ArgumentSlot::AboveZero(_) => option.value_parser(typed::positive).allow_hyphen_values(true),
         ArgumentSlot::ZeroOrMore(_) => option.value_parser(typed::zero_or_more).allow_hyphen_values(true),
-        ArgumentSlot::Count(_) => option.value_parser(typed::holes),
+        ArgumentSlot::Count(_) => option.value_parser(typed::holes).allow_negative_numbers(true),
         ArgumentSlot::Choice(NamedChoice { names, .. }) => option.value_parser(PossibleValuesParser::new(names)),
         ArgumentSlot::Process(_) => {
             option.value_parser(typed::value_named(&Process::ALL, Process::name, Process::meaning))
@@ -334,12 +334,20 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
 /// Refuses options that have no effect for this one wheel. What only numbers need is no fault beside a file of shapes.
 fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
-    // With its thickness, an internal wheel's parts have an inertia, which is in the numbers.
-    let has_inertia = wanted.thickness.is_some() && wanted.scale().is_some();
-    let has_parts = is_external || (wanted.kind == Some(WheelKind::Internal) && (is_of_parts(format) || has_inertia));
+    let is_internal = wanted.kind == Some(WheelKind::Internal);
+    let has_parts = is_external || (is_internal && (is_of_parts(format) || wanted.scale().is_some()));
+    if is_internal && has_parts && !is_of_parts(format) {
+        let why = "on the numbers of an internal wheel, of whose pin and axes no more is worked out; leave it out, or choose --type external";
+        reject_any(wanted, is_named(NOT_OF_INTERNAL), why)?;
+        if wanted.thickness.is_none() {
+            let why = "on the numbers of an internal wheel without a thickness; add --thickness MM for its inertia";
+            reject_any(wanted, is_named(&["density"]), why)?;
+            reject_materials(wanted, why)?;
+        }
+    }
     if !has_parts {
-        let why = if wanted.kind == Some(WheelKind::Internal) {
-            "on the numbers of an internal wheel without its size and --thickness MM; add these or --out DIR, or choose --type external"
+        let why = if is_internal {
+            "on an internal wheel without a size in mm; add --crank-radius MM, or another of the sizes"
         } else {
             "because the parts of a spherical wheel are not worked out; leave it out, or choose --type external"
         };
@@ -352,7 +360,8 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     }
     if !is_shape(format) {
         let why = format!("on --format {}, which has numbers only; add --out DIR for all files", format.name());
-        reject_any(wanted, acts_on(ActsOn::Files), &why)?;
+        let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
+        reject_any(wanted, is_of_files, &why)?;
     }
     if wanted.process.is_none() {
         reject_any(wanted, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
@@ -400,6 +409,20 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     }
     Ok(())
 }
+
+/// What acts on numbers that only external wheels have.
+const NOT_OF_INTERNAL: &[&str] = &[
+    "arm-torque",
+    "pin-modulus",
+    "pin-poisson",
+    "pin-strength",
+    "wheel-modulus",
+    "wheel-poisson",
+    "wheel-strength",
+    "allowed-pressure",
+    "disc-friction",
+    "centre-error",
+];
 
 /// Whether an argument acts on this.
 fn acts_on(what: ActsOn) -> impl Fn(&Argument) -> bool {

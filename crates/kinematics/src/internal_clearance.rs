@@ -10,7 +10,7 @@
 use crate::KinematicsError;
 use crate::indexing::Indexing;
 use crate::internal_sizes::InternalSizes;
-use crate::wheel::{Minimum, Search, SharedGaps, SharedTolerance, TOLERANCE};
+use crate::wheel::{Minimum, Search, SharedTolerance, TOLERANCE, make_wrong, shared_gaps};
 use nalgebra::Vector2;
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -81,23 +81,12 @@ impl InternalSizes {
     ///
     /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
     pub fn shared_tolerance_within(&self, angles: u32) -> Result<Option<SharedTolerance>, KinematicsError> {
-        let (sine, cosine) = libm::sincos(self.wheel.half_pitch_angle());
-        let gaps = SharedGaps {
-            sine,
-            cosine,
-            crank_radius: self.crank_radius,
-            wheel_radius: self.wheel_radius,
-            locking: self.locking_gap(),
-            slot: self.slot_gap(),
-            bottom: self.bottom_gap(),
-            bore: self.play.bore,
-            is_deeper_apart: true,
-        };
-        gaps.divided(|limit| self.runs_with(limit, angles))
+        shared_gaps!(self, self.locking_gap(), true).divided(|limit| self.runs_with(limit, angles))
     }
 
     /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius, of the axes and of the
-    /// segment's place on its plate, which may be off along its rim by as much as the crank radius.
+    /// segment's place on its plate, which may be off along its rim by as much as the crank radius. A pin that is off its place along
+    /// its circle is as good as a segment that is.
     fn runs_with(&self, limit: &SharedTolerance, angles: u32) -> Result<bool, KinematicsError> {
         // A slot that is off its place turns the arcs with it.
         let turned = self.mouth_radius * limit.direction;
@@ -105,13 +94,11 @@ impl InternalSizes {
             for sense in [-1.0, 1.0] {
                 let wrong = self.with_errors(limit, sense);
                 for side in [-1.0, 1.0] {
-                    let askew = side * limit.crank / wrong.segment_radii[0];
-                    let Ok(assembly) = InternalAssembly::new(&wrong, self.centre_distance + error, askew) else {
-                        return Ok(false);
-                    };
-                    let found = assembly.least_clearance(angles, turned)?;
-                    if found.distance < found.tolerance {
-                        return Ok(false);
+                    let askew = side * (limit.crank / wrong.segment_radii[0] + self.play.pin / self.crank_radius);
+                    match wrong.is_clear(self.centre_distance + error, askew, turned, angles) {
+                        Ok(true) => {}
+                        Ok(false) | Err(KinematicsError::CentreDistance { .. }) => return Ok(false),
+                        Err(error) => return Err(error),
                     }
                 }
             }
@@ -119,16 +106,36 @@ impl InternalSizes {
         Ok(true)
     }
 
+    /// Whether nothing touches over a whole turn with the axes at this distance, the segment's middle off the line through axis and pin
+    /// by an angle in radians, and the arcs off their places between the slots by up to `turned` at the ring's inner rim; lengths in
+    /// millimetres. At most so many crank angles are looked at.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError`] for axes at an impossible distance, and where more angles are needed.
+    pub(crate) fn is_clear(
+        &self,
+        centre_distance: f64,
+        segment_error: f64,
+        turned: f64,
+        angles: u32,
+    ) -> Result<bool, KinematicsError> {
+        let [outer, inner] = self.segment_radii;
+        let is_ring = self.slot_width > 0.0 && self.slot_end > self.wheel_radius && self.locking_arc_radius > 0.0;
+        if !(is_ring && outer > inner && inner > 0.0) {
+            return Ok(false);
+        }
+        let assembly = InternalAssembly::new(self, centre_distance, segment_error)?;
+        let found = assembly.least_clearance(angles, turned)?;
+        Ok(found.distance >= found.tolerance)
+    }
+
     /// The sizes with all errors at these limits but those of the axes, of the slot's direction and of the segment's place, the
     /// crank longer or shorter by its sense of 1 or −1.
     fn with_errors(&self, limit: &SharedTolerance, sense: f64) -> Self {
         let mut wrong = *self;
         wrong.segment_radii[0] += limit.locking;
-        wrong.locking_arc_radius -= limit.locking;
-        wrong.crank_radius += sense * limit.crank;
-        wrong.pin_diameter += limit.width;
-        wrong.slot_width -= limit.width;
-        wrong.play.slot -= 2.0 * limit.width;
+        make_wrong!(wrong, limit, sense);
         wrong.slot_end -= limit.slot_end;
         wrong.mouth_radius = libm::hypot(self.wheel_radius, wrong.slot_width / 2.0);
         wrong

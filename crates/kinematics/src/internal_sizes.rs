@@ -13,7 +13,7 @@
 use crate::error::{KinematicsError, length};
 use crate::indexing::Indexing;
 use crate::internal_wheel::InternalWheel;
-use crate::wheel::{Choices, Edge, Face, Loop, Play, Remedy, ShaftOf, SizesError};
+use crate::wheel::{Choices, Edge, Face, Loop, Play, Remedy, ShaftOf, SizesError, THIN};
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -96,6 +96,7 @@ impl InternalSizes {
             ("slot play", play.slot),
             ("locking play", play.locking),
             ("bore play", play.bore),
+            ("play of a pin", play.pin),
             ("clearance at the slot's bottom", bottom),
         ] {
             if !(asked >= 0.0 && asked.is_finite()) {
@@ -174,6 +175,17 @@ impl InternalSizes {
     /// Between pin and bottom of the slot where the pin is deepest, in millimetres.
     pub fn bottom_gap(&self) -> f64 {
         self.slot_end + self.slot_width / 2.0 - self.centre_distance - self.crank_radius - self.pin_radius()
+    }
+
+    /// Whether all that is left of the parts can be made: horn, locking segment and the plate between pin and bore are at least a fifth
+    /// of the pin thick, and the locking arcs reach into the ring by as much. That is our choice, as of an external wheel.
+    pub fn has_sound_walls(&self) -> bool {
+        // But for rounding.
+        let least = (1.0 - 1e-9) * THIN * self.pin_diameter;
+        let [outer, inner] = self.segment_radii;
+        let reach = self.locking_arc_radius + self.mouth_radius - self.centre_distance;
+        let to_pin = self.crank_radius - self.pin_radius() - self.bore(self.plate_shaft) / 2.0;
+        [self.horn_thickness, outer - inner, reach, to_pin].into_iter().all(|wall| wall >= least)
     }
 
     /// Angle of the ends of a locking arc from its middle, seen from the wheel's axis, in radians, and seen from the arc's centre

@@ -70,6 +70,7 @@ pub mod bisection;
 pub mod cam;
 pub mod escapement;
 pub mod indexing;
+pub mod internal_assemblies;
 pub mod internal_clearance;
 pub mod internal_sizes;
 pub mod internal_wheel;

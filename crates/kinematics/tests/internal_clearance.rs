@@ -13,7 +13,7 @@ fn sizes(stations: u32, play: Play, pin: f64) -> InternalSizes {
 }
 
 /// The least distance at many crank angles.
-fn sampled(pair: &Pair) -> f64 {
+pub(super) fn sampled(pair: &Pair) -> f64 {
     let angles = 160;
     (0..=angles).map(|k| pair.distance(PI * f64::from(k) / f64::from(angles))).fold(f64::INFINITY, f64::min)
 }
@@ -65,6 +65,33 @@ fn with_all_sizes_wrong_within_the_shared_tolerance_nothing_touches_and_with_twi
         };
         assert!(!touches(1.0), "{stations} stations: {shared:?}");
         assert!(touches(2.5), "{stations} stations: {shared:?}");
+    }
+}
+
+#[test]
+fn a_pin_off_its_place_leaves_less_to_all_sizes_and_nothing_touches_then_either() {
+    for stations in [3, 4, 6, 12] {
+        let pin = 0.03;
+        let sizes = sizes(stations, Play { pin, ..Play::from_slot(0.4) }, 3.0);
+        let mut exact = sizes;
+        exact.play.pin = 0.0;
+        let [shared, other] = [sizes, exact].map(|sizes| sizes.shared_tolerance().expect("room"));
+        assert!(shared.crank < other.crank - 0.1 * pin, "{stations}: {shared:?}");
+        for direction in 0..12 {
+            let (sine, cosine) = (PI * f64::from(direction) / 6.0).sin_cos();
+            let mut wrong = sizes;
+            wrong.segment_radii[0] += shared.locking;
+            wrong.locking_arc_radius -= shared.locking;
+            wrong.crank_radius = (sizes.crank_radius + shared.crank + pin * cosine).hypot(pin * sine);
+            wrong.pin_diameter += shared.width;
+            wrong.slot_width -= shared.width;
+            wrong.slot_end -= shared.slot_end;
+            wrong.mouth_radius = wrong.wheel_radius.hypot(wrong.slot_width / 2.0);
+            for error in [-shared.nearer - sizes.play.bore, shared.farther + sizes.play.bore] {
+                let least = sampled(&Pair::apart(wrong, sizes.centre_distance + error));
+                assert!(least > 0.0, "{stations} stations, {direction}, {error}: {least}");
+            }
+        }
     }
 }
 

@@ -7,6 +7,7 @@ mod accuracy;
 mod bisection;
 mod escapement;
 mod indexing;
+mod internal_assemblies;
 mod internal_clearance;
 mod internal_sizes;
 mod internal_wheel;

@@ -6,8 +6,8 @@ use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
-    ASSEMBLIES, Argument, ArgumentSlot, FittingValues, GROUPS, Knob, SHAPE_FILES, SearchEffort, WRONG_SIZES,
-    WheelDesign, WheelQuestion, arguments, yield_fields,
+    ASSEMBLIES, Argument, ArgumentSlot, FittingValues, GROUPS, Knob, MountingQuestion, SHAPE_FILES, SearchEffort,
+    WRONG_SIZES, WheelDesign, WheelQuestion, arguments, yield_fields,
 };
 use geneva_ask::{Error, ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
@@ -351,7 +351,7 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
     let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
     let counted = counted(&design)?;
-    fields.extend(yield_fields(counted.filter(|counted| counted.tried == ASSEMBLIES)));
+    fields.extend(yield_fields(counted.filter(|counted| counted.tried == ASSEMBLIES), design.wheel.kind()));
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
         Some(key) => {
@@ -403,8 +403,8 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
 /// Assemblies that are counted at one asking: few, so that a slider never waits for them.
 const AT_ONCE: u64 = 50;
 
-/// The sizes, plays and process of a question, by which its assemblies are drawn, and how many are counted.
-type Counted = (Option<(Sizes, Process, Option<f64>)>, Yield);
+/// The sizes, plays, process and mounting of a question, by which its assemblies are drawn, and how many are counted.
+type Counted = (Option<(Sizes, Process, Option<f64>, MountingQuestion)>, Yield);
 
 thread_local! {
     static COUNTED: RefCell<Counted> = const { RefCell::new((None, Yield { tried: 0, turning: 0 })) };
@@ -415,7 +415,7 @@ fn counted(design: &WheelDesign) -> Result<Option<Yield>, String> {
     let named = design.sizes.zip(design.question.process);
     let Some((sizes, process)) = named else { return Ok(None) };
     COUNTED.with_borrow_mut(|(of, counted)| {
-        let asked = Some((sizes, process, design.question.measured_play));
+        let asked = Some((sizes, process, design.question.measured_play, design.question.mounting));
         if *of == asked {
             *counted = design.count_assemblies(*counted, AT_ONCE).map_err(words)?.unwrap_or_default();
         } else {

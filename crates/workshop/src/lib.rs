@@ -8,6 +8,7 @@
 #![warn(clippy::missing_errors_doc)]
 
 mod body;
+mod chords;
 mod drawing;
 mod drawn_wheel;
 mod dxf;

@@ -1,9 +1,10 @@
 //! Closed surfaces of triangles around the parts.
 //!
-//! Arcs become chords; the corners are on the arcs. So a mesh is inside its part at outer arcs and outside at hollow
-//! ones, by the tolerance at most: keep that well below the play.
+//! Arcs become chords, within the material everywhere: a mesh has bosses that are a little thinner than the part's and holes that
+//! are a little wider, by the tolerance at most. So chords take nothing of the play.
 
 use crate::body::{Body, bodies};
+use crate::chords::inner_polygon;
 use crate::parts::{MountingError, Part};
 use earcut::Earcut;
 use geneva_kinematics::KinematicsError;
@@ -109,7 +110,7 @@ fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
 impl Body {
     /// Its surface, whose chords leave their arcs by this much at most, in millimetres.
     pub(crate) fn mesh(&self, tolerance: f64) -> Result<Mesh, KinematicsError> {
-        let lines = self.lines.iter().map(|of| of.corners(tolerance)).collect::<Result<Vec<Polygon>, _>>()?;
+        let lines = self.lines.iter().map(|of| inner_polygon(of, tolerance)).collect::<Result<Vec<Polygon>, _>>()?;
         let mut mesh = Mesh::default();
         for cap in &self.caps {
             let loops: Vec<&Polygon> = cap.lines.iter().filter_map(|line| lines.get(*line)).collect();

@@ -43,6 +43,21 @@ pub(crate) fn offset(of: &Loop, by: f64) -> Option<Loop> {
     Some(Loop { edges })
 }
 
+/// The line of a hole or a pocket, made wider by a distance in millimetres on all sides, or narrower below zero; none if a piece of it
+/// is too narrow for that. Corners that point away from the hole's middle get rounded by as much.
+pub(crate) fn widened(hole: &Loop, by: f64) -> Option<Loop> {
+    if by < 0.0 { offset(hole, -by) } else { Some(reversed(&offset(&reversed(hole), by)?)) }
+}
+
+/// The loop in the other sense.
+fn reversed(of: &Loop) -> Loop {
+    let back = |edge: &Edge| match *edge {
+        Edge::Line { from, to } => Edge::Line { from: to, to: from },
+        Edge::Arc { centre, radius, start, sweep } => Edge::Arc { centre, radius, start: start + sweep, sweep: -sweep },
+    };
+    Loop { edges: of.edges.iter().rev().map(back).collect() }
+}
+
 /// An edge moved to its right; none for a hollow arc that is too narrow.
 fn aside(edge: &Edge, by: f64) -> Option<Edge> {
     match *edge {

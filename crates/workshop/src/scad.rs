@@ -141,7 +141,7 @@ pub fn internal_scad(
             &[
                 ("stations", f64::from(sizes.wheel.stations()), "slots of the ring, from 3 on"),
                 ("crank_radius", sizes.crank_radius, "driver's axis to the pin's centre"),
-                ("pin_diameter", sizes.pin_diameter, "of the pin, or of the bush on its screw"),
+                ("pin_diameter", sizes.pin_diameter, "of the pin, or of the screw that is the pin"),
                 ("horn_thickness", sizes.horn_thickness, "least thickness between a slot and a locking arc"),
                 (
                     "bottom_clearance",
@@ -166,7 +166,6 @@ pub fn internal_scad(
                 ("wheel_bore", sizes.bore(sizes.wheel_shaft), "diameter in the ring plate; 0 for none"),
                 ("plate_bore", sizes.bore(sizes.plate_shaft), "diameter in the plate; 0 for none"),
                 pin.of_plate(),
-                pin.of_bush(),
                 pin.nut_width(),
                 pin.nut_depth(),
             ],

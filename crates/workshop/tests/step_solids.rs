@@ -398,7 +398,8 @@ fn solids_with_holes_keyways_nuts_and_a_base_are_closed_too() {
 
 #[test]
 fn solids_of_an_internal_wheel_are_closed_too() {
-    let choices = Choices { wheel_shaft: Some(10.0), plate_shaft: Some(12.0), ..Choices::default() };
+    let choices =
+        Choices { wheel_shaft: Some(10.0), plate_shaft: Some(12.0), pin_diameter: Some(5.0), ..Choices::default() };
     let nut = Fastener::Screw(Thread::M4, ScrewHole::NutTrap);
     let mounted = Mounting {
         wheel_fit: ShaftFit::Key,

@@ -1,10 +1,12 @@
 //! A wheel that a question describes: its kind and numbers, its size, its speed, its load.
 
+use super::fitting::Fit;
 use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
 use super::materials::materials;
 use super::mouth::check_mouth;
 use super::question::WheelQuestion;
+use super::ranges::refuse_out_of_range;
 use super::recommended::recommended_crank_radius;
 use super::sized::{own_inertia, own_inertia_of_internal, process_numbers, sizes, with_remedies};
 use super::times::SAME;
@@ -65,10 +67,11 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
+        refuse_out_of_range(&question, false, can_be_run)?;
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = materials(&question)?;
+        let materials = materials(&question);
         let density = question.density.unwrap_or(materials[1].density);
         let mut wanted = question.scale();
         if let (None, AnyWheel::External(external), true) = (wanted, &wheel, question.recommends_size) {
@@ -78,7 +81,8 @@ impl WheelDesign {
             (AnyWheel::External(wheel), Some(wanted)) => {
                 let fits = |other: &WheelQuestion| {
                     let is_asked = refuse_contradictions(other).and_then(|()| check_mouth(other)).is_ok();
-                    is_asked && sizes(*wheel, other.scale().unwrap_or(wanted), other).is_ok()
+                    let found = sizes(*wheel, other.scale().unwrap_or(wanted), other).ok().filter(|_| is_asked);
+                    found.map_or(Fit::Not, |sizes| Fit::of(sizes.has_sound_walls()))
                 };
                 let sizes = sizes(*wheel, wanted, &question);
                 Some(sizes.map_err(|error| with_remedies(error, &question, fits))?)
@@ -264,6 +268,11 @@ impl WheelDesign {
         let Some(sizes) = &self.sizes else { return Ok(Some(None)) };
         once(&self.shared_tolerance, || in_time(sizes.shared_tolerance_within(self.question.effort.tolerance)))
     }
+}
+
+/// Whether the wheel of a question can be run. How it is mounted is looked at where its parts are listed.
+fn can_be_run(question: &WheelQuestion) -> bool {
+    WheelDesign::new(question.clone()).is_ok_and(|design| design.loads(design.wheel.indexing()).is_ok())
 }
 
 /// Of a limit that is refused itself, what is told, dimensionless.

@@ -1,21 +1,17 @@
 //! Files from which a wheel is made.
 
 use super::design::WheelDesign;
-use super::kind::{AnyWheel, WheelKind};
-use super::mounting::MountingQuestion;
+use super::kind::WheelKind;
 use super::mounting_error::{with_arguments, with_remedies_of_mounting};
-use super::mouth::given_mouths;
 use super::question::WheelQuestion;
-use super::sized;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
-use geneva_kinematics::wheel::as_built::{Process, Yield};
+use geneva_kinematics::wheel::as_built::Yield;
 use geneva_kinematics::wheel::{Edge, Sizes};
 use geneva_workshop::{
-    Mounting, MountingError, Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf,
-    internal_parts, internal_scad, internal_sheets, parts, scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts,
-    test_piece, three_mf,
+    Part, PartLayout, PartList, Sheet, SheetLimits, SheetMaterial, SheetText, dxf, internal_scad, internal_sheets,
+    scad, sheets, sheets_html, sheets_svg, step, stl, svg_parts, test_piece, three_mf,
 };
 
 /// Chords leave their arcs by this part of the play at most; without play, by this part of the centre distance.
@@ -204,8 +200,8 @@ impl WheelDesign {
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
         let (parts, kerf, internal) = (self.listed("svg-parts")?.parts, self.kerf()?, self.internal_sizes()?);
-        let can_be_cut = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
-        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_cut))
+        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
+        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
@@ -255,12 +251,6 @@ impl WheelDesign {
         step(&list.parts).map_err(|error| with_arguments(error, &self.question))
     }
 
-    /// Width in millimetres that the cut takes away: what is given, or that of the process.
-    fn kerf(&self) -> Result<f64, Error> {
-        let of_process = self.process_numbers()?.map_or(0.0, |numbers| numbers.kerf.value);
-        Ok(self.question.mounting.kerf.unwrap_or(of_process))
-    }
-
     /// A ladder of slots and pins of the wheel's diameter and thickness: the least play at which the pin runs is measured on it.
     fn test_piece(&self) -> Result<Vec<Part>, Error> {
         let pin = self.made_sizes("test-piece")?.pin_diameter();
@@ -284,79 +274,6 @@ impl WheelDesign {
     pub fn test_piece_stl(&self) -> Result<String, Error> {
         let chords = self.made_sizes("test-piece")?.chords();
         stl(&self.test_piece()?, chords).map_err(|error| with_arguments(error, &self.question))
-    }
-
-    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
-    ///
-    /// # Errors
-    ///
-    /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
-    pub fn part_list(&self) -> Result<Option<PartList>, Error> {
-        let internal = self.internal_sizes()?;
-        let can_be_made = |other: &WheelQuestion| self.is_mounted(internal.as_ref(), other);
-        let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
-        found.map_err(|error| with_remedies_of_mounting(error, &self.question, can_be_made))
-    }
-
-    /// Whether the parts of this wheel can be mounted as another question asks, and cut out.
-    fn is_mounted(&self, internal: Option<&InternalSizes>, other: &WheelQuestion) -> bool {
-        let asked = &other.mounting;
-        let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
-        mounting.is_ok_and(|mounting| {
-            let list = self.listed_with(internal, &mounting);
-            list.and_then(Result::ok).is_some_and(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()))
-        })
-    }
-
-    /// The parts of this wheel, or of an internal one of these sizes, so mounted; none without a size.
-    fn listed_with(
-        &self,
-        internal: Option<&InternalSizes>,
-        mounting: &Mounting,
-    ) -> Option<Result<PartList, MountingError>> {
-        // Drawings of outlines have nothing of the thickness.
-        let thickness = |pin: f64| self.made_thickness().unwrap_or(pin);
-        match (&self.sizes, internal) {
-            (Some(sizes), _) => Some(parts(sizes, thickness(sizes.pin_diameter), mounting)),
-            (None, Some(sizes)) => Some(internal_parts(sizes, thickness(sizes.pin_diameter), mounting)),
-            (None, None) => None,
-        }
-    }
-
-    fn mounting(&self) -> Result<Mounting, Error> {
-        self.mounting_of(&self.question.mounting)
-    }
-
-    /// The mounting of these parts that is asked for.
-    fn mounting_of(&self, asked: &MountingQuestion) -> Result<Mounting, Error> {
-        // What is cut out of a sheet has one height.
-        let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
-        let of_process = self.process_numbers()?.map(|numbers| numbers.axial_play.value);
-        Ok(Mounting {
-            axial_play: self.axial_play().or(self.question.axial_play).or(of_process),
-            is_stacked: asked.stacked.unwrap_or(is_of_sheet),
-            ..asked.mounting()?
-        })
-    }
-
-    /// The sizes of an internal wheel with a size.
-    fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
-        let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
-        let question = &self.question;
-        if let Some(shaft) = question.driver_shaft.filter(|shaft| *shaft > 0.0) {
-            return Err(refused!(
-                "--driver-shaft {0}: the ring of an internal wheel passes over the driver's axis, so its shaft ends in the plate; \
-                 give --plate-shaft {0} instead",
-                as_typed(shaft)
-            ));
-        }
-        if let Some((name, size)) = given_mouths(question).next() {
-            return Err(refused!(
-                "--{name} {}: the slots of an internal wheel have sharp mouths; leave it out, or choose --type external",
-                as_typed(size)
-            ));
-        }
-        sized::internal_sizes(*wheel, radius, question).map(Some)
     }
 
     /// The parts for a file with this ending.
@@ -412,11 +329,6 @@ impl WheelDesign {
             None => self.internal_sizes()?.map(MadeSizes::Internal),
         };
         made.ok_or_else(|| without_size(ending))
-    }
-
-    /// The thickness of the parts; the program chooses none for an internal wheel.
-    fn made_thickness(&self) -> Option<f64> {
-        self.thickness.or(self.question.thickness)
     }
 
     fn thickness(&self, ending: &str) -> Result<f64, Error> {
@@ -485,6 +397,7 @@ fn tolerance(play: f64, centre_distance: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::wheel::{ArgumentSlot, arguments};
+    use geneva_kinematics::wheel::as_built::Process;
 
     #[test]
     fn corners_are_as_many_as_a_mesh_has() {
@@ -519,6 +432,9 @@ mod tests {
             assert!(file.expect("a file").len() > 1000);
         }
         assert!(internal.three_mf().is_ok());
+        let text = "--stations 6 --type internal --crank-radius 40 --thickness 6 --process fdm";
+        let printed = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        assert!(printed.drawings_html().expect("sheets").contains("expect at least "));
         let refused = |more: &str| {
             let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
             let question = WheelQuestion::parse(&text).expect("a question");
@@ -529,6 +445,16 @@ mod tests {
             refused("--mouth-radius 1")
                 .starts_with("--mouth-radius 1: the slots of an internal wheel have sharp mouths")
         );
+        // A bush's screw has its head where the ring plate is; the screw itself has room, and so has a dowel.
+        let with_pin = |more: &str| {
+            let text = format!("--stations 6 --type internal --crank-radius 40 --thickness 6 {more}");
+            WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel").step().map(|_| ())
+        };
+        let said = with_pin("--pin-diameter 6 --pin-screw M3").expect_err("no room").to_string();
+        assert!(said.contains("choose a pin of 3 mm, which is then the screw itself, or a dowel"), "{said}");
+        for right in ["--pin-diameter 3 --pin-screw M3", "--pin-diameter 6 --pin-mount dowel"] {
+            assert_eq!(with_pin(right), Ok(()), "{right}");
+        }
         let spherical = WheelDesign::new(question(WheelKind::Spherical)).expect("a wheel");
         for file in [spherical.step(), spherical.scad(), spherical.drawings_svg()] {
             let said = file.expect_err("no parts").to_string();
@@ -564,6 +490,12 @@ mod tests {
         assert_eq!(solids, 4, "wheel, disc, plate and pin");
         let (printed, solids) = page("--process fdm");
         assert!(printed.contains("in one piece with") && solids == 2);
+        let text = "--stations 6 --crank-radius 25 --thickness 3 --process laser --driver-pieces one-piece";
+        let one_piece = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+        for made in [one_piece.drawings_html(), one_piece.svg_parts(), one_piece.dxf(), one_piece.step()] {
+            let said = made.expect_err("a laser cuts through").to_string();
+            assert!(said.starts_with("--driver-pieces one-piece: a laser"), "{said}");
+        }
         let (routed, solids) = page("--process router --driver-pieces one-piece");
         assert!(routed.contains("in one piece with") && solids == 2);
     }

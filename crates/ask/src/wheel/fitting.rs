@@ -51,25 +51,49 @@ const HALVINGS: u32 = 50;
 /// The arguments with which the parts would fit, each with its values: what was given of the fit; if nothing of that helps, what else
 /// the fit has; and at last the size of the whole.
 ///
-/// `fits` says whether the parts of a question fit.
-pub(super) fn remedies(question: &WheelQuestion, fits: impl Fn(&WheelQuestion) -> bool) -> Vec<FittingValues> {
+/// `fits` says how the parts of a question fit. Values with which all walls can be made go before others.
+pub(super) fn remedies(question: &WheelQuestion, fits: impl Fn(&WheelQuestion) -> Fit) -> Vec<FittingValues> {
     let is_given = |argument: &&Argument| question.number(argument).is_some();
     let given = FIT.iter().filter(is_given);
     // A page has no control for what is measured instead of chosen.
     let others = FIT.iter().filter(|argument| !is_given(argument) && argument.knob.is_some());
     let sizes = SIZE.iter().filter(|argument| argument.acts_on.contains(&ActsOn::Size)).filter(is_given);
     let groups: [Vec<&Argument>; 3] = [given.collect(), others.collect(), sizes.collect()];
-    of_first_group(&groups, question, fits)
+    well_or_barely(|fit| of_first_group(&groups, question, |other| fits(other) >= fit))
 }
 
-/// The arguments among these, each with its values, with which a question `fits`.
+/// How the parts of a question fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Fit {
+    /// They don't.
+    Not,
+    /// They do, but some wall is so thin that it can hardly be made.
+    Barely,
+    /// They do, and all walls can be made.
+    Well,
+}
+
+impl Fit {
+    /// Of parts whose walls can be made, or can't.
+    pub(super) fn of(can_be_made: bool) -> Self {
+        if can_be_made { Self::Well } else { Self::Barely }
+    }
+}
+
+/// What helps so that the parts fit well, or if nothing does, so that they fit at all.
+fn well_or_barely(found: impl Fn(Fit) -> Vec<FittingValues>) -> Vec<FittingValues> {
+    let well = found(Fit::Well);
+    if well.is_empty() { found(Fit::Barely) } else { well }
+}
+
+/// The arguments among these, each with its values, with which a question `fits`, well if it can.
 pub(super) fn remedies_among(
     arguments: &[Argument],
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> bool,
+    fits: impl Fn(&WheelQuestion) -> Fit,
 ) -> Vec<FittingValues> {
-    let given = arguments.iter().filter(|argument| question.number(argument).is_some()).collect();
-    of_first_group(&[given], question, fits)
+    let groups = [arguments.iter().filter(|argument| question.number(argument).is_some()).collect()];
+    well_or_barely(|fit| of_first_group(&groups, question, |other| fits(other) >= fit))
 }
 
 fn of_first_group(
@@ -84,7 +108,7 @@ fn of_first_group(
 }
 
 /// The values of an argument with which a question fits: those around the one that is nearest to what was given.
-fn fitting_values(
+pub(super) fn fitting_values(
     argument: &Argument,
     question: &WheelQuestion,
     fits: &impl Fn(&WheelQuestion) -> bool,
@@ -101,10 +125,15 @@ fn fitting_values(
         return Some(FittingValues { name: argument.name, given, least: None, most: Some(zero) });
     };
     // What was given doesn't fit, so a limit is on the way to it; on the other side it is looked for.
-    let [small, large] = [around.min(seed) / FAR, around.max(seed) * FAR];
+    let [floor, ceiling] = argument.range().unwrap_or([0.0, f64::INFINITY]);
+    let [small, large] = [(around.min(seed) / FAR).max(floor), (around.max(seed) * FAR).min(ceiling)];
     let below = given.filter(|given| *given < seed).or_else(|| (!may_be_zero || !fits(0.0)).then_some(small));
     let above = given.filter(|given| *given > seed).unwrap_or(large);
-    let limit = |end: f64| (!fits(end)).then(|| bisect_times(HALVINGS, [seed, end], fits)[0]);
+    let limit = |asked: f64| {
+        let end = asked.clamp(floor, ceiling);
+        // Where all fits that makes sense, its end is told to one who asked for more.
+        if fits(end) { (end != asked).then_some(end) } else { Some(bisect_times(HALVINGS, [seed, end], fits)[0]) }
+    };
     let (least, most) = (below.and_then(limit), limit(above));
     let typed = |limit: f64, rounded: fn(f64) -> String| {
         let rounded = rounded(limit);
@@ -267,6 +296,33 @@ mod tests {
         }
         assert!(wrong.is_empty(), "{} of {refused}:\n{}", wrong.len(), wrong.join("\n"));
         assert!(refused > 100, "only {refused} are refused");
+    }
+
+    #[test]
+    fn a_refusal_has_one_limit_which_leaves_what_can_be_made() {
+        // With a process, a thicker shaft gets a thinner pin, so there is more room than beside the usual pin.
+        let shaft = "--stations 4 --crank-radius 25 --process fdm --wheel-shaft 30";
+        let said = ask(shaft).expect_err("too thick").to_string();
+        assert!(!said.contains("less than") && said.matches("give --wheel-shaft up to ").count() == 1, "{said}");
+        assert_eq!(flaw(shaft, "wheel-shaft", &said), None);
+        // Of each refusal the ends of the range leave walls without a warning, where the design has none itself.
+        let mut tried = 0;
+        for design in &DESIGNS[..2] {
+            for (name, value) in [("horn", "1000"), ("pin-diameter", "1000"), ("play", "1000"), ("wheel-shaft", "1000")]
+            {
+                let question = with(design, name, value);
+                let said = ask(&question).expect_err(&question).to_string();
+                for (name, value) in values(&said) {
+                    let mended = WheelQuestion::parse(&with(&question, &name, &value)).expect("a question");
+                    let design = WheelDesign::new(mended).expect("a wheel");
+                    let sizes = design.sizes.expect("sizes");
+                    let disc = sizes.locking_disc.expect("a disc").radius;
+                    assert!(sizes.has_sound_walls() && disc >= 0.999 * sizes.pin_radius(), "{said}: {disc}");
+                    tried += 1;
+                }
+            }
+        }
+        assert!(tried > 6, "{tried}");
     }
 
     #[test]

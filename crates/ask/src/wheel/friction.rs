@@ -1,7 +1,7 @@
 //! What rubs in a wheel and its driver, from what a question says of it.
 
 use super::arguments::FRICTION;
-use super::fitting::{refusal, remedies_among};
+use super::fitting::{Fit, refusal, remedies_among};
 use super::question::{WheelQuestion, given};
 use crate::Error;
 use crate::number_format::as_typed;
@@ -52,8 +52,9 @@ pub(super) fn locked(
     turns: impl Fn(&WheelQuestion) -> bool,
 ) -> Error {
     match error {
-        DynamicsError::SelfLocking { .. } => {
-            Error::Argument(refusal(reason, &remedies_among(FRICTION, question, turns)))
+        DynamicsError::SelfLocking { .. } if !question.is_trial => {
+            let fits = |other: &WheelQuestion| if turns(other) && other.is_in_range() { Fit::Well } else { Fit::Not };
+            Error::Argument(refusal(reason, &remedies_among(FRICTION, question, fits)))
         }
         error => error.into(),
     }

@@ -1,29 +1,18 @@
 //! Materials of pins and wheel: from the list, or with numbers of one's own.
 
 use super::question::WheelQuestion;
-use crate::Error;
-use crate::number_format::as_typed;
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_kinematics::wheel::as_built::Process;
 
 const GIGA: f64 = 1e9;
 const MEGA: f64 = 1e6;
-/// Poisson's ratio that no common material exceeds.
-const MOST_POISSON: f64 = 0.5;
 
 /// The materials of pins and wheel, each number replaced by what is given for it.
-///
-/// # Errors
-///
-/// A Poisson's ratio above a half.
-pub(super) fn materials(question: &WheelQuestion) -> Result<[Material; 2], Error> {
+pub(super) fn materials(question: &WheelQuestion) -> [Material; 2] {
     let pins = [question.pin_modulus, question.pin_poisson, question.pin_strength];
     let wheel = [question.wheel_modulus, question.wheel_poisson, question.wheel_strength];
     let [of_pin, of_wheel] = usual(question);
-    Ok([
-        own("pin", question.pin_material.unwrap_or(of_pin), pins)?,
-        own("wheel", question.wheel_material.unwrap_or(of_wheel), wheel)?,
-    ])
+    [own(question.pin_material.unwrap_or(of_pin), pins), own(question.wheel_material.unwrap_or(of_wheel), wheel)]
 }
 
 /// The materials of pins and wheel that are not named: steel, or what a process is made for. A printed pin is of one piece with its
@@ -43,17 +32,11 @@ fn usual(question: &WheelQuestion) -> [Material; 2] {
     }
 }
 
-fn own(part: &str, listed: Material, [modulus, poisson, strength]: [Option<f64>; 3]) -> Result<Material, Error> {
-    if let Some(poisson) = poisson.filter(|poisson| *poisson > MOST_POISSON) {
-        return Err(refused!(
-            "--{part}-poisson {}: Poisson's ratio is from 0 to 0.5; give --{part}-poisson from 0 to {MOST_POISSON}",
-            as_typed(poisson)
-        ));
-    }
-    Ok(Material {
+fn own(listed: Material, [modulus, poisson, strength]: [Option<f64>; 3]) -> Material {
+    Material {
         modulus: modulus.map_or(listed.modulus, |modulus| modulus * GIGA),
         poisson: poisson.unwrap_or(listed.poisson),
         strength: strength.map_or(listed.strength, |strength| strength * MEGA),
         ..listed
-    })
+    }
 }

@@ -128,7 +128,12 @@ impl MountingQuestion {
         Ok(Some(Pattern { count: self.hub_holes.unwrap_or(HUB_HOLES), circle, fastener }))
     }
 
-    fn pins(&self) -> Result<PinMount, Error> {
+    /// How the pins are held.
+    ///
+    /// # Errors
+    ///
+    /// Arguments that need another one, or exclude one another.
+    pub(super) fn pins(&self) -> Result<PinMount, Error> {
         match (self.pin_screw, self.pin_mount) {
             (Some(_), Some(_)) => Err(refused!("--pin-mount and --pin-screw exclude each other; give one")),
             (Some(screw), None) => Ok(PinMount::Screw(screw, self.pin_screw_hole.unwrap_or(ScrewHole::Clearance))),

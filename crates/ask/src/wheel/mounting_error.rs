@@ -1,27 +1,39 @@
 //! Errors about what can't be mounted, with the arguments that change it.
 
 use super::arguments::MOUNTING;
-use super::fitting::{refusal, remedies_among};
+use super::fitting::{Fit, refusal, remedies_among};
 use super::question::WheelQuestion;
 use crate::Error;
-use crate::number_format::as_typed;
+use crate::number_format::{as_typed, rounded_down};
 use geneva_workshop::MountingError;
 
-/// The error about what can't be mounted, with the arguments of the mounting that mend it; `can_be_made` says whether the parts of a
-/// question can be.
+/// The play of a bore over the depth of a flat with which the flat is told to hold: our choice.
+const HALF: f64 = 0.5;
+
+/// The error about what can't be mounted, with the arguments of the mounting that mend it; `fits` says how the parts of a question fit.
 pub(super) fn with_remedies_of_mounting(
     error: MountingError,
     question: &WheelQuestion,
-    can_be_made: impl Fn(&WheelQuestion) -> bool,
+    fits: impl Fn(&WheelQuestion) -> Fit,
 ) -> Error {
-    let remedies = remedies_among(MOUNTING, question, can_be_made);
+    if question.is_trial {
+        return Error::Argument(error.to_string());
+    }
+    let in_range = |other: &WheelQuestion| if other.is_in_range() { fits(other) } else { Fit::Not };
+    let remedies = remedies_among(MOUNTING, question, in_range);
     if remedies.is_empty() {
         return with_arguments(error, question);
     }
     // What to choose stands behind what is wrong, and values say it better.
     let words = error.to_string();
     let reason = words.split_once("; ").map_or(words.as_str(), |(reason, _)| reason);
-    Error::Argument(refusal(reason, &remedies))
+    let less_play = match error {
+        MountingError::LooseFlat { across, shaft, .. } => {
+            format!(", or --bore-play up to {}", rounded_down(HALF * (shaft - across)))
+        }
+        _ => String::new(),
+    };
+    Error::Argument(refusal(reason, &remedies) + &less_play)
 }
 
 /// The error about what can't be mounted, with the arguments that change it.

@@ -2,7 +2,7 @@
 
 use super::design::WheelDesign;
 use super::drive::droop_warning;
-use super::mouth_rows;
+use super::{looseness, mouth_rows};
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
@@ -185,6 +185,7 @@ pub(super) fn tolerances(design: &WheelDesign) -> Result<Vec<ReportField>, Error
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry))
             .rounded(Rounding::Decimals(1)),
     ];
+    fields.extend(looseness::fields(design, in_place));
     fields.extend(mouth_rows::knock(design, in_place));
     Ok(fields)
 }
@@ -225,6 +226,9 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 /// A distance of the axes at which the parts can't work together.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let mut found = design.warnings()?;
+    if design.sizes.is_some() {
+        design.refuse_mounting_out_of_range()?;
+    }
     found.extend(droop_warning(design)?);
     // What can't be mounted is refused where the files are made.
     let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();

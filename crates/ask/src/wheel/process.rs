@@ -1,8 +1,9 @@
 //! What a process does to a wheel: plays and errors with their sources, and the share of assemblies that turn.
 
 use super::design::{WheelDesign, once};
+use super::kind::WheelKind;
 use crate::{Error, Needs, ReportField, Rounding};
-use geneva_kinematics::wheel::Sizes;
+use geneva_kinematics::internal_assemblies::InternalAssemblies;
 use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, ProcessNumbers, SourcedNumber, Yield};
 
 /// How many assemblies are drawn.
@@ -12,71 +13,55 @@ const ENOUGH: f64 = 0.9;
 /// The seed under which they are drawn: any will do, and the same gives the same assemblies.
 const SEED: u64 = 1;
 
-/// How many of 1000 assemblies turn whose sizes are made by a process, with wheel and driver loose on their shafts by the bore play.
-///
-/// ```
-/// use geneva_ask::wheel::{WheelDesign, WheelQuestion, assemblies_that_turn};
-/// use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
-///
-/// let design = WheelDesign::new(WheelQuestion::parse("--stations 4 --crank-radius 25 --play 0.05")?)?;
-/// let share = |process| {
-///     let numbers = ProcessNumbers::new(process, 35.0)?; // mm
-///     Ok::<_, geneva_ask::Error>(assemblies_that_turn(design.sizes.as_ref().expect("sizes"), &numbers)?.share())
-/// };
-/// assert!(share(Process::Ground)? > 0.9 && share(Process::Fdm)? < 0.2); // far too little play for a printer
-/// # Ok::<(), geneva_ask::Error>(())
-/// ```
-///
-/// # Errors
-///
-/// Parts so small that an error of the process leaves nothing of a size.
-pub fn assemblies_that_turn(sizes: &Sizes, numbers: &ProcessNumbers) -> Result<Yield, Error> {
-    count_assemblies(sizes, numbers, Yield::default(), ASSEMBLIES)
-}
-
-/// These assemblies and so many more, but no more than [`ASSEMBLIES`] in all; those that are asked for first are counted first.
-fn count_assemblies(sizes: &Sizes, numbers: &ProcessNumbers, counted: Yield, more: u64) -> Result<Yield, Error> {
-    let too_small = |error: BuiltError| {
-        refused!("{error}. The errors of process {} are too large for so small parts", numbers.process.name())
-    };
-    let assemblies = Assemblies::new(sizes, numbers.errors(), ErrorShape::Normal, SEED).with_bore_play(sizes.play.bore);
-    let most = ASSEMBLIES.min(counted.tried.saturating_add(more));
-    assemblies.count(counted.tried..most).map(|found| counted.plus(found)).map_err(too_small)
-}
-
 impl WheelDesign {
-    /// Counts further assemblies that are made by the process that is named: these and so many more, but no more than
-    /// [`ASSEMBLIES`] in all. None without a process.
+    /// Counts further assemblies that turn, made by the process that is named, with wheel, driver and screwed pins as loose as their holes
+    /// let them be: these and so many more, but no more than [`ASSEMBLIES`] in all; those that are asked for first are counted first.
+    /// None without a process, and of a wheel that is not external.
     ///
     /// ```
     /// use geneva_ask::wheel::{ASSEMBLIES, WheelDesign, WheelQuestion};
     /// use geneva_kinematics::wheel::as_built::Yield;
     ///
-    /// let design = WheelDesign::new(WheelQuestion::parse("--stations 4 --crank-radius 25 --process fdm")?)?;
-    /// let some = design.count_assemblies(Yield::default(), 20)?.expect("a process");
-    /// let more = design.count_assemblies(some, 30)?.expect("a process");
-    /// assert_eq!((some.tried, more), (20, design.count_assemblies(Yield::default(), 50)?.expect("a process")));
+    /// let design = |more| WheelDesign::new(WheelQuestion::parse(&format!("--stations 4 --crank-radius 25 {more}"))?);
+    /// let printed = design("--process fdm")?;
+    /// let some = printed.count_assemblies(Yield::default(), 20)?.expect("a process");
+    /// let more = printed.count_assemblies(some, 30)?.expect("a process");
+    /// assert_eq!((some.tried, more), (20, printed.count_assemblies(Yield::default(), 50)?.expect("a process")));
     /// assert!(more.tried < ASSEMBLIES);
+    /// let tight = design("--process fdm --play 0.05")?.count_assemblies(Yield::default(), 50)?.expect("a process");
+    /// assert!(tight.share() < 0.2); // far too little play for a printer
     /// # Ok::<(), geneva_ask::Error>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As for [`assemblies_that_turn`].
+    /// Parts so small that an error of the process leaves nothing of a size.
     pub fn count_assemblies(&self, counted: Yield, more: u64) -> Result<Option<Yield>, Error> {
-        let named = self.sizes.as_ref().zip(self.process_numbers()?);
-        named.map(|(sizes, numbers)| count_assemblies(sizes, &numbers, counted, more)).transpose()
+        let Some((sizes, numbers)) = self.sizes.as_ref().zip(self.process_numbers()?) else { return Ok(None) };
+        let too_small = |error: BuiltError| {
+            refused!("{error}. The errors of process {} are too large for so small parts", numbers.process.name())
+        };
+        let assemblies = Assemblies::new(sizes, numbers.errors(), ErrorShape::Normal, SEED)
+            .with_bore_play(sizes.play.bore)
+            .with_pin_shift(sizes.play.pin)
+            .with_disc_turn(self.disc_turn());
+        let most = ASSEMBLIES.min(counted.tried.saturating_add(more));
+        assemblies.count(counted.tried..most).map(|found| Some(counted.plus(found))).map_err(too_small)
     }
 
-    /// How many assemblies turn if the parts are made by the process that is named; they are drawn once.
+    /// How many assemblies turn if the parts are made by the process that is named; of an internal wheel, how many do for certain. They
+    /// are drawn once.
     ///
     /// # Errors
     ///
-    /// As for [`assemblies_that_turn`].
+    /// As for [`count_assemblies`](Self::count_assemblies).
     pub(super) fn assemblies_that_turn(&self) -> Result<Option<Yield>, Error> {
         once(&self.turning, || {
-            let named = self.sizes.as_ref().zip(self.process_numbers()?);
-            named.map(|(sizes, numbers)| assemblies_that_turn(sizes, &numbers)).transpose()
+            let internal = self.reported_internal_sizes()?.zip(self.process_numbers()?);
+            let of_internal = internal.map(|(sizes, numbers)| {
+                InternalAssemblies::new(&sizes, numbers.errors(), ErrorShape::Normal, SEED).count(0..ASSEMBLIES)
+            });
+            of_internal.map_or_else(|| self.count_assemblies(Yield::default(), ASSEMBLIES), |found| Ok(Some(found)))
         })
     }
 }
@@ -86,17 +71,18 @@ impl WheelDesign {
 ///
 /// # Errors
 ///
-/// A measured play that is not above zero, and the errors of [`assemblies_that_turn`].
+/// A measured play that is not above zero, and the errors of [`WheelDesign::count_assemblies`].
 pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
-    let sized = design.sizes.as_ref();
-    let numbers = design.process_numbers()?.filter(|_| sized.is_some());
+    let of_external = design.sizes.map(|sizes| sizes.slot_width);
+    let slot_width = of_external.or(design.reported_internal_sizes()?.map(|sizes| sizes.slot_width));
+    let numbers = design.process_numbers()?.filter(|_| slot_width.is_some());
     let found = design.assemblies_that_turn()?;
     let mm = |key, name, of: fn(&ProcessNumbers) -> SourcedNumber| {
         let number = numbers.as_ref().map(of);
         let field = ReportField::in_unit(key, number.map(|number| number.value), "mm");
         field.line(name, number.map_or("", |number| number.source))
     };
-    let corner = sized.zip(numbers).and_then(|(sizes, numbers)| numbers.corner_too_large(sizes));
+    let corner = slot_width.zip(numbers).and_then(|(width, numbers)| numbers.corner_too_large(width));
     let tight = ReportField::new("corner_is_too_tight", numbers.map(|_| f64::from(u8::from(corner.is_some()))));
     let tight = match corner {
         Some(_) => {
@@ -115,33 +101,41 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         mm("process_hole_growth_mm", "growth of holes", |numbers| numbers.hole_growth),
         mm("process_kerf_mm", "kerf", |numbers| numbers.kerf),
     ];
-    fields.extend(yield_fields(found));
+    fields.extend(yield_fields(found, design.wheel.kind()));
     fields.push(tight);
     Ok(ReportField::all_needing(fields, Needs::SIZE.union(Needs::PROCESS)))
 }
 
-/// The share of assemblies that turn, with the interval in which it is: of all of them, as [`assemblies_that_turn`] counts them.
-pub fn yield_fields(found: Option<Yield>) -> [ReportField; 3] {
+/// The share of assemblies of such a wheel that turn, with the interval in which it is: of all of them, as
+/// [`WheelDesign::count_assemblies`] counts them.
+pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
     let share = |key, value: Option<f64>| ReportField::in_unit(key, value, "").rounded(Rounding::Percent(1));
+    let is_internal = kind == WheelKind::Internal;
     let few = match found {
+        // Of a lower bound it is not known whether it is too low.
+        Some(found) if found.share() < ENOUGH && is_internal => ": with more play, more do",
         Some(found) if found.share() < ENOUGH => ": too few turn, choose more play",
         _ => "",
     };
     let interval = found.map(|found| found.interval());
+    let for_certain = if is_internal { "for certain " } else { "" };
+    let varied = if is_internal {
+        "at most, likewise; more may turn, as the ring counts as if all its slots and arcs were as the worst of them, and as if it could \
+         not be pushed aside. Width and end of a slot, pin, crank radius and axes vary by the error of a size; radii and places by half of it"
+    } else {
+        "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
+         the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns"
+    };
     [
         share("yield", found.map(Yield::share)).line(
             "yield",
             format!(
-                "share of {ASSEMBLIES} simulated assemblies that turn with the play of this wheel; each size is normally distributed, \
-                 with a third of its error as standard deviation, and both axes are anywhere within their bore play{few}"
+                "share of {ASSEMBLIES} simulated assemblies that turn {for_certain}with the play of this wheel; each size is normally \
+                 distributed, with a third of its error as standard deviation, and both axes are anywhere within their bore play{few}"
             ),
         ),
         share("yield_low", interval.map(|[low, _]| low))
             .line("", "at least, with a probability of about 97.5 % (Wilson's interval)"),
-        share("yield_high", interval.map(|[_, high]| high)).line(
-            "",
-            "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
-             the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns",
-        ),
+        share("yield_high", interval.map(|[_, high]| high)).line("", varied),
     ]
 }

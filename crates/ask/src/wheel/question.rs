@@ -10,6 +10,8 @@ use geneva_kinematics::wheel::as_built::Process;
 /// What is asked of a wheel: the arguments have the names of the fields, `--crank-radius 25`. Lengths are in millimetres.
 #[derive(Clone, Debug, Default)]
 pub struct WheelQuestion {
+    /// Whether it is only tried, so that a refusal need not say what would help.
+    pub is_trial: bool,
     /// Kind of wheel (`--type`); external unless it is given.
     pub kind: Option<WheelKind>,
     /// Number of slots.

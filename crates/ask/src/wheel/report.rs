@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, loads, parts, pin_load, process};
+use super::{drive, loads, parts, pin_load, process, ring_rows};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -23,9 +23,15 @@ impl WheelDesign {
         let sections = vec![
             ("Given", given(self)),
             ("Geometry", geometry(self, wheel)),
-            ("Parts", parts::parts(self)),
-            ("Play and tolerances of the parts", parts::tolerances(self)?),
-            ("Limits if all sizes are wrong at once", parts::together(self)?),
+            ("Parts", ring_rows::merged(parts::parts(self), ring_rows::parts(self)?)),
+            (
+                "Play and tolerances of the parts",
+                ring_rows::merged(parts::tolerances(self)?, ring_rows::looseness(self)?),
+            ),
+            (
+                "Limits if all sizes are wrong at once",
+                ring_rows::merged(parts::together(self)?, ring_rows::together(self)?),
+            ),
             ("Process", process::fields(self)?),
             ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),

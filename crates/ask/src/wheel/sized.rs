@@ -1,6 +1,6 @@
 //! The sizes of an external or an internal wheel from what a question gives: choices, plays and pins of a process, own inertia.
 
-use super::fitting::remedies;
+use super::fitting::{Fit, remedies};
 use super::mouth::asked_mouth;
 use super::question::{WheelQuestion, given};
 use crate::Error;
@@ -46,7 +46,15 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
     let usual = |choices: &Choices| {
         Sizes::new(wheel, scale, choices).map(|sizes| (sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    Sizes::new(wheel, scale, &with_plays(question, usual)?)
+    let mut sizes = Sizes::new(wheel, scale, &with_plays(question, usual)?)?;
+    sizes.play.pin = pin_shift(question, sizes.pin_diameter);
+    Ok(sizes)
+}
+
+/// How far a pin of this diameter may be off its place as it is mounted, in millimetres; zero where its mounting contradicts itself,
+/// which is refused where parts are listed.
+fn pin_shift(question: &WheelQuestion, pin_diameter: f64) -> f64 {
+    question.mounting.pins().map_or(0.0, |pins| pins.shift(pin_diameter))
 }
 
 /// Sizes of an internal wheel with a crank radius in millimetres; what does not fit is refused with values that fit.
@@ -59,8 +67,13 @@ pub(super) fn internal_sizes(
         let sizes = InternalSizes::new(wheel, crank_radius, choices)?;
         Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    let sizes = |question: &WheelQuestion| InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?);
-    sizes(question).map_err(|error| with_remedies(error, question, |other| sizes(other).is_ok()))
+    let sizes = |question: &WheelQuestion| -> Result<InternalSizes, SizesError> {
+        let mut sizes = InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)?;
+        sizes.play.pin = pin_shift(question, sizes.pin_diameter);
+        Ok(sizes)
+    };
+    let fits = |other: &WheelQuestion| sizes(other).map_or(Fit::Not, |sizes| Fit::of(sizes.has_sound_walls()));
+    sizes(question).map_err(|error| with_remedies(error, question, fits))
 }
 
 /// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel
@@ -116,16 +129,17 @@ pub(super) fn process_numbers(
     question.measured_play.map_or(Ok(numbers), |play| numbers.with_measured_play(play)).map(Some)
 }
 
-/// The error about sizes that don't fit, with the arguments that make them fit; `fits` says whether those of a question do.
+/// The error about sizes that don't fit, with the arguments that make them fit; `fits` says how those of a question do.
 pub(super) fn with_remedies(
     error: SizesError,
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> bool,
+    fits: impl Fn(&WheelQuestion) -> Fit,
 ) -> Error {
     let remedies = match &error {
         // What no wheel has says itself what to give.
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
-        _ => remedies(question, fits),
+        _ if question.is_trial => Vec::new(),
+        _ => remedies(question, |other| if other.is_in_range() { fits(other) } else { Fit::Not }),
     };
     Error::Sizes { error, remedies }
 }

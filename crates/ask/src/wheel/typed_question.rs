@@ -119,7 +119,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// Every argument that a value may need, by what it gives.
-    const GIVEN: [(&str, Needs); 20] = [
+    const GIVEN: [(&str, Needs); 23] = [
         ("--rpm 60", Needs::SPEED),
         ("--crank-radius 25", Needs::SIZE),
         ("--table-mass 1", Needs::TABLE.union(Needs::TABLE_INERTIA)),
@@ -140,6 +140,9 @@ mod tests {
         ("--driver-inertia 0.001", Needs::DRIVER_INERTIA),
         ("--drive-torque 1", Needs::DRIVE_TORQUE),
         ("--gear-ratio 10", Needs::GEAR_RATIO),
+        ("--wheel-flat 5", Needs::WHEEL_FLAT),
+        ("--driver-flat 1.5", Needs::DRIVER_FLAT),
+        ("--pin-screw M3 --pin-screw-hole tapped --pin-diameter 3", Needs::PIN_SCREW),
     ];
 
     /// The fields of the answer and the further ones, by their keys, to a question with these arguments.

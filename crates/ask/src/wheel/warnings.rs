@@ -37,7 +37,7 @@ impl WheelDesign {
             AnyWheel::External(wheel) => weaknesses(self, wheel)?,
             AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
         };
-        Ok(placed.into_iter().chain(of_sizes).chain(weak).chain(many).collect())
+        Ok(placed.into_iter().chain(of_sizes).chain(self.loose_parts()).chain(weak).chain(many).collect())
     }
     /// What is wrong with the place of the axes; none where it is within its limits.
     fn misplacement(&self, sizes: &Sizes) -> Result<Option<String>, Error> {

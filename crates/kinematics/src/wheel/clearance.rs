@@ -177,6 +177,8 @@ pub(super) struct Assembly<'a> {
     distance: f64,
     wheel: WheelRegion,
     disc: Option<DiscRegion>,
+    /// By how much the disc is turned against the first pin.
+    disc_turn: f64,
     /// Half the angle between pins, half of the engagement, half the angle between slots.
     half_turn: f64,
     engaged: f64,
@@ -221,6 +223,7 @@ impl<'a> Assembly<'a> {
             distance,
             wheel,
             disc,
+            disc_turn: 0.0,
             half_turn: PI / f64::from(sizes.wheel.pins()),
             engaged: sizes.wheel.engagement_half_angle(),
             half_pitch: sizes.wheel.half_pitch_angle(),
@@ -232,6 +235,12 @@ impl<'a> Assembly<'a> {
             enough: f64::INFINITY,
             angles: Cell::new(u32::MAX),
         }
+    }
+
+    /// Wheel and driver with the disc turned by an angle in radians against the first pin, which is an error of either one's place.
+    /// Distances are then those past mid-index; before it they are those of a disc that is turned the other way.
+    pub(super) fn with_disc_turn(self, disc_turn: f64) -> Self {
+        Self { disc_turn, ..self }
     }
 
     /// The least of all distances from so many crank angles at most, where a distance of `enough` millimetres need not be known better.
@@ -361,7 +370,7 @@ impl<'a> Assembly<'a> {
 
     /// The distance of the locking disc from the wheel at one crank angle.
     fn disc_distance(&self, disc: &DiscRegion, theta: f64) -> f64 {
-        let (sin, cos) = libm::sincos(theta);
+        let (sin, cos) = libm::sincos(theta + self.disc_turn);
         let (s, c) = self.wheel_turn(theta);
         // From the driver's plane to the wheel's and back: the driver is turned by π − θ, the wheel by φ.
         let on_page = |p: &Point| Point::new(self.distance - p.x * cos - p.y * sin, p.x * sin - p.y * cos);

@@ -184,8 +184,9 @@ impl SizesError {
                 format!("flare of the lead-in {asked} mm: so flat an arc is a straight wall")
             }
             Self::ChamferAngle { asked } => format!("chamfer angle {}°", asked.to_degrees()),
+            // How thick it may be depends on what else is changed.
             Self::Shaft { name, asked, most } if *most > 0.0 => {
-                format!("{name} shaft, diameter {asked} mm: it must be less than {most:.4} mm")
+                format!("{name} shaft, diameter {asked} mm: it is too thick for the parts around it")
             }
             Self::Shaft { name, asked, .. } => format!("{name} shaft, diameter {asked} mm: there is no room for one"),
             Self::Kinematics(_) | Self::Play { .. } => self.to_string(),

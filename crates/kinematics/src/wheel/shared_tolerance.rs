@@ -3,13 +3,13 @@
 //! Two gaps are shared by several errors. In the dwell the disc has half the locking play, of which the disc's radius, the
 //! arc's radius and axes that are too near take their parts, and the shafts that are loose in their bores another. At entry
 //! the pin has half the slot's play, of which crank radius, axes, pin, slot and the slot's direction take theirs. Loose shafts
-//! take axes that are already wrong no farther than the play of one bore, in the dwell and at entry. What they leave is
-//! divided into equal parts. The horns that pass the crescent have a third gap, which all these errors share in a way that
+//! take axes that are already wrong no farther than the play of one bore, in the dwell and at entry. A pin that is off its place in
+//! the holes of its screw takes as much at entry. What they leave is divided into equal parts. The horns that pass the crescent have a third gap, which all these errors share in a way that
 //! depends on the motion. So all parts are made smaller together until a whole turn is clear with all errors at once.
 //!
 //! Notation: `a` crank radius, `c` centre distance, α half the angle between slots, `g` the gap of slot or arc.
 
-use super::sizes::{Crescent, LockingDisc, Sizes};
+use super::sizes::{Crescent, LockingDisc, Play, Sizes};
 use crate::KinematicsError;
 use crate::indexing::Indexing;
 
@@ -69,11 +69,44 @@ pub(crate) struct SharedGaps {
     pub slot: f64,
     /// Gap between pin and bottom of the slot, in millimetres.
     pub bottom: f64,
-    /// Play of a bore, in millimetres.
-    pub bore: f64,
+    /// The plays, of which those of bores and pins count.
+    pub play: Play,
     /// Whether the pin goes deeper where the axes are farther apart: in an internal wheel.
     pub is_deeper_apart: bool,
 }
+
+/// The gaps of external or internal sizes, whose fields have the same names: those of the locking, and whether the pin goes deeper
+/// where the axes are farther apart.
+macro_rules! shared_gaps {
+    ($sizes:expr, $locking:expr, $is_deeper_apart:expr) => {{
+        let (sine, cosine) = libm::sincos($sizes.wheel.half_pitch_angle());
+        $crate::wheel::SharedGaps {
+            sine,
+            cosine,
+            crank_radius: $sizes.crank_radius,
+            wheel_radius: $sizes.wheel_radius,
+            locking: $locking,
+            slot: $sizes.slot_gap(),
+            bottom: $sizes.bottom_gap(),
+            play: $sizes.play,
+            is_deeper_apart: $is_deeper_apart,
+        }
+    }};
+}
+
+/// Makes external or internal sizes wrong by the limits of what they have under the same names: arc, crank, pin and slot, the crank
+/// longer or shorter by its sense of 1 or −1, and the pin off its place in the same sense.
+macro_rules! make_wrong {
+    ($wrong:ident, $limit:expr, $sense:expr) => {
+        $wrong.locking_arc_radius -= $limit.locking;
+        $wrong.crank_radius += $sense * ($limit.crank + $wrong.play.pin);
+        $wrong.pin_diameter += $limit.width;
+        $wrong.slot_width -= $limit.width;
+        $wrong.play.slot -= 2.0 * $limit.width;
+    };
+}
+
+pub(crate) use {make_wrong, shared_gaps};
 
 impl SharedGaps {
     /// The largest equal parts of the gaps with which a wheel runs; none where loose bores take all, or the wheel runs with none.
@@ -81,11 +114,11 @@ impl SharedGaps {
         &self,
         runs_with: impl Fn(&SharedTolerance) -> Result<bool, KinematicsError>,
     ) -> Result<Option<SharedTolerance>, KinematicsError> {
-        let Self { sine, cosine, bore, slot: gap, .. } = *self;
+        let Self { sine, cosine, slot: gap, play: Play { bore, pin, .. }, .. } = *self;
         let locking = (self.locking - bore) / IN_DWELL;
         // Axes that are too far apart by e let the pin in later: it is then (e cos α)²/(2 a) more beside the slot's middle.
         let late = (bore + gap / (AT_ENTRY * sine)) * cosine;
-        let entry = (gap - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
+        let entry = (gap - pin - bore * sine - late * late / (2.0 * self.crank_radius)) / AT_ENTRY;
         if locking <= 0.0 || entry <= 0.0 {
             return Ok(None);
         }
@@ -116,7 +149,7 @@ impl SharedGaps {
             width: 2.0 * entry,
             direction: libm::asin(entry / self.wheel_radius),
             // A pin that is too thick and a slot that is too narrow take half of their errors, and there are two.
-            slot_end: (OF_BOTTOM * self.bottom - self.bore - deeper - 3.0 * entry).max(0.0),
+            slot_end: (OF_BOTTOM * self.bottom - self.play.bore - self.play.pin - deeper - 3.0 * entry).max(0.0),
         }
     }
 }
@@ -129,37 +162,31 @@ impl Sizes {
     }
 
     /// How far all sizes may be wrong together, as [`shared_tolerance`](Self::shared_tolerance), with a limit on how many crank
-    /// angles are looked at for each of the clearances that it needs, 28 at most.
+    /// angles are looked at for each of the clearances that it needs, 28 at most, or twice as many with loose pins.
     ///
     /// # Errors
     ///
     /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
     pub fn shared_tolerance_within(&self, angles: u32) -> Result<Option<SharedTolerance>, KinematicsError> {
         let Some(locking) = self.locking_gap() else { return Ok(None) };
-        let (sine, cosine) = libm::sincos(self.wheel.half_pitch_angle());
-        let gaps = SharedGaps {
-            sine,
-            cosine,
-            crank_radius: self.crank_radius,
-            wheel_radius: self.wheel_radius,
-            locking,
-            slot: self.slot_gap(),
-            bottom: self.bottom_gap(),
-            bore: self.play.bore,
-            is_deeper_apart: false,
-        };
-        gaps.divided(|limit| self.runs_with(limit, angles))
+        shared_gaps!(self, locking, false).divided(|limit| self.runs_with(limit, angles))
     }
 
     /// Whether a whole turn is clear with all errors at these limits, in both senses of crank radius and centre distance.
     fn runs_with(&self, limit: &SharedTolerance, angles: u32) -> Result<bool, KinematicsError> {
+        // A pin that is off its place along its circle is as good as a disc that is turned.
+        let turn = self.play.pin / self.crank_radius;
+        let turns: &[f64] = if turn > 0.0 { &[-turn, turn] } else { &[0.0] };
         for error in [-self.play.bore - limit.nearer, self.play.bore + limit.farther] {
             for sense in [-1.0, 1.0] {
                 let wrong = self.with_errors(limit, sense);
-                let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
-                let tolerance = assembly.tolerance;
-                if assembly.closest_approach_within(angles, 0.0)?.distance < tolerance {
-                    return Ok(false);
+                for turn in turns {
+                    let Ok(assembly) = wrong.assembly_at(self.centre_distance + error) else { return Ok(false) };
+                    let tolerance = assembly.tolerance;
+                    let nearest = assembly.with_disc_turn(*turn).closest_approach_within(angles, 0.0)?;
+                    if nearest.distance < tolerance {
+                        return Ok(false);
+                    }
                 }
             }
         }
@@ -177,16 +204,11 @@ impl Sizes {
             let half_angle = 2.0 * libm::asin(square.clamp(0.0, 1.0).sqrt());
             LockingDisc { radius, crescent: Crescent { half_angle, ..cut } }
         };
-        let slot_width = self.slot_width - limit.width;
         let mut wrong = *self;
         wrong.locking_disc = self.locking_disc.map(larger);
-        wrong.locking_arc_radius -= limit.locking;
-        wrong.crank_radius += sense * limit.crank;
-        wrong.pin_diameter += limit.width;
-        wrong.slot_width = slot_width;
-        wrong.play.slot -= 2.0 * limit.width;
+        make_wrong!(wrong, limit, sense);
         wrong.slot_end += limit.slot_end;
-        wrong.tip_radius = libm::hypot(self.wheel_radius, slot_width / 2.0);
+        wrong.tip_radius = libm::hypot(self.wheel_radius, wrong.slot_width / 2.0);
         wrong
     }
 }

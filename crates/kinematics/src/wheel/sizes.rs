@@ -38,6 +38,9 @@ pub struct Play {
     pub locking: f64,
     /// Diameter of a bore less that of its shaft, in millimetres.
     pub bore: f64,
+    /// How far a pin may be off its place on the driver in any direction, in millimetres: that of a screw, or of a bush on one, as far
+    /// as their clearance holes let it. Zero for a pin that is pressed in, or in one piece with the plate.
+    pub pin: f64,
 }
 
 /// The play of the bores over that of slot and locking arc, dimensionless.
@@ -48,9 +51,9 @@ const OF_BORES: f64 = 0.25;
 
 impl Play {
     /// This play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
-    /// bore brings the axes nearer.
+    /// bore brings the axes nearer. Pins are in their place.
     pub fn from_slot(play: f64) -> Self {
-        Self { slot: play, locking: play, bore: OF_BORES * play }
+        Self { slot: play, locking: play, bore: OF_BORES * play, pin: 0.0 }
     }
 }
 

@@ -170,7 +170,12 @@ fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
 }
 
 fn fitting_play(play: Play) -> Result<Play, SizesError> {
-    for (name, asked) in [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)] {
+    for (name, asked) in [
+        ("slot play", play.slot),
+        ("locking play", play.locking),
+        ("bore play", play.bore),
+        ("play of a pin", play.pin),
+    ] {
         zero_or_more(name, asked)?;
     }
     Ok(play)

@@ -7,6 +7,7 @@
 //! more than between a slot's end and the bore, and between the disc's rim and its bore more than between crescent and bore.
 
 use super::sizes::Sizes;
+use super::warnings::THIN;
 use crate::indexing::Indexing;
 use std::f64::consts::PI;
 
@@ -85,6 +86,27 @@ impl Sizes {
     /// ```
     pub fn plate_web(&self) -> Option<f64> {
         (self.plate_bore() > 0.0).then(|| self.crank_radius - self.pin_radius() - self.plate_bore() / 2.0)
+    }
+
+    /// Whether all that is left of the parts can be made: no wall is so thin that it gets a warning, the locking disc has at least the
+    /// radius of a pin, and the locking arcs reach into the wheel by at least a fifth of its diameter. Both are our choice.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let of = |horn_thickness| {
+    ///     Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices { horn_thickness, ..Choices::default() }) // mm
+    /// };
+    /// assert!(of(None)?.has_sound_walls());
+    /// assert!(!of(Some(0.1))?.has_sound_walls());
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn has_sound_walls(&self) -> bool {
+        // But for rounding.
+        let least = (1.0 - 1e-9) * THIN * self.pin_diameter;
+        let reach = self.locking_arc_radius + self.tip_radius - self.centre_distance;
+        let has_disc = self.locking_disc.is_none_or(|disc| disc.radius >= (1.0 - 1e-9) * self.pin_radius());
+        has_disc && reach >= least && self.walls().all(|(_, thickness)| thickness >= least)
     }
 
     /// All walls that may be too thin, with their thickness in millimetres: of the wheel, of the disc, of the plate.

@@ -59,7 +59,7 @@ const LARGE_PLAY: f64 = 0.1;
 const LARGE_BACKLASH: f64 = 0.25;
 
 /// A wall that is thinner than this part of the pin's diameter gets a warning.
-const THIN: f64 = 0.2;
+pub(crate) const THIN: f64 = 0.2;
 
 /// Blows that are this much harder get a warning, dimensionless: less is not felt.
 const HARDER: f64 = 1.02;

@@ -162,7 +162,7 @@ fn the_outlines_are_as_near_as_is_said() {
     for (stations, pins) in [(3, 1), (3, 6), (4, 3), (5, 2), (6, 1), (6, 2), (8, 1), (12, 2), (30, 1)] {
         check(&sized(stations, pins, &Choices::default()), 60);
     }
-    let play = Some(Play { slot: 0.4, locking: 1.0, bore: 0.0 });
+    let play = Some(Play { slot: 0.4, locking: 1.0, bore: 0.0, pin: 0.0 });
     check(&sized(6, 1, &Choices { play, pin_diameter: Some(14.0), ..Choices::default() }), 60);
     check(
         &sized(4, 1, &Choices { play, pin_diameter: Some(12.0), horn_thickness: Some(3.0), ..Choices::default() }),
@@ -245,7 +245,7 @@ fn a_wrong_centre_distance_takes_the_play() {
 #[test]
 fn the_wheel_turns_loosely_until_it_touches() {
     for stations in [3, 4, 6, 12] {
-        let play = Some(Play { slot: 0.2, locking: 0.3, bore: 0.1 });
+        let play = Some(Play { slot: 0.2, locking: 0.3, bore: 0.1, pin: 0.0 });
         let sizes = sized(stations, 1, &Choices { play, pin_diameter: Some(7.0), ..Choices::default() });
         let touches = |theta: f64, by: f64| {
             let (wheel, _, pins) = placed(&sizes, theta);

@@ -55,9 +55,9 @@ fn wheels() -> Vec<Sizes> {
         let choices = Choices { pin_diameter: Some(pin), play: Some(Play::from_slot(play)), ..Choices::default() };
         all.push(sized(stations, 1, &choices));
     }
-    let play = Some(Play { slot: 0.5, locking: 0.1, bore: 0.0 });
+    let play = Some(Play { slot: 0.5, locking: 0.1, bore: 0.0, pin: 0.0 });
     all.push(sized(6, 2, &Choices { play, ..Choices::default() }));
-    let play = Some(Play { slot: 0.1, locking: 0.6, bore: 0.0 });
+    let play = Some(Play { slot: 0.1, locking: 0.6, bore: 0.0, pin: 0.0 });
     all.push(sized(5, 1, &Choices { play, ..Choices::default() }));
     all
 }

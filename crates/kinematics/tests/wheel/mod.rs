@@ -8,6 +8,7 @@ mod clearance;
 mod cycle;
 mod dwell;
 mod extremes;
+mod flatted_shaft;
 mod geometry;
 mod indexing;
 mod misplaced;

@@ -2,6 +2,7 @@
 
 use super::assembly::{marched_to_drifted, sized};
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::as_built::AsBuiltWheel;
 use geneva_kinematics::wheel::{Choices, Crescent, EntryContact, LockingDisc, Play, Scale, Sizes, Wheel};
 
 /// The sizes with all errors together: disc too large, arc too small, pin too thick, slot too narrow, the slot's end too far
@@ -117,5 +118,43 @@ fn axes_too_far_apart_meet_the_corner_a_little_before_the_gap_over_the_sine() {
         let farther = sizes.centre_tolerance().farther;
         assert!(farther < 1.0001 * limit && farther > 0.985 * limit, "{stations}: {farther}, {limit}");
         assert!(limit < gap / sine);
+    }
+}
+
+#[test]
+fn a_pin_off_its_place_leaves_less_to_all_sizes_and_the_wheel_turns_then_too() {
+    for stations in [4, 6, 8, 12] {
+        let pin = 0.02;
+        let choices =
+            Choices { play: Some(Play { pin, ..Play::from_slot(0.2) }), pin_diameter: Some(6.0), ..Choices::default() };
+        let sizes = Sizes::new(Wheel::new(stations).unwrap(), Scale::CrankRadius(50.0), &choices).unwrap();
+        let exact = Choices { play: Some(Play::from_slot(0.2)), ..choices };
+        let exact = Sizes::new(Wheel::new(stations).unwrap(), Scale::CrankRadius(50.0), &exact).unwrap();
+        let [limit, other] = [sizes, exact].map(|sizes| sizes.shared_tolerance().expect("room"));
+        assert!(limit.crank < other.crank - 0.1 * pin, "{stations}: {limit:?}");
+        let turns = |shift: f64, direction: i32, error: f64, sense: f64| {
+            let mut built = AsBuiltWheel::from(&sizes);
+            let (sine, cosine) = (std::f64::consts::PI * f64::from(direction) / 6.0).sin_cos();
+            built.centre_distance += error;
+            built.disc_radius = built.disc_radius.map(|disc| disc + limit.locking);
+            built.arcs_mut().iter_mut().for_each(|arc| arc.radius -= limit.locking);
+            for slot in built.slots_mut() {
+                slot.width -= limit.width;
+                slot.end += limit.slot_end;
+            }
+            for made in built.pins_mut() {
+                let along = made.crank_radius + sense * limit.crank + shift * cosine;
+                made.crank_radius = along.hypot(shift * sine);
+                made.direction_error = (shift * sine).atan2(along);
+                made.diameter += limit.width;
+            }
+            built.turns().unwrap()
+        };
+        for error in [-sizes.play.bore - limit.nearer, sizes.play.bore + limit.farther] {
+            for sense in [-1.0, 1.0] {
+                assert!((0..12).all(|direction| turns(pin, direction, error, sense)), "{stations}: {error} {sense}");
+                assert!(!(0..12).all(|direction| turns(0.4, direction, error, sense)), "{stations}: {error} {sense}");
+            }
+        }
     }
 }

@@ -69,6 +69,21 @@ pub enum MountingError {
         /// Diameter of the shaft, in millimetres.
         shaft: f64,
     },
+    /// A flat that does not hold its part.
+    #[error(
+        "{part}: a shaft of {shaft} mm that is {across} mm across its flat turns in a bore with {play:.3} mm of play, as much as the flat \
+         is deep; choose a deeper flat, or less play of the bore"
+    )]
+    LooseFlat {
+        /// Which part.
+        part: &'static str,
+        /// From the flat to the opposite side, in millimetres.
+        across: f64,
+        /// Diameter of the shaft, in millimetres.
+        shaft: f64,
+        /// Diameter of the bore less that of the shaft, in millimetres.
+        play: f64,
+    },
     /// A pattern whose numbers make no holes.
     #[error("{what} {asked}: it must be {range}; give such a number")]
     Pattern {
@@ -84,6 +99,21 @@ pub enum MountingError {
         "an internal wheel has its shaft in front and its driver's behind, so no base plate carries both; leave it out"
     )]
     BaseOfInternal,
+    /// A bush on a screw in an internal wheel, whose ring plate leaves no room for head or nut.
+    #[error(
+        "the screw {screw} in a bush of {pin} mm has its head or nut above the ring, where the ring plate is {room:.3} mm away; choose a pin \
+         of {thread} mm, which is then the screw itself, or a dowel"
+    )]
+    HeadUnderRing {
+        /// The screw's thread.
+        screw: &'static str,
+        /// Diameter of the screw, in millimetres.
+        thread: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+        /// Gap between bush and ring plate, in millimetres.
+        room: f64,
+    },
     /// A screw that is thicker than the pin.
     #[error("the screw {screw} is thicker than the pin of {pin} mm; choose a thinner screw, or a thicker pin")]
     ThickScrew {

@@ -145,6 +145,10 @@ pub(super) fn bore(
             if !(across > shaft / 2.0 && across < shaft) {
                 return Err(MountingError::Flat { part, across, shaft });
             }
+            let play = bore - shaft;
+            if fit.turning_play(shaft, play).is_none() {
+                return Err(MountingError::LooseFlat { part, across, shaft, play });
+            }
             let flat = across - shaft / 2.0 + (radius - shaft / 2.0);
             let half = (radius * radius - flat * flat).max(0.0).sqrt();
             vec![rest(libm::atan2(half, flat)), Edge::Line { from: at(flat, half), to: at(flat, -half) }]

@@ -92,6 +92,11 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
 
     let mut all = vec![ring, closed, segment, plate];
     if let Some(holes) = screw_holes(sizes.pin_diameter, mounting.pins)? {
+        if let (PinMount::Screw(thread, _), false) = (mounting.pins, holes.is_empty()) {
+            // What holds the bush on its screw, head or nut, is on the bush, and the plate that closes the ring is just above.
+            let (screw, thread, pin) = (thread.name(), thread.diameter(), sizes.pin_diameter);
+            return Err(MountingError::HeadUnderRing { screw, thread, pin, room: play });
+        }
         let is_joined = is_joined && mounting.pins == PinMount::Solid;
         let through = if is_joined || !holes.is_empty() { 0.0 } else { thickness };
         let place = Place { at: driver.at - middle, bottom: driver.bottom - through, ..driver };

@@ -3,6 +3,7 @@
 use super::base::base_plate;
 use super::error::MountingError;
 use super::holes::{Hole, HolePurpose, bore};
+use super::looseness::SAME;
 use super::mounting::{Fastener, MOST_HOLES, Mounting, Pattern, PinMount, ScrewHole};
 use super::part::{Layer, Part, Place};
 use super::walls::{ThinWall, least_wall, thin_walls};
@@ -167,7 +168,7 @@ const BUSH_WALL: f64 = 0.5;
 /// The hole through a pin: that of a bush on a screw, which passes; none where the screw itself is the pin.
 pub(super) fn screw_holes(pin: f64, pins: PinMount) -> Result<Option<Vec<Hole>>, MountingError> {
     let PinMount::Screw(thread, _) = pins else { return Ok(Some(Vec::new())) };
-    if (pin - thread.diameter()).abs() < 1e-9 {
+    if (pin - thread.diameter()).abs() < SAME {
         return Ok(None);
     }
     let (inner, least) = (thread.clearance_hole(), thread.clearance_hole() + 2.0 * BUSH_WALL);

@@ -5,6 +5,7 @@ mod error;
 mod holes;
 mod internal;
 mod list;
+mod looseness;
 mod mounting;
 mod part;
 mod standards;

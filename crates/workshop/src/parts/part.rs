@@ -1,7 +1,8 @@
 //! A part: a plate with holes, and where it is in the assembly.
 
-use super::holes::Hole;
+use super::holes::{Hole, HolePurpose};
 use crate::geometry::{Point, area};
+use crate::offset::widened;
 use geneva_kinematics::wheel::{Edge, Face, Loop};
 
 /// A layer of the drawing; the pieces of one layer are cut from one sheet.
@@ -130,8 +131,9 @@ impl Part {
         Face { outer: self.outer.clone(), holes: self.holes.iter().map(|hole| hole.outline.clone()).collect() }
     }
 
-    /// The part with its round holes wider by a length in millimetres, or narrower below zero: for a machine that makes them too
-    /// narrow or too wide by as much. A hole that would have no width stays as it is.
+    /// The part with its holes and their pockets wider by a length in millimetres, or narrower below zero: for a machine that makes them
+    /// too narrow or too wide by as much. Bores with a keyway or a flat are wider on all sides, too, and their corners rounded by half
+    /// of it. Slots stay as they are, since their play is chosen for the machine, and so does a hole that would have no width.
     ///
     /// ```
     /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
@@ -146,9 +148,13 @@ impl Part {
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
     /// ```
     pub fn with_wider_holes(mut self, by: f64) -> Self {
-        for hole in &mut self.holes {
-            if let Some(diameter) = hole.diameter().map(|diameter| diameter + by).filter(|diameter| *diameter > 0.0) {
-                hole.outline = Loop::circle(hole.centre, diameter / 2.0, true);
+        let is_hole = |hole: &&mut Hole| !matches!(hole.purpose, HolePurpose::Inside | HolePurpose::TestSlot);
+        for hole in self.holes.iter_mut().filter(is_hole) {
+            let pocket = hole.widening.as_mut().map(|wide| &mut wide.outline);
+            for line in [&mut hole.outline].into_iter().chain(pocket) {
+                if let Some(wider) = widened(line, by / 2.0) {
+                    *line = wider;
+                }
             }
         }
         self

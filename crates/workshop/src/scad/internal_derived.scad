@@ -52,7 +52,6 @@ segment_inner = max(least_inner, segment_outer - horn_thickness);
 assert(wheel_bore < 2 * outside_radius, "the bore is wider than the ring plate: make wheel_bore smaller");
 assert(crank_radius - max(pin_diameter, pin_hole) / 2 > plate_bore / 2,
   "the plate's bore meets the pin: make plate_bore smaller");
-assert(bush_hole >= 0 && bush_hole < pin_diameter, "bush_hole is as wide as the pin: make it smaller");
 assert(pin_hole == 0 || pin_hole <= pin_diameter + slot_play, "pin_hole is wider than the pin: make it smaller");
 assert(plate_radius - crank_radius > max(pin_hole, nut_width / cos(30)) / 2,
   "the pin's hole or nut breaks out of the plate: make pin_hole or nut_width smaller");

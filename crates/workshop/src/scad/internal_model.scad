@@ -72,12 +72,9 @@ module driver() {
   }
 }
 
-// A pin that is not in one piece with the plate: what stands on the plate of a dowel, or a bush on a screw.
+// A pin that is not in one piece with the plate: what stands on the plate of a dowel or a screw.
 module pin_pieces() {
-  if (pin_hole > 0) translate([0, 0, -axial_play]) linear_extrude(height = thickness) difference() {
-    pin_outline();
-    if (bush_hole > 0) translate([crank_radius, 0]) hollow(bush_hole / 2);
-  }
+  if (pin_hole > 0) translate([0, 0, -axial_play]) linear_extrude(height = thickness) pin_outline();
 }
 
 // What ring and driver have in common at moments of a turn: nothing, or they jam.

@@ -16,7 +16,7 @@ pub struct SheetLimits {
     pub shared: Option<SharedTolerance>,
     /// What the process holds; without it, that of a good workshop for metal.
     pub process: Option<ProcessNumbers>,
-    /// The share of assemblies that turn with the errors of the process, from 0 to 1.
+    /// The share of assemblies that turn with the errors of the process, from 0 to 1; of an internal wheel a lower bound.
     pub yield_share: Option<f64>,
 }
 

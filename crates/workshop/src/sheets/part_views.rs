@@ -303,8 +303,8 @@ impl Making<'_> {
         view.add(Target::Along([p(cut, -radius), p(cut, radius)]), Side::Left, vec![Row::Size(size)]);
         let across = Target::Across([p(0.0, radius - cut), p(length, radius - cut)]);
         let long = PrintedDimension::new(Measured::PinLength, "", length, "");
-        // A bush that is too short would let its screw's head hold the wheel; an internal wheel is closed above it.
-        let limits = match part.is_bush() && !self.sizes.is_internal() {
+        // A bush that is too short would let its screw's head hold the wheel.
+        let limits = match part.is_bush() {
             true => Limits { lower: 0.0, ..self.general(length) },
             false => self.height(length),
         };

@@ -46,8 +46,11 @@ fn designs() -> Vec<(InternalSizes, Mounting)> {
         }
     }
     let nut = Pattern { count: 3, circle: 40.0, fastener: Fastener::Screw(Thread::M3, ScrewHole::NutTrap) };
-    let pins = PinMount::Screw(Thread::M3, ScrewHole::Tapped);
-    all.push((sizes(6, 60.0, &Choices::default()), Mounting { driver_hub: Some(nut), pins, ..Mounting::default() }));
+    let pins = PinMount::Screw(Thread::M6, ScrewHole::Tapped);
+    all.push((
+        sizes(6, 60.0, &Choices { pin_diameter: Some(6.0), ..Choices::default() }),
+        Mounting { driver_hub: Some(nut), pins, ..Mounting::default() },
+    ));
     all
 }
 

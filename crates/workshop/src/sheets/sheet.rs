@@ -357,9 +357,11 @@ fn limit_notes(view: &View, making: &Making<'_>) -> Vec<String> {
     }
     if view.has_limits_of(LimitOrigin::ProcessBeyondChain) {
         let mark = LimitOrigin::ProcessBeyondChain.mark();
+        // Of an internal wheel a lower bound is known.
+        let least = if making.sizes.is_internal() { "at least " } else { "" };
         let turn = making.limits.yield_share.map_or_else(
             || "some assemblies may jam".to_owned(),
-            |share| format!("expect {} % of assemblies to turn", mm(libm::floor(share * 1000.0) / 10.0)),
+            |share| format!("expect {least}{} % of assemblies to turn", mm(libm::floor(share * 1000.0) / 10.0)),
         );
         notes.push(format!("{mark} The tolerance chain leaves less at its worst: {turn}."));
     }

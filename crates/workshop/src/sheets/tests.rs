@@ -372,7 +372,7 @@ fn with_all_limits_at_their_worst_nothing_touches() {
     {
         // Play in tenths of a millimetre; the bores have much less.
         let slot = f64::from(play) / 10.0;
-        let play = Play { slot, locking: slot, bore: 0.1 * slot };
+        let play = Play { slot, locking: slot, bore: 0.1 * slot, pin: 0.0 };
         let shaft = Some(2.0);
         let choices = Choices { play: Some(play), wheel_shaft: shaft, driver_shaft: shaft, ..Choices::default() };
         let wheel = Wheel::with_pins(stations, pins).unwrap();

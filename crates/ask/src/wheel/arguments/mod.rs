@@ -9,6 +9,7 @@ mod instants;
 mod load;
 mod mounting;
 mod need;
+mod range;
 mod size;
 mod strength;
 mod wrong;
@@ -123,8 +124,10 @@ pub enum ActsOn {
     Size,
     /// The parts in millimetres, which external wheels with a size have, and internal ones in their files.
     Parts,
-    /// The files from which parts are made, and nothing else.
+    /// The files from which parts are made, and nothing else but what is named besides.
     Files,
+    /// How loosely parts are held, which counts in backlash and yield.
+    Play,
     /// Motion and loads.
     Motion,
     /// The speed of the driver: one such argument gives it.

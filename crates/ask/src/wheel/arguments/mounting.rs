@@ -1,6 +1,6 @@
 //! How the parts are mounted: shapes of bores, hubs, the pins' hold, dowels, a base plate, and the width of a cut.
 
-use super::ActsOn::{Files, Parts};
+use super::ActsOn::{Files, Parts, Play};
 use super::{Argument, ArgumentSlot, Knob, NamedChoice};
 use crate::wheel::mounting::{BoreShape, PinKind};
 use geneva_workshop::{ScrewHole, Thread};
@@ -45,7 +45,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.wheel_bore_shape = bore(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Bore of the wheel: round, or with a keyway by DIN 6885-1 for --wheel-shaft [default: round]",
     )
     .with_knob(choice("the wheel's bore is")),
@@ -53,7 +53,7 @@ pub(super) const ROWS: &[Argument] = &[
         "wheel-flat",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.wheel_flat),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Width in millimetres of a D-shaped shaft of the wheel, from its flat to the opposite side",
     )
     .with_knob(length("flat of the wheel's shaft", 50.0, 0.1, "wheel_flat_mm")),
@@ -65,7 +65,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.driver_bore_shape = bore(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Bores of disc and plate: round, or with a keyway for --driver-shaft [default: round]",
     )
     .with_knob(choice("the driver's bores are")),
@@ -73,7 +73,7 @@ pub(super) const ROWS: &[Argument] = &[
         "driver-flat",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.driver_flat),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Width in millimetres of a D-shaped shaft of the driver, from its flat to the opposite side",
     )
     .with_knob(length("flat of the driver's shaft", 50.0, 0.1, "driver_flat_mm")),
@@ -89,7 +89,7 @@ pub(super) const ROWS: &[Argument] = &[
         "driver-hub-circle",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.driver_hub_circle),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Diameter in millimetres of a circle of holes through locking disc and plate",
     )
     .with_knob(length("circle of holes in the driver", 100.0, 0.5, "driver_hub_circle_mm")),
@@ -108,7 +108,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.hub_screw = thread(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Screws through these circles",
     )
     .with_knob(choice("screws of the hubs")),
@@ -120,7 +120,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.hub_screw_hole = hole(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Holes for these screws: clearance (ISO 273, medium), tapped, or clearance with a pocket for the nut (ISO 4032) [default: \
          clearance]",
     )
@@ -129,7 +129,7 @@ pub(super) const ROWS: &[Argument] = &[
         "hub-dowel",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.hub_dowel),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Diameter in millimetres of dowels through these circles, instead of screws",
     )
     .with_knob(length("dowels of the hubs", 20.0, 0.5, "hub_dowel_mm")),
@@ -144,7 +144,7 @@ pub(super) const ROWS: &[Argument] = &[
                     PinKind::ALL.get(number).map(|(_, kind)| *kind).filter(|_| number > 0);
             },
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Pins in one piece with the plate, or dowels pressed into it [default: solid]",
     )
     .with_knob(choice("the pins are")),
@@ -156,7 +156,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.pin_screw = thread(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Screws that hold the pins, or are the pins",
     )
     .with_knob(choice("screws of the pins")),
@@ -168,7 +168,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: None,
             set: |question, number| question.mounting.pin_screw_hole = hole(number),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Holes for these screws in the plate [default: clearance]",
     )
     .with_knob(choice("their holes in the plate")),
@@ -176,7 +176,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowel",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.disc_dowel),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Diameter in millimetres of dowels between locking disc and plate",
     )
     .with_knob(length("dowels of the locking disc", 20.0, 0.5, "disc_dowel_mm")),
@@ -184,7 +184,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowel-circle",
         "MM",
         ArgumentSlot::Length(|question| &mut question.mounting.disc_dowel_circle),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Diameter in millimetres of the circle on which these are",
     )
     .with_knob(length("their circle", 100.0, 0.5, "disc_dowel_circle_mm")),
@@ -192,7 +192,7 @@ pub(super) const ROWS: &[Argument] = &[
         "disc-dowels",
         "COUNT",
         ArgumentSlot::Count(|question| &mut question.mounting.disc_dowels),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "How many of them, from 2 to 12 [default: 2]",
     ),
     Argument::new(
@@ -203,7 +203,7 @@ pub(super) const ROWS: &[Argument] = &[
             with_usual: Some(PIECES_ON_PAGE),
             set: |question, number| question.mounting.stacked = Some(number == 1),
         }),
-        &[Parts, Files],
+        &[Parts, Files, Play],
         "Locking disc and plate in one piece, or as two [default: one-piece, but two-pieces with --process laser or router]",
     )
     .with_knob(choice("disc and plate are")),

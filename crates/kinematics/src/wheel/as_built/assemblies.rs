@@ -4,13 +4,15 @@
 //! which is drawn first, or by which thread.
 //!
 //! A part that is loose on its shaft has its axis somewhere within the play of its bore, in any direction. Wheel and driver see of
-//! both shifts only the distance between their axes: turning the line of centres turns the angles of both alike.
+//! both shifts only the distance between their axes: turning the line of centres turns the angles of both alike. A pin on a screw is
+//! likewise somewhere within the clearance of its holes, and a locking disc that is a piece of its own somewhere within the angle by
+//! which it turns loosely against its plate. That all these places are equally likely is our choice.
 
 use super::errors::{BuiltError, ErrorShape, SizeErrors};
 use super::parts::{AsBuiltWheel, BuiltArc, BuiltCrescent, BuiltPin, BuiltSlot};
 use super::random::SplitMix64;
+use crate::indexing::Indexing;
 use nalgebra::Vector2;
-use std::f64::consts::PI;
 
 /// Assemblies of one design, each made with errors of its own.
 ///
@@ -33,6 +35,8 @@ pub struct Assemblies {
     seed: u64,
     is_alike: bool,
     bore_play: f64,
+    pin_shift: f64,
+    disc_turn: f64,
 }
 
 /// How many assemblies were tried, and how many of them turn.
@@ -43,6 +47,9 @@ pub struct Yield {
     /// How many of them turn.
     pub turning: u64,
 }
+
+/// The greatest angle by which a disc is turned, over half a pitch.
+const MOST_TURN: f64 = 0.9;
 
 impl Yield {
     /// The share that turns, from 0 to 1, dimensionless; of none tried, 0.
@@ -73,7 +80,16 @@ impl Yield {
 impl Assemblies {
     /// Assemblies of a design with these greatest errors, so spread, under a seed.
     pub fn new(drawn: impl Into<AsBuiltWheel>, errors: SizeErrors, shape: ErrorShape, seed: u64) -> Self {
-        Self { drawn: drawn.into(), errors, shape, seed, is_alike: false, bore_play: 0.0 }
+        Self {
+            drawn: drawn.into(),
+            errors,
+            shape,
+            seed,
+            is_alike: false,
+            bore_play: 0.0,
+            pin_shift: 0.0,
+            disc_turn: 0.0,
+        }
     }
 
     /// The assemblies whose slots have the same errors of width, end and rim, and whose arcs the same of their radius, as if all were
@@ -100,6 +116,30 @@ impl Assemblies {
         Self { bore_play, ..self }
     }
 
+    /// The assemblies whose pins are off their places by up to this, in millimetres, in any direction, as screws hold them in
+    /// clearance holes. All places within are equally likely, and each pin stays where it is.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors};
+    /// use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+    ///
+    /// let choices = Choices { play: Some(Play::from_slot(0.2)), pin_diameter: Some(6.0), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(4)?, Scale::CrankRadius(25.0), &choices)?;
+    /// let pressed = Assemblies::new(&sizes, SizeErrors::from_greatest(0.05), ErrorShape::Uniform, 1);
+    /// let screwed = pressed.clone().with_pin_shift(0.3); // mm
+    /// assert!(screwed.count(0..50)?.turning < pressed.count(0..50)?.turning);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_pin_shift(self, pin_shift: f64) -> Self {
+        Self { pin_shift, ..self }
+    }
+
+    /// The assemblies whose locking disc is turned against its plate by up to this angle to either side, in radians, and stays so;
+    /// all angles within are equally likely. More than nine tenths of half a pitch count as that, with which no wheel turns.
+    pub fn with_disc_turn(self, disc_turn: f64) -> Self {
+        Self { disc_turn: disc_turn.min(MOST_TURN * self.drawn.wheel().half_pitch_angle()), ..self }
+    }
+
     /// The assembly with a number.
     pub fn assembly(&self, number: u64) -> AsBuiltWheel {
         let (mut built, [wheel, driver]) = self.loose_assembly(number);
@@ -113,21 +153,28 @@ impl Assemblies {
     /// axis in millimetres: the wheel's shaft is at the origin, the driver's on the first axis.
     pub fn loose_assembly(&self, number: u64) -> (AsBuiltWheel, [Vector2<f64>; 2]) {
         let mut random = SplitMix64::of_index(self.seed, number);
-        let built = self.of_random(&mut random);
+        let mut built = self.of_random(&mut random);
         // After all sizes, which are then the same with every play.
-        let mut place = || {
-            let (share, turn) = (random.next_unit(), random.next_unit());
-            let (sine, cosine) = libm::sincos(2.0 * PI * turn);
-            Vector2::new(cosine, sine) * (self.bore_play / 2.0 * share.sqrt())
-        };
-        let (wheel, driver) = (place(), place());
+        let [wheel, driver] = [0; 2].map(|_| random.next_within(self.bore_play / 2.0));
+        if self.pin_shift != 0.0 {
+            for pin in built.pins_mut() {
+                let shift = random.next_within(self.pin_shift);
+                let (along, across) = (pin.crank_radius + shift.x, shift.y);
+                pin.direction_error += libm::atan2(across, along);
+                pin.crank_radius = libm::hypot(along, across);
+            }
+        }
+        if self.disc_turn != 0.0 {
+            let turn = self.disc_turn * random.next_signed();
+            built.pins_mut().iter_mut().for_each(|pin| pin.crescent.direction_error += turn);
+        }
         let shaft = Vector2::new(built.centre_distance, 0.0);
         (built, [wheel, shaft + driver])
     }
 
     /// An assembly whose sizes are drawn with these numbers.
     fn of_random(&self, random: &mut SplitMix64) -> AsBuiltWheel {
-        let mut error = |greatest: f64| greatest * part(random, self.shape);
+        let mut error = |greatest: f64| greatest * self.shape.draw(random);
         let (mut built, errors) = (self.drawn.clone(), self.errors);
         built.centre_distance += error(errors.centre_distance);
         if let Some(disc) = &mut built.disc_radius {
@@ -170,19 +217,6 @@ impl Assemblies {
             found = found.plus(Yield { tried: 1, turning: u64::from(turns) });
         }
         Ok(found)
-    }
-}
-
-/// An error over the greatest, from −1 to 1.
-fn part(random: &mut SplitMix64, shape: ErrorShape) -> f64 {
-    match shape {
-        ErrorShape::Uniform => random.next_signed(),
-        ErrorShape::Normal => loop {
-            let part = random.next_normal() / 3.0;
-            if part.abs() <= 1.0 {
-                return part;
-            }
-        },
     }
 }
 

@@ -33,7 +33,7 @@ fn design(measured: &MeasuredWheel, of: &Logarithms) -> Option<Sizes> {
     let [a, pin, slot_play, locking_play, horn, bottom] = of.map(libm::exp).into();
     let choices = Choices {
         pin_diameter: Some(pin),
-        play: Some(Play { slot: slot_play, locking: locking_play, bore: 0.0 }),
+        play: Some(Play { slot: slot_play, locking: locking_play, bore: 0.0, pin: 0.0 }),
         bottom_clearance: Some(bottom),
         horn_thickness: Some(horn),
         ..Choices::default()

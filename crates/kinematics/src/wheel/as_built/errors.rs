@@ -1,5 +1,6 @@
 //! Sizes that no made wheel has, and how far made sizes are from the drawn ones.
 
+use super::random::SplitMix64;
 use thiserror::Error;
 
 /// A size that no wheel has, however badly it was made.
@@ -52,6 +53,21 @@ pub enum ErrorShape {
     Uniform,
     /// A normal distribution whose standard deviation is a third of the greatest error; larger errors are drawn again.
     Normal,
+}
+
+impl ErrorShape {
+    /// The next error over the greatest, from −1 to 1.
+    pub(crate) fn draw(self, random: &mut SplitMix64) -> f64 {
+        match self {
+            Self::Uniform => random.next_signed(),
+            Self::Normal => loop {
+                let part = random.next_normal() / 3.0;
+                if part.abs() <= 1.0 {
+                    return part;
+                }
+            },
+        }
+    }
 }
 
 /// The greatest error of each size, to either side, in millimetres.

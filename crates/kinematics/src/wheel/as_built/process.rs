@@ -3,7 +3,7 @@
 use super::errors::SizeErrors;
 use crate::KinematicsError;
 use crate::error::{length, size};
-use crate::wheel::{Play, Sizes};
+use crate::wheel::Play;
 
 /// A way to make the parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -184,9 +184,9 @@ impl ProcessNumbers {
         Ok(Self { error, slot_play, locking_play: slot_play, ..self })
     }
 
-    /// The plays, in millimetres.
+    /// The plays, in millimetres, of pins in their place.
     pub fn play(&self) -> Play {
-        Play { slot: self.slot_play.value, locking: self.locking_play.value, bore: self.bore_play.value }
+        Play { slot: self.slot_play.value, locking: self.locking_play.value, bore: self.bore_play.value, pin: 0.0 }
     }
 
     /// The greatest error of each size, in millimetres. Diameters and widths have the whole error, radii half of it.
@@ -202,10 +202,10 @@ impl ProcessNumbers {
         }
     }
 
-    /// The least inner corner that a wheel's parts need, in millimetres, if the process can't make it; none if it can. The slots' round
-    /// ends are the tightest inner corners.
-    pub fn corner_too_large(&self, sizes: &Sizes) -> Option<f64> {
-        let least = sizes.slot_width / 2.0;
+    /// The least inner corner that a wheel with slots of this width in millimetres needs, in millimetres, if the process can't make it;
+    /// none if it can. The slots' round ends are the tightest inner corners.
+    pub fn corner_too_large(&self, slot_width: f64) -> Option<f64> {
+        let least = slot_width / 2.0;
         (self.corner_radius.value > least).then_some(least)
     }
 }

@@ -1,5 +1,8 @@
 //! A small generator of random numbers that gives the same numbers on every machine.
 
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
 /// The generator SplitMix64: a counter whose values are mixed.
 ///
 /// Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014), figure 17; constants of Vigna's
@@ -55,6 +58,13 @@ impl SplitMix64 {
     /// The next number from −1 up to but not including 1, dimensionless.
     pub fn next_signed(&mut self) -> f64 {
         2.0 * self.next_unit() - 1.0
+    }
+
+    /// The next point within a circle of this radius about the origin, in its unit, all points being equally likely.
+    pub fn next_within(&mut self, radius: f64) -> Vector2<f64> {
+        let (share, turn) = (self.next_unit(), self.next_unit());
+        let (sine, cosine) = libm::sincos(2.0 * PI * turn);
+        Vector2::new(cosine, sine) * (radius * share.sqrt())
     }
 
     /// The next number of the standard normal distribution, by the polar method of Marsaglia, dimensionless.

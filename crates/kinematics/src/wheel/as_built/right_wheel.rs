@@ -226,7 +226,7 @@ pub(super) fn design(wheel: &Wheel, free: &Free) -> Result<Sizes, SizesError> {
     let sine = libm::sin(wheel.half_pitch_angle());
     let choices = Choices {
         pin_diameter: Some(pin),
-        play: Some(Play { slot: (slot - pin).max(0.0), locking: (2.0 * (arc - disc)).max(0.0), bore: 0.0 }),
+        play: Some(Play { slot: (slot - pin).max(0.0), locking: (2.0 * (arc - disc)).max(0.0), bore: 0.0, pin: 0.0 }),
         bottom_clearance: Some((a / sine - a - end).max(0.0)),
         horn_thickness: Some((a - slot.max(pin) / 2.0 - arc).max(0.01 * pin)),
         ..Choices::default()

@@ -6,7 +6,7 @@ use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 use std::f64::consts::PI;
 
 fn drawn(stations: u32, crank: f64, pin: f64, slot_play: f64, horn: Option<f64>) -> Sizes {
-    let play = Some(Play { slot: slot_play, locking: 0.4, bore: 0.0 });
+    let play = Some(Play { slot: slot_play, locking: 0.4, bore: 0.0, pin: 0.0 });
     let choices = Choices { pin_diameter: Some(pin), play, horn_thickness: horn, ..Choices::default() };
     Sizes::new(Wheel::new(stations).unwrap(), Scale::CrankRadius(crank), &choices).unwrap()
 }

@@ -1,7 +1,7 @@
 //! Shares of assemblies that turn.
 
 use super::super::assembly::sized;
-use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors, SplitMix64, Yield};
+use geneva_kinematics::wheel::as_built::{Assemblies, BuiltPin, ErrorShape, SizeErrors, SplitMix64, Yield};
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 
 fn four(play: f64) -> Sizes {
@@ -98,6 +98,45 @@ fn more_play_of_the_bores_lets_fewer_assemblies_turn() {
     let shares =
         [0.8, 0.5, 0.3, 0.1, 0.0].map(|play| tight.clone().with_bore_play(play).count(0..300).unwrap().share());
     assert!(shares.is_sorted() && shares[0] < shares[4] - 0.1, "{shares:?}");
+}
+
+#[test]
+fn pins_are_anywhere_within_their_shift_and_the_disc_within_its_turn_and_all_else_is_as_without() {
+    let sizes = sized(6, 2, &Choices::default());
+    let tight = Assemblies::new(&sizes, SizeErrors::from_greatest(0.02), ErrorShape::Normal, 3).with_bore_play(0.05);
+    let loose = tight.clone().with_pin_shift(0.3).with_disc_turn(0.1);
+    let (mut far, mut turned, count) = (0.0_f64, [0.0_f64; 2], 1000);
+    for k in 0..count {
+        let [one, other] = [&tight, &loose].map(|assemblies| assemblies.assembly(k));
+        assert_eq!(
+            (one.slots(), one.arcs(), one.centre_distance),
+            (other.slots(), other.arcs(), other.centre_distance)
+        );
+        let at = |pin: &BuiltPin| {
+            pin.crank_radius * nalgebra::Vector2::from([pin.direction_error.cos(), pin.direction_error.sin()])
+        };
+        let turns = one.pins().iter().zip(other.pins()).map(|(one, other)| {
+            let shift = (at(other) - at(one)).norm();
+            assert!(shift <= 0.3 && one.diameter == other.diameter, "{k}: {shift}");
+            far = far.max(shift);
+            other.crescent.direction_error - one.crescent.direction_error
+        });
+        let turns: Vec<f64> = turns.collect();
+        assert!((turns[0] - turns[1]).abs() < 1e-15 && turns[0].abs() <= 0.1, "{k}: both are cut into one disc");
+        turned = [turned[0].min(turns[0]), turned[1].max(turns[0])];
+    }
+    assert!(far > 0.29 && turned[0] < -0.09 && turned[1] > 0.09, "{far} {turned:?}");
+}
+
+#[test]
+fn loose_pins_and_a_loose_disc_let_fewer_assemblies_turn() {
+    let tight = Assemblies::new(&four(0.3), SizeErrors::from_greatest(0.05), ErrorShape::Uniform, 1);
+    let of = |assemblies: Assemblies| assemblies.count(0..300).unwrap().share();
+    let pins = [0.6, 0.4, 0.2, 0.0].map(|shift| of(tight.clone().with_pin_shift(shift)));
+    assert!(pins.is_sorted() && pins[0] < pins[3] - 0.2, "{pins:?}");
+    // Beyond half a pitch as much as just below it.
+    let discs = [9.0, 0.2, 0.1, 0.0].map(|turn| of(tight.clone().with_disc_turn(turn)));
+    assert!(discs.is_sorted() && discs[0] < 0.5 * discs[3], "{discs:?}");
 }
 
 #[test]

@@ -1,0 +1,140 @@
+//! The parts of a design, mounted as it is asked for.
+
+use super::arguments::ActsOn;
+use super::design::WheelDesign;
+use super::fitting::Fit;
+use super::kind::AnyWheel;
+use super::mounting::MountingQuestion;
+use super::mounting_error::with_remedies_of_mounting;
+use super::mouth::given_mouths;
+use super::question::WheelQuestion;
+use super::ranges::refuse_out_of_range;
+use super::sized;
+use crate::Error;
+use crate::number_format::as_typed;
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::wheel::as_built::Process;
+use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts};
+
+impl WheelDesign {
+    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
+    ///
+    /// # Errors
+    ///
+    /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
+    pub fn part_list(&self) -> Result<Option<PartList>, Error> {
+        self.refuse_mounting_out_of_range()?;
+        let internal = self.internal_sizes()?;
+        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
+        let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
+        found.map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
+    }
+
+    /// Refuses numbers of the mounting that make no sense, with values with which these parts can be mounted.
+    ///
+    /// # Errors
+    ///
+    /// The argument, its value, and the values to give; and sizes of an internal wheel that don't fit.
+    pub(super) fn refuse_mounting_out_of_range(&self) -> Result<(), Error> {
+        let internal = self.internal_sizes()?;
+        refuse_out_of_range(&self.question, true, |other| self.mounted_fit(internal.as_ref(), other) != Fit::Not)
+    }
+
+    /// How the parts of this wheel fit that are mounted as another question asks, and cut out.
+    pub(super) fn mounted_fit(&self, internal: Option<&InternalSizes>, other: &WheelQuestion) -> Fit {
+        let asked = &other.mounting;
+        let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
+        let list = mounting.ok().and_then(|mounting| self.listed_with(internal, &mounting)?.ok());
+        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()));
+        list.map_or(Fit::Not, |list| Fit::of(list.thin_walls.is_empty()))
+    }
+
+    /// The parts of this wheel, or of an internal one of these sizes, so mounted; none without a size.
+    fn listed_with(
+        &self,
+        internal: Option<&InternalSizes>,
+        mounting: &Mounting,
+    ) -> Option<Result<PartList, MountingError>> {
+        // Drawings of outlines have nothing of the thickness.
+        let thickness = |pin: f64| self.made_thickness().unwrap_or(pin);
+        match (&self.sizes, internal) {
+            (Some(sizes), _) => Some(parts(sizes, thickness(sizes.pin_diameter), mounting)),
+            (None, Some(sizes)) => Some(internal_parts(sizes, thickness(sizes.pin_diameter), mounting)),
+            (None, None) => None,
+        }
+    }
+
+    /// The mounting of these parts.
+    ///
+    /// # Errors
+    ///
+    /// Arguments that need another one, or exclude one another.
+    pub(super) fn mounting(&self) -> Result<Mounting, Error> {
+        self.mounting_of(&self.question.mounting)
+    }
+
+    /// The mounting of these parts that is asked for.
+    fn mounting_of(&self, asked: &MountingQuestion) -> Result<Mounting, Error> {
+        // What is cut out of a sheet has one height.
+        let is_of_sheet = matches!(self.question.process, Some(Process::Laser | Process::Router));
+        if (self.question.process, asked.stacked) == (Some(Process::Laser), Some(false)) {
+            return Err(refused!(
+                "--driver-pieces one-piece: a laser cuts through its sheet, and leaves no disc standing on a plate; give --driver-pieces \
+                 two-pieces, or another --process"
+            ));
+        }
+        let of_process = self.process_numbers()?.map(|numbers| numbers.axial_play.value);
+        Ok(Mounting {
+            axial_play: self.axial_play().or(self.question.axial_play).or(of_process),
+            is_stacked: asked.stacked.unwrap_or(is_of_sheet),
+            ..asked.mounting()?
+        })
+    }
+
+    /// The sizes of an internal wheel that are reported: none without a size, and none where nothing of the parts is chosen and the
+    /// usual ones don't fit.
+    ///
+    /// # Errors
+    ///
+    /// Choices that fit no such wheel.
+    pub(super) fn reported_internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
+        let is_chosen = self.question.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Parts));
+        self.internal_sizes().or_else(|refused| if is_chosen { Err(refused) } else { Ok(None) })
+    }
+
+    /// The gap between ring and plate of an internal wheel along the axes, in millimetres.
+    pub(super) fn axial_play_of_internal(&self, sizes: &InternalSizes) -> f64 {
+        self.mounting().ok().and_then(|mounting| mounting.axial_play).unwrap_or(sizes.play.slot)
+    }
+
+    /// The sizes of an internal wheel with a size.
+    pub(super) fn internal_sizes(&self) -> Result<Option<InternalSizes>, Error> {
+        let (AnyWheel::Internal(wheel), Some(radius)) = (&self.wheel, self.crank_radius) else { return Ok(None) };
+        let question = &self.question;
+        if let Some(shaft) = question.driver_shaft.filter(|shaft| *shaft > 0.0) {
+            return Err(refused!(
+                "--driver-shaft {0}: the ring of an internal wheel passes over the driver's axis, so its shaft ends in the plate; \
+                 give --plate-shaft {0} instead",
+                as_typed(shaft)
+            ));
+        }
+        if let Some((name, size)) = given_mouths(question).next() {
+            return Err(refused!(
+                "--{name} {}: the slots of an internal wheel have sharp mouths; leave it out, or choose --type external",
+                as_typed(size)
+            ));
+        }
+        sized::internal_sizes(*wheel, radius, question).map(Some)
+    }
+
+    /// Width in millimetres that the cut takes away: what is given, or that of the process.
+    pub(super) fn kerf(&self) -> Result<f64, Error> {
+        let of_process = self.process_numbers()?.map_or(0.0, |numbers| numbers.kerf.value);
+        Ok(self.question.mounting.kerf.unwrap_or(of_process))
+    }
+
+    /// The thickness of the parts; the program chooses none for an internal wheel.
+    pub(super) fn made_thickness(&self) -> Option<f64> {
+        self.thickness.or(self.question.thickness)
+    }
+}
