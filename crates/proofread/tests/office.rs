@@ -398,7 +398,7 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
     }
     assert!(
         out.contains(
-            "9 findings: 5 on a number, 1 on a statistic or a total, 3 in doubt; 4 of them are less certain.\n"
+            "9 findings: 5 on a number, 1 on a statistic or a total, 3 in doubt; 4 less certain.\n"
         ),
         "{out}"
     );

@@ -52,12 +52,6 @@ pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<S
     (!parts.is_empty()).then(|| format!("{}: {}", describe_count(all, "finding"), parts.join(", ")))
 }
 
-/// How many of some findings something is said of: `1 of them is`, `2 of them are`.
-#[cfg(feature = "cli")]
-pub(crate) fn describe_part(number: usize) -> String {
-    format!("{} of them {}", digits(number), if number == 1 { "is" } else { "are" })
-}
-
 /// The statistics and totals that were compared, in a sentence; none if there are none.
 ///
 /// ```
