@@ -397,9 +397,7 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
     assert!(
-        out.contains(
-            "9 findings: 5 on a number, 1 on a statistic or a total, 3 in doubt; 4 less certain.\n"
-        ),
+        out.contains("9 findings: 5 on a number, 1 on a statistic or a total, 3 in doubt; 4 less certain.\n"),
         "{out}"
     );
 }
