@@ -64,7 +64,7 @@ pub(crate) fn facts(finding: &ChainFinding) -> Vec<Fact> {
     let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
     say("recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()));
-    say("less certain", finding.caveat().map(str::to_owned));
+    say("less certain", finding.caveat.map(|caveat| caveat.reason().to_owned()));
     say("set aside", finding.doubt.map(|doubt| doubt.reason().to_owned()));
     say("why", finding.why.clone());
     say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));

@@ -5,8 +5,8 @@ use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
+use crate::judge::caveat::WeighedFindings;
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::confidence::WeighedFindings;
 use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, Factors, PlacedPair};
@@ -180,13 +180,9 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
-    for (at, confidence) in check.weighed.confidences(check.report.tally.differing_pairs()) {
+    for (at, caveat) in check.weighed.caveats(check.report.tally.differing_pairs()) {
         let finding = &mut check.report.findings[at];
-        match confidence {
-            _ if finding.doubt.is_some() => {}
-            None => demote_to_doubt(finding, Doubt::Cluster),
-            confidence => finding.confidence = confidence,
-        }
+        finding.caveat = caveat.filter(|_| finding.doubt.is_none());
     }
     check.report.not_read = not_read;
     if let Some(at) = in_lines {
@@ -564,8 +560,8 @@ impl DocumentCheck<'_> {
             None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
                 self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
-                let is_mended = !wanted || finding.hint.is_some();
-                self.weighed.record(at, [&left.tokens, &right.tokens], judgement.values.as_ref(), is_mended);
+                let has_hint = !wanted || finding.hint.is_some();
+                self.weighed.record(at, [&left.tokens, &right.tokens], judgement.values.as_ref(), has_hint);
             }
             None => {}
         }

@@ -38,10 +38,10 @@ fn a_page_shows_the_place_the_values_and_what_was_not_checked() {
 
 #[test]
 fn a_page_is_whole_and_its_links_lead_to_places_in_it() {
-    let text = "A $2 + 2 = 5$ and $3 + 3 = 7$.\n\nB $4 + 4 = 9$.";
+    let text = "A $2 + 2 = 5$ and $3 + 3 = 7$.\n\nB $4 + 4 = 9$.".repeat(3);
     let folder = tempfile::tempdir().expect("a folder");
     for name in ["a.md", "b.md", "c.md"] {
-        fs::write(folder.path().join(name), text).expect("written");
+        fs::write(folder.path().join(name), &text).expect("written");
     }
     let (_, page, _) = run(&["--format", "html", folder.path().to_str().expect("UTF-8")]);
     let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();

@@ -357,6 +357,9 @@ fn a_letter_with_an_argument_or_an_index_is_a_value_of_its_own() {
 
 #[test]
 fn base_ten_is_the_usual_one() {
-    unlisted(Markdown, &["So $16 + 112 = 240$ in base 5 here."]);
-    listed(Markdown, &["So $16 + 112 = 125$ in base 10 here.", "So $16 + 112 = 125$ in base ten."]);
+    unlisted(Markdown, &["So $16 + 112 = 240$ in base 5 here.", "So $16 + 112 = 130$ (base 8)."]);
+    listed(
+        Markdown,
+        &["So $16 + 112 = 125$ in base 10.", "So $16 + 112 = 125$ in base ten.", "With base 8 it is $16 + 112 = 125$."],
+    );
 }

@@ -381,7 +381,7 @@ fn accepted_cases_and_changes_hold_for_documents_of_word() {
 #[test]
 fn a_document_that_libreoffice_saved_for_word_is_read() {
     let path = format!("{}/tests/texts/saved-by-libreoffice.docx", env!("CARGO_MANIFEST_DIR"));
-    let (code, out, told) = run(&[&path, "--doubts"]);
+    let (code, out, told) = run(&[&path]);
     assert_eq!((code, told.as_str()), (1, ""));
     for (place, said) in [
         ("paragraph 2", "printed 13.8, recomputed 13.6"),
@@ -396,10 +396,7 @@ fn a_document_that_libreoffice_saved_for_word_is_read() {
         let finding = out.split("\n\n").find(|finding| finding.contains(&format!(", {place}\n")));
         assert!(finding.is_some_and(|finding| finding.contains(said)), "{place}: {said}\n{out}");
     }
-    assert!(
-        out.contains("9 findings: 5 on a number, 1 on a statistic or a total, 3 in doubt; 4 less certain.\n"),
-        "{out}"
-    );
+    assert!(out.contains("9 findings: 8 on a number, 1 on a statistic or a total; 6 less certain.\n"), "{out}");
 }
 
 /// A document of Word with a heading of a style by its German name, a finding below it, one in a cell, and one in a note.
@@ -422,7 +419,7 @@ fn with_headings() -> Vec<u8> {
 #[test]
 fn a_place_is_told_under_the_heading_above_it() {
     let (_folder, path) = file("a.docx", &with_headings());
-    let (_, out, _) = run(&[&path, "--doubts"]);
+    let (_, out, _) = run(&[&path]);
     let long = format!("under ‘{}…’, paragraph 6", "Long ".repeat(12));
     for (place, said) in [
         ("paragraph 2", "printed 3, recomputed 2"),
@@ -442,12 +439,12 @@ fn a_place_is_told_under_the_heading_above_it() {
         "<w:p><w:pPr><w:outlineLvl w:val=\"0\"/></w:pPr><w:r><w:t>A\u{202e}\u{1b}[31mB&#x9b;C</w:t></w:r></w:p>";
     let (_, out) = found("b.docx", &docx(&(hostile.to_owned() + &paragraph(&text("12 + 13 = 26")))));
     assert!(out.contains(", under ‘A") && !out.contains(['\u{202e}', '\u{1b}', '\u{9b}']), "{out:?}");
-    let (_, out, _) = run(&["--doubts", "--format", "json", &path]);
+    let (_, out, _) = run(&["--format", "json", &path]);
     let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     crate::command::fits_schema(&whole);
     let place = &whole["documents"][0]["findings"][2]["place"];
     assert_eq!(place, "under ‘Calculation with 2 + 2 = 5’, paragraph 4");
-    let (_, out, _) = run(&["--doubts", "--format", "sarif", &path]);
+    let (_, out, _) = run(&["--format", "sarif", &path]);
     let whole: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     let results = &whole["runs"][0]["results"];
     let message = |at: usize| results[at]["message"]["text"].as_str().unwrap_or_default().to_owned();

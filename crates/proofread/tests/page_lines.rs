@@ -1,7 +1,7 @@
 //! Thirty chains of ours that pdflatex has set and pdftotext has turned into lines: inline and displayed, with fractions, powers,
 //! roots, units and tables, once with right results and once with wrong ones.
 
-use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
+use proofread::{CheckOptions, ReportSection, TextFormat, proofread};
 
 const RIGHT: [&str; 2] = [include_str!("texts/page-right.txt"), include_str!("texts/page-right-layout.txt")];
 const WRONG: [&str; 2] = [include_str!("texts/page-wrong.txt"), include_str!("texts/page-wrong-layout.txt")];
@@ -9,11 +9,7 @@ const WRONG: [&str; 2] = [include_str!("texts/page-wrong.txt"), include_str!("te
 /// The right sides of what is listed as wrong, or would be if less of the page were.
 fn listed(text: &str, format: TextFormat) -> Vec<String> {
     let findings = proofread(text, format, CheckOptions::default()).expect("a text").findings;
-    findings
-        .into_iter()
-        .filter(|of| of.section == ReportSection::Numbers || of.doubt == Some(Doubt::Cluster))
-        .map(|of| of.right)
-        .collect()
+    findings.into_iter().filter(|of| of.section == ReportSection::Numbers).map(|of| of.right).collect()
 }
 
 /// How many pairs differ, with those that are set aside.

@@ -218,7 +218,7 @@ fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
     fact("Printed", Some(raised(&finding.printed)));
     fact("Recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()).as_deref().map(raised));
     fact("Hint", finding.hint.as_ref().map(|hint| with_code(&hint.words, of.formula()) + " would agree"));
-    fact("Less certain", finding.caveat().map(plain));
+    fact("Less certain", finding.caveat.map(|caveat| plain(caveat.reason())));
     fact("Set aside", finding.doubt.map(|doubt| plain(doubt.reason())));
     fact("Why", finding.why.as_deref().map(|why| with_code(why, plain)));
     let listed = |words: String| (!words.is_empty()).then(|| plain(&words));

@@ -2,8 +2,8 @@
 
 use super::documents::Document;
 use super::{CheckedDocument, ReportWriter, RunTotals};
+use crate::judge::caveat::Caveat;
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::confidence::Confidence;
 use crate::judge::doubt::Doubt;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
@@ -42,7 +42,7 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -
         "explanation": finding.explanation,
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::reason),
-        "confidence": finding.confidence.map(Confidence::name),
+        "caveat": finding.caveat.map(Caveat::reason),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "reading": finding.reading,
         "names": finding.names,

@@ -345,7 +345,7 @@ impl<'a> CommandRun<'a> {
         self.documents += 1;
         for finding in &findings {
             self.found[finding.section as usize] += 1;
-            self.less_certain += usize::from(finding.caveat().is_some());
+            self.less_certain += usize::from(finding.caveat.is_some());
         }
         if self.arguments.accept.is_none() {
             let CheckReport { tally, not_checked, not_read, unchecked, .. } = report;

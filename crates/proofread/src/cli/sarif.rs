@@ -5,7 +5,6 @@ use super::documents::Document;
 use super::output::capitalised;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::confidence::Confidence;
 use crate::judge::section::ReportSection;
 use crate::tell::finding::ChainFinding;
 use crate::tell::hint::Hint;
@@ -36,7 +35,7 @@ fn level(finding: &ChainFinding) -> &'static str {
         // Nothing is wrong there.
         (ReportSection::Agreeing, _) => "none",
         (ReportSection::Doubts | ReportSection::Units, _) => "note",
-        (ReportSection::Numbers, _) if finding.confidence == Some(Confidence::Low) => "warning",
+        (ReportSection::Numbers, _) if finding.caveat.is_some() => "warning",
         (ReportSection::Bindings, _) | (ReportSection::Numbers, ChainVerdict::LastDigit | ChainVerdict::Truncated) => {
             "warning"
         }
@@ -65,8 +64,8 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
     if let Some(hint) = &finding.hint {
         message += &format!(" {} would agree.", hint.words);
     }
-    if let Some(caveat) = finding.caveat() {
-        message += &format!(" Less certain: {caveat}.");
+    if let Some(caveat) = finding.caveat {
+        message += &format!(" Less certain: {}.", caveat.reason());
     }
     if let Some(doubt) = finding.doubt {
         message += &format!(" Set aside: {}.", doubt.reason());

@@ -237,8 +237,8 @@ pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
     if let Some(doubt) = finding.doubt {
         notes.push(("set aside", doubt.reason().to_owned()));
     }
-    if let Some(caveat) = finding.caveat() {
-        notes.push(("less certain", caveat.to_owned()));
+    if let Some(caveat) = finding.caveat {
+        notes.push(("less certain", caveat.reason().to_owned()));
     }
     if let Some(why) = &finding.why {
         notes.push(("why", why.clone()));

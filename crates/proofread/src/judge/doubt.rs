@@ -54,8 +54,6 @@ pub enum Doubt {
     Approximation,
     /// The sides of several formulas of the document differ by this factor.
     Habit,
-    /// Few digits are printed there, and many pairs of the document differ.
-    Cluster,
     /// A p-value may be of another test: a one-sided or an exact one, or adjusted for several tests.
     OtherTest,
     /// A total or a share may be of something else than the numbers beside it.
@@ -82,7 +80,6 @@ impl Doubt {
             Self::Inputs => "other digits of the terms would give the result",
             Self::Approximation => "what stands behind ≈ is exact, and may be a coarse approximation",
             Self::Habit => "other formulas of the document differ by the same factor",
-            Self::Cluster => "it is short, and so many others of the document differ that they may be misread",
             Self::OtherTest => "it may be of another test, such as a one-sided or an adjusted one",
             Self::OtherParts => "it may be the total or the share of something else",
         }

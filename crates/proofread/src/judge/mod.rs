@@ -2,8 +2,8 @@
 
 mod binary_numbers;
 mod bracket_symbols;
+pub(crate) mod caveat;
 pub(crate) mod chain_verdict;
-pub(crate) mod confidence;
 pub(crate) mod counted_nouns;
 pub(crate) mod denial;
 pub(crate) mod doubt;

@@ -4,7 +4,7 @@ use crate::decimal::parse_decimal;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, show};
 
-const WORDS: [&str; 16] = [
+const WORDS: [&str; 15] = [
     "significand",
     "guard bit",
     "overflow",
@@ -19,9 +19,11 @@ const WORDS: [&str; 16] = [
     "two\u{2019}s complement",
     "two's complement",
     "twos complement",
-    "in base",
     "gf(2",
 ];
+
+/// Words before a base, which is another one unless it is ten.
+const BEFORE_BASE: [&str; 2] = ["in base", "(base"];
 
 /// Words before a modulus.
 const BEFORE_MODULUS: [&str; 4] = ["mod", "pmod", "bmod", "modulo"];
@@ -88,8 +90,7 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default();
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let source = text.get(span.range()).unwrap_or_default();
-    let near =
-        format!("{sentence} {source} {rest}").to_ascii_lowercase().replace("base 10 ", " ").replace("base ten", "");
+    let near = format!("{sentence} {source} {rest}").to_ascii_lowercase();
     let places = |word: &'static str| {
         let letter = |c: char| c.is_ascii_alphabetic();
         let near = &near;
@@ -99,6 +100,10 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
         })
     };
     if WORDS.iter().any(|word| places(word).next().is_some()) {
+        return true;
+    }
+    let is_ten = |behind: &str| number_at(behind) == Some(10.0) || behind.starts_with(" ten");
+    if { BEFORE_BASE }.iter().flat_map(|words| places(words)).any(|(_, end)| !is_ten(&near[end..])) {
         return true;
     }
     let fits = |modulus: Option<f64>| match modulus {

@@ -197,7 +197,7 @@ fn statistic_finding(of: StatisticDifference) -> ChainFinding {
         verdict: ChainVerdict::Inconsistent,
         section: if doubt.is_some() { ReportSection::Doubts } else { ReportSection::Statistics },
         doubt,
-        confidence: None,
+        caveat: None,
         chain: of.chain,
         marked: of.marked,
         span,

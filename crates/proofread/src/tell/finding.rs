@@ -1,8 +1,8 @@
 //! What was found at one place.
 
 use crate::join::chain::{Chain, ChainSide, Relation};
+use crate::judge::caveat::Caveat;
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::confidence::Confidence;
 use crate::judge::doubt::Doubt;
 use crate::judge::section::ReportSection;
 use crate::judge::verdict::PairJudgement;
@@ -32,8 +32,8 @@ pub struct ChainFinding {
     pub section: ReportSection,
     /// Why it is set aside, if it is.
     pub doubt: Option<Doubt>,
-    /// How sure it is that the text is wrong there; none if that is not weighed, as in all sections but that of numbers.
-    pub confidence: Option<Confidence>,
+    /// What makes it less certain that the text is wrong there, in the section of numbers; none if nothing does.
+    pub caveat: Option<Caveat>,
     /// The chain, as one line; of a long one, the part around the two sides.
     pub chain: String,
     /// The bytes of `chain` that are the place to look at.
@@ -97,7 +97,7 @@ impl ChainFinding {
             verdict: judgement.verdict,
             section,
             doubt: None,
-            confidence: None,
+            caveat: None,
             chain: line,
             marked,
             span,
@@ -156,19 +156,6 @@ impl ChainFinding {
             Some(difference) => format!("{recomputed} ({difference})"),
             None => recomputed.clone(),
         })
-    }
-
-    /// Why the finding is less certain, if it is.
-    ///
-    /// ```
-    /// use proofread::{CheckOptions, TextFormat, proofread};
-    ///
-    /// let of = |text| proofread(text, TextFormat::Markdown, CheckOptions::default()).expect("a short text").findings;
-    /// assert!(of("$3 + 4 = 8$")[0].caveat().is_some());
-    /// assert!(of(r"$2.35 \cdot 4.12 - 1.5^2 = 7.53$")[0].caveat().is_none());
-    /// ```
-    pub fn caveat(&self) -> Option<&'static str> {
-        self.confidence.and_then(Confidence::caveat)
     }
 
     /// Whether neither side is a printed result.
