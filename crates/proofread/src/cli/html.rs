@@ -192,7 +192,8 @@ fn excerpt(of: &ShownDocument<'_>, span: Span) -> String {
 }
 
 fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
-    let is_wrong = matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics);
+    let is_wrong =
+        matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) && finding.caveat.is_none();
     let (kind, colour) = if is_wrong { ("", "wrong") } else { (" class=\"other-list\"", "other") };
     let mut out = format!(
         "<article id=\"{id}\"{kind} aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><span class=\"{colour}\">{}</span> \

@@ -40,9 +40,9 @@ impl Caveat {
     /// ```
     pub fn reason(self) -> &'static str {
         match self {
-            Self::Short => "few digits are printed here, and no edit is the likeliest slip",
-            Self::Clustered => "many others of the document differ, and no edit is the likeliest slip",
-            Self::Slight => "the sides differ by less than a thousandth, and no edit is the likeliest slip",
+            Self::Short => "few digits are printed here, and no edit stands out as the slip",
+            Self::Clustered => "many others of the document differ, and no edit stands out as the slip",
+            Self::Slight => "the sides differ by less than a thousandth, and no edit stands out as the slip",
         }
     }
 }
