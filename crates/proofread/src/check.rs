@@ -262,7 +262,7 @@ struct DocumentCheck<'t> {
     results: EarlierResults,
     /// The factors between the sides that differ.
     factors: Factors,
-    /// The findings on numbers, each with how much is computed there.
+    /// The findings on numbers, each with what speaks for and against it.
     weighed: WeighedFindings,
     /// How many pairs were compared of which it stays open whether they agree.
     open_pairs: usize,

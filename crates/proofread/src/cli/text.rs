@@ -48,8 +48,7 @@ impl ReportWriter for TextWriter {
 /// How many findings there are and on which lists; none if there are none.
 pub(super) fn findings_sentence(sum: &RunTotals) -> Option<String> {
     let said = summary::describe_findings(|list| sum.found[list as usize])?;
-    let less = (sum.less_certain > 0)
-        .then(|| format!("; {} less certain", describe_count(sum.less_certain, "").trim_end_matches([' ', 's'])));
+    let less = (sum.less_certain > 0).then(|| format!("; {} less certain", summary::digits(sum.less_certain)));
     Some(said + less.as_deref().unwrap_or_default() + ".")
 }
 

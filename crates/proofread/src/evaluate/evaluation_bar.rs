@@ -3,18 +3,17 @@
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::value::{Evaluated, Obstacle, SideValue};
 use crate::order::sort_few_without_repeats;
-use crate::token::{Token, TokenKind, collect_names, trim_space};
+use crate::token::{Token, TokenKind, any, collect_names, trim_space};
 
 /// Where the terms begin that a bar is about: behind the sign after terms without a variable, since a constant would vanish between the limits,
 /// as in `1/3 + x²/2|₀¹`.
 fn start_of_variable_terms(tokens: &[Token]) -> usize {
+    let is_variable = |kind: &TokenKind| matches!(kind, TokenKind::Name(name) if !matches!(name.as_str(), "π" | "e"));
     let mut depth = 0_usize;
     let mut start = 0;
     let mut has_term = false;
     for (at, token) in tokens.iter().enumerate() {
-        let mut names = Vec::new();
-        collect_names(std::slice::from_ref(token), &mut names);
-        if !names.is_empty() {
+        if any(std::slice::from_ref(token), &is_variable) {
             break;
         }
         depth += usize::from(token.is_one_of("([{"));

@@ -20,7 +20,7 @@ pub fn describe_count(number: usize, thing: &str) -> String {
 }
 
 /// A number with its thousands parted.
-fn digits(number: usize) -> String {
+pub(crate) fn digits(number: usize) -> String {
     part_thousands(&number.to_string())
 }
 
@@ -46,7 +46,7 @@ pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<S
     let parts: Vec<String> = numbers
         .iter()
         .filter(|(number, _)| *number > 0)
-        .map(|(number, words)| format!("{} {words}", describe_count(*number, "").trim_end_matches([' ', 's'])))
+        .map(|(number, words)| format!("{} {words}", digits(*number)))
         .collect();
     let all = numbers.iter().map(|(number, _)| number).sum();
     (!parts.is_empty()).then(|| format!("{}: {}", describe_count(all, "finding"), parts.join(", ")))
