@@ -225,15 +225,26 @@ fn text_around(text: &str, span: Span) -> [&str; 2] {
 /// What is said of a chain of which it stays open whether two sides agree.
 const MAY_AGREE: &str = "sides that may agree in another reading";
 
+/// The crosses among the signs of `\ding`.
+const CROSSES: [&str; 4] = ["53", "54", "55", "56"];
+
 /// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
 fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     let says = |token: &Token| match &token.kind {
-        TokenKind::Operator(c) => *c == '≠',
+        TokenKind::Operator(c) => "≠✗✘".contains(*c),
         TokenKind::Word(word) => matches!(word.as_str(), "false" | "False" | "untrue" | "extraneous" | "Contradiction"),
         _ => false,
     };
     let inner = |token: &Token| token.inner().filter_map(place_of_denial).max();
-    tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max()
+    // A cross of the font of symbols: \ding{55}.
+    let is_cross = |of: &[Token]| {
+        let number = of[1].inner().next().unwrap_or(&of[1..]).first().and_then(Token::number);
+        matches!(&of[0].kind, TokenKind::Unknown(name) if name == "ding")
+            && number.is_some_and(|of| CROSSES.contains(&of))
+    };
+    let cross = tokens.windows(2).rfind(|of| is_cross(of)).map(|of| of[0].span.start);
+    let said = tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max();
+    said.max(cross)
 }
 
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
@@ -294,7 +305,7 @@ impl DocumentCheck<'_> {
         let last = chains.len().saturating_sub(1);
         let false_from = place_of_denial(&formula.tokens);
         for (at, chain) in chains.iter().enumerate() {
-            let with_units = units_in_letters(chain).or_else(|| without_counted_nouns(chain));
+            let with_units = units_in_letters(chain, &formula.tokens).or_else(|| without_counted_nouns(chain));
             let chain = with_units.as_ref().unwrap_or(chain);
             if !numeric(&chain) {
                 self.before = None;

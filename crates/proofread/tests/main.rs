@@ -30,6 +30,7 @@ mod judged;
 #[cfg(feature = "cli")]
 mod lsp;
 mod mathematics;
+mod measured;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;

@@ -187,11 +187,12 @@ impl Evaluator<'_> {
     }
 }
 
-fn large_number(word: &str) -> Option<f64> {
+/// The power of ten by which a word multiplies the number before it; none for any other word.
+pub(crate) fn large_number(word: &str) -> Option<f64> {
     Some(match word {
         "thousand" => 3.0,
-        "million" => 6.0,
-        "billion" => 9.0,
+        "million" | "millions" | "Millionen" | "millones" | "milioni" | "milhões" => 6.0,
+        "billion" | "Milliarden" | "milliards" | "miliardi" => 9.0,
         "trillion" => 12.0,
         _ => return None,
     })

@@ -1,6 +1,6 @@
 //! Evaluation: the value of a side, under each reading that its characters allow.
 
-mod atom;
+pub(crate) mod atom;
 pub(crate) mod binding;
 mod cursor;
 mod evaluation_bar;

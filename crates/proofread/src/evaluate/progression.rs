@@ -33,7 +33,8 @@ pub(crate) fn of_progression(tokens: &[Token]) -> Option<SideValue> {
     let step = second - first;
     let is_steady = printed.windows(2).all(|of| of[1] - of[0] == step);
     let count = (last - first) / step + 1.0;
-    let is_whole = count.fract() == 0.0 && count > printed.len() as f64;
+    // Dots that stand for no term are those of other data: 8 + 5 + … + 2.
+    let is_whole = count.fract() == 0.0 && count > printed.len() as f64 + 1.0;
     if solid.next().is_some() || step == 0.0 || !is_steady || !is_whole || may_be_geometric(&printed, last) {
         return None;
     }
@@ -84,6 +85,7 @@ mod tests {
             "2 + 4 + … + 64",
             "1 + 3 + … + 10",
             "1 + 2 + … + 2",
+            "8 + 5 + … + 2",
             "1 + 1 + … + 1",
             "1 + 2 + … + 10 + 3",
         ] {

@@ -1,11 +1,20 @@
 //! Brackets behind or around a number that make a symbol of it: the distribution π(3), the residue symbol (3/7).
 
 use crate::evaluate::value::SideValue;
+use crate::join::chain::ChainSide;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any};
 
 /// How many times larger than the other side a product of π is, if it is no misprint of it.
 const FAR: f64 = 2.0;
+
+/// Whether a side is one pair of square brackets, and a comma in it was taken for a point: `[8,1 + 1/7]`.
+pub(crate) fn has_comma_as_point(text: &str, side: &ChainSide) -> bool {
+    let source = text.get(side.span.range()).unwrap_or_default().trim_start();
+    let source = source.strip_prefix("\\left").unwrap_or(source);
+    let is_tuple = any(&side.tokens, &|kind| matches!(kind, TokenKind::Operator(',' | ';')));
+    source.starts_with('[') && source.trim_end().ends_with(']') && source.contains(',') && !is_tuple
+}
 
 fn is_integer(token: &Token) -> bool {
     token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))

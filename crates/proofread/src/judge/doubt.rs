@@ -15,10 +15,13 @@ use crate::judge::flattened;
 use crate::judge::money::starts_with_money;
 use crate::judge::notation;
 use crate::judge::number_marks;
+use crate::judge::other_answers;
 use crate::judge::other_arithmetic;
 use crate::judge::point_coordinates;
+use crate::judge::sloppy_equals;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
+use crate::judge::term_notation;
 use crate::judge::two_equations;
 use crate::judge::verdict::PairJudgement;
 use crate::order::{NumberKey, sort_by_place};
@@ -110,7 +113,9 @@ impl PlacedPair<'_> {
         if self.leaves_sign_out(judgement) || self.is_change_to_percent() {
             return Some(Doubt::Fragment);
         }
-        if self.is_coarse_approximation() {
+        if self.is_coarse_approximation()
+            || other_answers::is_linear_approximation(self.text, self.left, self.right, judgement)
+        {
             return Some(Doubt::Approximation);
         }
         if self.lacks_unit_behind(judgement) {
@@ -125,7 +130,10 @@ impl PlacedPair<'_> {
         if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
             return Some(Doubt::Unknown);
         }
-        if judgement.is_ill_conditioned || self.may_have_more_digits(judgement) {
+        if judgement.is_ill_conditioned
+            || self.may_have_more_digits(judgement)
+            || self.may_be_of_rounded_numbers(judgement)
+        {
             return Some(Doubt::Inputs);
         }
         (judgement.verdict == ChainVerdict::Truncated).then_some(Doubt::Truncated)
@@ -171,7 +179,9 @@ impl PlacedPair<'_> {
             let before_it = self.text.get(opening..start).unwrap_or_default();
             let plain = self.formula.style == FormulaStyle::Plain;
             let inside = plain && !before_it.trim().is_empty();
-            let signed = (display || inside) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
+            let styled = before_it.contains("\\displaystyle");
+            let signed =
+                (display || inside || styled) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
             let parted = match self.chain.parted {
                 ChainSeparation::Not => false,
                 ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
@@ -196,6 +206,11 @@ impl PlacedPair<'_> {
                 return true;
             }
         }
+        // A bracket closes behind the left side that none in it opens.
+        let between = self.text.get(self.left.span.end as usize..self.right.span.start as usize).unwrap_or_default();
+        if self.formula.style == FormulaStyle::Plain && between.trim_start().starts_with(')') {
+            return true;
+        }
         let end = self.right.span.end as usize;
         let (behind, far) = (at(Some(end)), at(Some(end + 1)));
         let goes_on = mark(behind) && (far.is_ascii_digit() || b"([{".contains(&far));
@@ -209,7 +224,8 @@ impl PlacedPair<'_> {
 
     /// Whether the sides may be written in a way in which their numbers mean something else.
     fn is_other_notation(&self, judgement: &PairJudgement) -> bool {
-        let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
+        let sides = [self.left, self.right];
+        let [left, right] = sides.map(|side| side.tokens.as_slice());
         let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
         let plain = self.formula.style == FormulaStyle::Plain;
         let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
@@ -243,6 +259,12 @@ impl PlacedPair<'_> {
             || self.is_one_of_two()
             || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
             || (plain && notation::is_range(self.text, left))
+            || (plain && !self.begins_chain() && two_equations::ends_with_name(self.text, left))
+            || term_notation::begins_with_unit(left)
+            || (bare && sides.into_iter().all(|side| bracket_symbols::has_comma_as_point(self.text, side)))
+            || sloppy_equals::leads_to_logarithm(left, right)
+            || sloppy_equals::leads_to_angle(self.chain, self.left, judgement)
+            || other_answers::is_one_of_choices(self.text, self.left, self.right)
             || (plain && self.begins_chain() && self.is_station())
             || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))
             || (bare

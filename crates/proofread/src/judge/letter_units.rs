@@ -64,8 +64,23 @@ fn with_units(tokens: &[Token], found: &mut Vec<String>) -> Vec<Token> {
     out
 }
 
-/// A chain with the letters behind its numbers as units, if it makes sense with them and has letters there.
-pub(crate) fn units_in_letters(chain: &Chain) -> Option<Chain> {
+/// Whether a letter stands in these tokens with no number before it: `T/100`, `T ≈ 3`.
+fn stands_alone(tokens: &[Token], letter: &str) -> bool {
+    let mut solid = tokens.iter().filter(|token| !token.is_space());
+    let mut before: Option<&Token> = None;
+    solid.any(|token| {
+        let counted =
+            before.replace(token).is_some_and(|of| !matches!(of.kind, TokenKind::Operator(_)) || of.is_sign(')'));
+        let is_letter = matches!(&token.kind, TokenKind::Name(name) if name == letter);
+        // With an exponent, it is still behind its number.
+        let is_raised = counted && matches!(token.kind, TokenKind::Scripts(..));
+        (is_letter && !counted) || (!is_raised && token.inner().any(|inner| stands_alone(inner, letter)))
+    })
+}
+
+/// A chain with the letters behind its numbers as units, if it makes sense with them and has letters there. A letter that stands for a
+/// quantity elsewhere in the formula is none.
+pub(crate) fn units_in_letters(chain: &Chain, formula: &[Token]) -> Option<Chain> {
     let is_letter = |kind: &TokenKind| matches!(kind, TokenKind::Name(name) if name.len() == 1 && name != "e");
     let last = chain.sides.last()?;
     if !has_number(&last.tokens) || !any(&last.tokens, &is_letter) {
@@ -110,7 +125,8 @@ pub(crate) fn units_in_letters(chain: &Chain) -> Option<Chain> {
     let names: Vec<&str> = { sides.iter().flat_map(|side| &side.tokens) }
         .filter_map(|token| if let TokenKind::Name(name) = &token.kind { Some(name.as_str()) } else { None })
         .collect();
-    if names.iter().any(|name| found.iter().any(|unit| unit == name)) || numeric != values.len() {
+    let is_quantity = found.iter().any(|unit| names.contains(&&**unit) || stands_alone(formula, unit));
+    if is_quantity || numeric != values.len() {
         return None;
     }
     let is_shared = counted.iter().filter(|has| **has).count() > 1 || found.iter().any(|unit| unit.len() > 1);

@@ -4,11 +4,16 @@ use crate::evaluate::step_rounding::significant_digits;
 use crate::evaluate::value::SideValue;
 use crate::token::{Token, TokenKind, any};
 
+/// How many significant digits are printed.
+pub(super) fn significant(digits: &str) -> usize {
+    digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count()
+}
+
 /// The most significant digits of a decimal number anywhere in these tokens.
 pub(super) fn most_digits(tokens: &[Token]) -> usize {
     let own = |token: &Token| {
         let digits = token.number().filter(|digits| digits.contains('.'));
-        digits.map_or(0, |digits| digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count())
+        digits.map_or(0, significant)
     };
     let inner = |token: &Token| token.inner().map(most_digits).max().unwrap_or(0);
     tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)

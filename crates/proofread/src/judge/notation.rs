@@ -2,6 +2,7 @@
 //! them, and what shows that they may be.
 
 use crate::decimal::{fixed, parse_decimal};
+use crate::evaluate::atom::large_number;
 use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::binary_numbers;
@@ -12,6 +13,7 @@ use crate::judge::permutation::as_permutations;
 use crate::judge::point_coordinates::as_cartesian;
 use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
+use crate::judge::term_notation::{sum_in_degrees, with_braced_sign};
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{NamedOperation, Token, TokenKind, any};
@@ -56,6 +58,8 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&|side| with_raised_points(text, side));
     each(&with_fractional_parts);
     each(&without_dots);
+    each(&|side| with_braced_sign(text, side));
+    each(&sum_in_degrees);
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);
@@ -218,10 +222,13 @@ fn without_note(side: &[Token]) -> Option<Vec<Token>> {
 
 /// A side without the word for a large number behind its last number, in which the other side may count: `0.6 · 200 = 120 million`.
 fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
-    let is_behind = |token: &Token| token.is_space() || token.word().is_some_and(|word| currency(word).is_some());
+    let is_large = |word: &str| large_number(word).is_some();
+    // The sign of a currency, or a word that is no unit.
+    let is_other = |word: &str| currency(word).is_some() || (unit(word).is_none() && !is_large(word));
+    let is_behind = |token: &Token| token.is_space() || token.word().is_some_and(is_other);
     let end = side.iter().rposition(|token| !is_behind(token))?;
     let (last, rest) = side[..=end].split_last()?;
-    let counts = last.word().is_some_and(|word| ["thousand", "million", "billion", "trillion"].contains(&word));
+    let counts = last.word().is_some_and(is_large);
     (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
 }
 

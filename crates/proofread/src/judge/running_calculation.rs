@@ -8,11 +8,15 @@ use crate::judge::verdict::PairJudgement;
 /// Whether the right side of a pair begins with the result of the left one, goes on from it, and has a side behind it.
 pub(crate) fn runs_on(chain: &Chain, right: &ChainSide, judgement: &PairJudgement) -> bool {
     let Some((left, value)) = &judgement.values else { return false };
+    let at = chain.sides.iter().position(|side| std::ptr::eq(side, right));
+    let of_left = at.and_then(|at| at.checked_sub(1)).map_or(&[][..], |at| &chain.sides[at].tokens);
     let is_last = chain.sides.last().is_some_and(|last| std::ptr::eq(last, right));
     let mut tokens = right.tokens.iter().filter(|token| !token.is_space());
     let first =
         tokens.next().and_then(|token| token.number()).and_then(|digits| parse_decimal(&digits.replace(',', "")));
-    let goes_on = tokens.next().is_some_and(|sign| sign.is_one_of("+-"));
+    // A mean divides the sum that it has just printed: 2 + 4 + 6 = 12 / 3 = 4.
+    let adds = of_left.iter().any(|token| token.is_sign('+'));
+    let goes_on = tokens.next().is_some_and(|sign| sign.is_one_of("+-") || (adds && sign.is_sign('/')));
     let is_bare = |of: &SideValue| !of.has_unit && of.angle.is_none();
     let result = left.number().ok().map(|of| of.point);
     let is_result =

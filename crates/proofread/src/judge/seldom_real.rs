@@ -5,6 +5,7 @@ use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::Mode;
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::doubt::PlacedPair;
+use crate::judge::lost_digits::significant;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
 use crate::judge::verdict::PairJudgement;
@@ -43,7 +44,24 @@ impl PlacedPair<'_> {
                 letters.len() == 2 && matches!(letters[0].kind, TokenKind::Name(_)) && is_square(&letters)
             });
         let called = |words: &[&str]| surroundings::speaks_before(self.text, self.left.span, words);
-        is_squared || (is_difference && called(&["difference", "distance", "apart"])) || called(&["elasticity"])
+        // By how much something falls, and the size of an effect or of a statistic of two sides.
+        const SIZES: [&str; 10] = [
+            "elasticity",
+            "differs ",
+            "differ by",
+            "decreases by",
+            "decreased by",
+            "drops by",
+            "falls by",
+            "effect size",
+            "cohen",
+            "two-sided",
+        ];
+        let example = || surroundings::text_before(self.text, self.left.span).to_ascii_lowercase();
+        is_squared
+            || (is_difference && called(&["difference", "distance", "apart"]))
+            || called(&SIZES)
+            || example().contains("elasticit")
     }
 
     /// Whether a factor of a hundred only changes a number to per cent: `.8 = .8 · 100 = 80%`.
@@ -108,7 +126,6 @@ impl PlacedPair<'_> {
             return false;
         }
         let digits = self.right.tokens.iter().find_map(Token::number).unwrap_or_default();
-        let significant = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
         // Whole numbers are as they are.
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         // In a sum, the digits of the terms decide.
@@ -122,7 +139,7 @@ impl PlacedPair<'_> {
         let strict =
             |side: &ChainSide| Evaluator::new(Mode::Strict, judgement.reading, None).evaluate_side(&side.tokens).ok();
         digits.contains('.')
-            && (significant >= MANY_DIGITS || self.is_of_estimates())
+            && (significant(digits) >= MANY_DIGITS || self.is_of_estimates())
             && any(&self.left.tokens, &is_decimal)
             && any(&self.left.tokens, &is_product)
             && !any(&self.left.tokens, &is_long)

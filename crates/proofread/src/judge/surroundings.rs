@@ -2,6 +2,7 @@
 
 use crate::decimal::parse_decimal;
 use crate::effort;
+use crate::evaluate::atom::large_number;
 use crate::join::chain::ChainSide;
 use crate::join::token_joining::join_tokens;
 use crate::reader::{is_noun, tokenise_text, unit_sign};
@@ -118,7 +119,7 @@ pub(crate) fn follows_function(text: &str, formula: Span) -> bool {
 }
 
 /// Whether what stands close before a side shows that it was torn off: a letter before brackets or decimals without a digit before their
-/// point, or a command of TeX.
+/// point, a command of TeX, or a sign of a product.
 pub(crate) fn is_torn_off(text: &str, side: &ChainSide) -> bool {
     let before = text.get(..side.span.start as usize).unwrap_or_default();
     let Some(first) = side.tokens.first() else { return false };
@@ -127,7 +128,9 @@ pub(crate) fn is_torn_off(text: &str, side: &ChainSide) -> bool {
     let is_bare = first.number().is_some_and(|digits| digits.starts_with('.'));
     let word = before.trim_end().trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let is_command = word.ends_with('\\') && word.len() < before.trim_end().len();
-    (behind_letter && (is_bracket || is_bare)) || is_command
+    // The sign of a product that is a formula of its own: 1/56 $*$ (93 − 87).
+    let is_factor = ["$*$", "$\\times$", "$\\cdot$", "$\\ast$"].iter().any(|sign| before.trim_end().ends_with(sign));
+    (behind_letter && (is_bracket || is_bare)) || is_command || is_factor
 }
 
 /// Whether the minus sign of a side is the shaft of an arrow, `<-`.
@@ -318,8 +321,12 @@ pub(crate) fn may_be_unit_behind(text: &str, span: Span) -> bool {
 
 /// The unit in running text directly behind a formula, as tokens; none if there is none.
 pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
-    let rest = text_behind(text, span);
-    let rest = spell_unit_signs(skip_space(rest));
+    let mut rest = skip_space(text_behind(text, span));
+    // Tags that close around the formula.
+    while let Some((_, behind)) = rest.strip_prefix("</").and_then(|tag| tag.split_once('>')) {
+        rest = skip_space(behind);
+    }
+    let rest = spell_unit_signs(rest);
     let end = rest.find(|c: char| c.is_whitespace() || ",;:<$\\".contains(c)).unwrap_or(rest.len());
     let word = rest[..end].trim_end_matches(['.', ')', '!', '?', '"', '*', '_']);
     let mut tokens = join_tokens(&tokenise_text(word, span.end as usize));
@@ -331,7 +338,7 @@ pub(crate) fn unit_behind(text: &str, span: Span) -> Vec<Token> {
         }
     }
     let is_unit = |token: &Token| match &token.kind {
-        TokenKind::Word(word) => unit(word).is_some() || ["thousand", "million", "billion"].contains(&word.as_str()),
+        TokenKind::Word(word) => unit(word).is_some() || large_number(word).is_some(),
         TokenKind::Power(_) | TokenKind::Operator('/' | '·') => true,
         _ => false,
     };
@@ -444,12 +451,15 @@ pub(crate) fn goes_on_in_thousands(text: &str, span: Span) -> bool {
     (1..=3).contains(&number.len()) && digits(number) == number.len() && next.is_some_and(|next| digits(next) == 3)
 }
 
-/// Whether an arrow behind a place leads to another number, as in a range: `0.5 --> 1.49`.
+/// Whether an arrow behind a place leads to another number, as in a range or a rounder one: `0.5 --> 1.49`.
 pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
     let rest = text_behind(text, span).trim_start();
     let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
     let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
-    next.is_some_and(|next| next.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+    next.is_some_and(|next| {
+        let next = next.trim_start();
+        next.strip_prefix("about ").unwrap_or(next).starts_with(|c: char| c.is_ascii_digit())
+    })
 }
 
 /// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the

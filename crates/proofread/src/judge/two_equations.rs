@@ -27,6 +27,16 @@ fn parts(side: &[Token]) -> Option<(&[Token], &[Token])> {
     None
 }
 
+/// Whether a printed quantity is followed by the name of the next one, both in words that were taken for one unit: `r = 0.3 m F = 2500 N`.
+pub(crate) fn ends_with_name(text: &str, side: &[Token]) -> bool {
+    let [number, .., last] = side else { return false };
+    let units = side.iter().filter(|token| token.word().is_some()).count();
+    let is_letter = last.word().is_some_and(|word| word.chars().count() == 1 && word.chars().all(char::is_alphabetic));
+    let apart = text.get(..last.span.start as usize).is_some_and(|before| before.ends_with([' ', '\t']));
+    let is_quantity = side.iter().all(|token| token.is_space() || token.number().is_some() || token.word().is_some());
+    number.number().is_some() && is_letter && apart && units > 1 && is_quantity
+}
+
 /// The least width of a space, in tenths of an em, that may part two equations.
 const GAP: u8 = 4;
 

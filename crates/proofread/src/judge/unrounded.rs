@@ -7,6 +7,7 @@ use crate::evaluate::printed::{Mode, PrintedNumber};
 use crate::evaluate::value::SideValue;
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::lost_digits::significant;
 use crate::judge::verdict::judge;
 use crate::token::{Span, Token, TokenKind};
 
@@ -130,13 +131,14 @@ impl EarlierResults {
     }
 }
 
-/// The number that a side is, with whatever unit, if it has two digits or more.
+/// The number that a side is, with whatever unit, if it has two digits or more, or is a small decimal.
 fn alone(side: &[Token]) -> Option<Numeral> {
     let at = side.iter().position(|token| token.number().is_some())?;
     let (number, next) = numeral_at(side, at)?;
     let others = side[next..].iter().any(|token| token.number().is_some() || matches!(token.kind, TokenKind::Root(..)));
-    let significant = number.digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
-    (!others && significant >= 2).then_some(number)
+    // One digit behind two places may be rounded, too: 1.39/15 = 0.09.
+    let is_open = significant(&number.digits) >= 2 || number.digits.starts_with("0.0");
+    (!others && is_open).then_some(number)
 }
 
 /// All digits of a constant of nature, if a number is one that was rounded.

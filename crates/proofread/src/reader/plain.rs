@@ -326,6 +326,12 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
         match token.kind.clone() {
             TokenKind::Operator('^') => {
                 let mut exponent = Vec::new();
+                // With blanks around it, the sign is that of a program, but for a power of ten: 10 ^ -24.
+                let solid = out.iter().rposition(|token| !token.is_space());
+                if let Some(ten) = solid.filter(|at| out[*at].number() == Some("10")) {
+                    out.truncate(ten + 1);
+                    while rest.next_if(Token::is_space).is_some() {}
+                }
                 let signed = next_is(&|next| next.is_one_of("+-"), &mut rest);
                 exponent.extend(rest.next_if(|_| signed));
                 if let Some(open) = rest.next_if(|next| next.is_one_of("({")) {

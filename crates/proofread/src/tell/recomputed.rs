@@ -1,6 +1,7 @@
 //! What is computed, in the form of what is printed: with as many digits, in its unit, as a fraction or as a power of ten.
 
 use crate::decimal::{fixed, parse_decimal, scientific};
+use crate::evaluate::atom::large_number;
 use crate::evaluate::exponent::{plain_exponent, small_integer};
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::{Mode, power_of_ten};
@@ -308,9 +309,7 @@ impl<'t> PrintedNumeral<'t> {
         let new = |value: f64, power: Option<f64>, end: usize| {
             let behind = &tokens[end.min(tokens.len())..];
             let word = behind.iter().position(|token| !token.is_space()).map(|at| &behind[at]);
-            let is_large = |token: &&Token| {
-                token.word().is_some_and(|word| matches!(word, "thousand" | "million" | "billion" | "trillion"))
-            };
+            let is_large = |token: &&Token| token.word().and_then(large_number).is_some();
             let power = power.map(|power| power as i32);
             Self { before, is_negative, text, value, power, word: word.filter(is_large), behind }
         };
@@ -388,12 +387,7 @@ impl<'t> PrintedNumeral<'t> {
         let is_word = |token: &Token| self.word.is_some_and(|word| std::ptr::eq(word, token));
         let (mantissa, behind) = match self.word.and_then(Token::word).filter(|_| plain) {
             Some(word) => {
-                let power = match word {
-                    "thousand" => 3.0,
-                    "million" => 6.0,
-                    "billion" => 9.0,
-                    _ => 12.0,
-                };
+                let power = large_number(word).unwrap_or_default();
                 let rest = self.behind.iter().position(is_word).map_or(&[][..], |at| &self.behind[at + 1..]);
                 (mantissa * power_of_ten(power), rest)
             }

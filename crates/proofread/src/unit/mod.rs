@@ -185,7 +185,7 @@ const WHOLE: &[UnitRow] = &[
     (CURRENCIES[3], 1.0, PLAIN),
     ("cents", 0.01, PLAIN),
     ("atm", 101_325.0, PRESSURE),
-    ("Torr torr mmHg", 133.322, PRESSURE),
+    ("Torr torr mmHg", 101_325.0 / 760.0, PRESSURE),
     ("cmHg", 1333.22, PRESSURE),
     ("inHg", 3386.39, PRESSURE),
     ("cmwater", 98.0665, PRESSURE),
