@@ -225,26 +225,22 @@ fn text_around(text: &str, span: Span) -> [&str; 2] {
 /// What is said of a chain of which it stays open whether two sides agree.
 const MAY_AGREE: &str = "sides that may agree in another reading";
 
-/// The crosses among the signs of `\ding`.
-const CROSSES: [&str; 4] = ["53", "54", "55", "56"];
+/// The last place in a formula where its source has a cross behind a row.
+fn place_of_cross(text: &str, span: Span) -> Option<u32> {
+    const CROSSES: [&str; 7] = ["\\ding{53}", "\\ding{54}", "\\ding{55}", "\\ding{56}", "\\xmark", "✗", "✘"];
+    let source = text.get(span.range()).unwrap_or_default();
+    CROSSES.iter().filter_map(|cross| source.rfind(cross)).max().map(|at| span.start + at as u32)
+}
 
 /// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
 fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     let says = |token: &Token| match &token.kind {
-        TokenKind::Operator(c) => "≠✗✘".contains(*c),
+        TokenKind::Operator(c) => *c == '≠',
         TokenKind::Word(word) => matches!(word.as_str(), "false" | "False" | "untrue" | "extraneous" | "Contradiction"),
         _ => false,
     };
     let inner = |token: &Token| token.inner().filter_map(place_of_denial).max();
-    // A cross of the font of symbols: \ding{55}.
-    let is_cross = |of: &[Token]| {
-        let number = of[1].inner().next().unwrap_or(&of[1..]).first().and_then(Token::number);
-        matches!(&of[0].kind, TokenKind::Unknown(name) if name == "ding")
-            && number.is_some_and(|of| CROSSES.contains(&of))
-    };
-    let cross = tokens.windows(2).rfind(|of| is_cross(of)).map(|of| of[0].span.start);
-    let said = tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max();
-    said.max(cross)
+    tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max()
 }
 
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
@@ -303,7 +299,7 @@ impl DocumentCheck<'_> {
             compared && chain.sides.iter().any(|side| has_number(&side.tokens))
         };
         let last = chains.len().saturating_sub(1);
-        let false_from = place_of_denial(&formula.tokens);
+        let false_from = place_of_denial(&formula.tokens).max(place_of_cross(self.text, formula.span));
         for (at, chain) in chains.iter().enumerate() {
             let with_units = units_in_letters(chain, &formula.tokens).or_else(|| without_counted_nouns(chain));
             let chain = with_units.as_ref().unwrap_or(chain);

@@ -16,6 +16,11 @@ pub(crate) fn has_comma_as_point(text: &str, side: &ChainSide) -> bool {
     source.starts_with('[') && source.trim_end().ends_with(']') && source.contains(',') && !is_tuple
 }
 
+/// Whether a side is a number behind which a bracket closes that none in it opens: `P(X > 0.4) = 0.95` with the bracket torn apart.
+pub(crate) fn closes_unopened(side: &[Token]) -> bool {
+    matches!(without_space(side).as_slice(), [number, close] if number.number().is_some() && close.is_sign(')'))
+}
+
 fn is_integer(token: &Token) -> bool {
     token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))
 }

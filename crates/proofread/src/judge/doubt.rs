@@ -18,7 +18,6 @@ use crate::judge::number_marks;
 use crate::judge::other_answers;
 use crate::judge::other_arithmetic;
 use crate::judge::point_coordinates;
-use crate::judge::sloppy_equals;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::term_notation;
@@ -206,9 +205,8 @@ impl PlacedPair<'_> {
                 return true;
             }
         }
-        // A bracket closes behind the left side that none in it opens.
-        let between = self.text.get(self.left.span.end as usize..self.right.span.start as usize).unwrap_or_default();
-        if self.formula.style == FormulaStyle::Plain && between.trim_start().starts_with(')') {
+        // A bracket closes in the left side that none in it opens.
+        if self.begins_chain() && bracket_symbols::closes_unopened(&self.left.tokens) {
             return true;
         }
         let end = self.right.span.end as usize;
@@ -262,8 +260,7 @@ impl PlacedPair<'_> {
             || (plain && !self.begins_chain() && two_equations::ends_with_name(self.text, left))
             || term_notation::begins_with_unit(left)
             || (bare && sides.into_iter().all(|side| bracket_symbols::has_comma_as_point(self.text, side)))
-            || sloppy_equals::leads_to_logarithm(left, right)
-            || sloppy_equals::leads_to_angle(self.chain, self.left, judgement)
+            || other_answers::leads_to_logarithm(left, right)
             || other_answers::is_one_of_choices(self.text, self.left, self.right)
             || (plain && self.begins_chain() && self.is_station())
             || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))

@@ -26,7 +26,6 @@ pub(crate) mod running_calculation;
 pub(crate) mod section;
 mod seldom_real;
 mod sides;
-mod sloppy_equals;
 mod substitution;
 pub(crate) mod surroundings;
 mod term_notation;

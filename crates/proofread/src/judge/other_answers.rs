@@ -1,9 +1,11 @@
-//! Several values for one expression, of which a reader chooses, and approximations of another kind than by digits.
+//! Values that are not meant as the value of what stands before them: those among which a reader chooses, approximations of another kind than by
+//! digits, and the logarithm of a number.
 
 use crate::join::chain::{ChainSide, Relation};
+use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{speaks_around, text_before};
 use crate::judge::verdict::PairJudgement;
-use crate::token::{TokenKind, any};
+use crate::token::{MathFunction, Token, TokenKind, any};
 
 /// How far around a formula the same expression is looked for, in bytes.
 const AROUND: usize = 500;
@@ -63,4 +65,19 @@ pub(super) fn is_linear_approximation(
             let before = text_before(text, left.span).to_ascii_lowercase();
             WORDS.iter().any(|word| before.contains(word))
         })
+}
+
+/// Whether the right side is the logarithm of the left one, as it is printed there, behind a sloppy sign: `0.21 = ln(0.21) = −1.56`.
+pub(super) fn leads_to_logarithm(left: &[Token], right: &[Token]) -> bool {
+    let (left, right) = (without_space(left), without_space(right));
+    let [number] = left.as_slice() else { return false };
+    let is_logarithm = |token: &Token| {
+        matches!(token.kind, TokenKind::Function(MathFunction::Ln | MathFunction::Log | MathFunction::Lg))
+    };
+    let inside = match right.as_slice() {
+        [function, open, inside, close] if is_logarithm(function) && open.is_sign('(') && close.is_sign(')') => inside,
+        [function, inside] if is_logarithm(function) => inside,
+        _ => return false,
+    };
+    number.number().is_some() && number.number() == inside.number()
 }

@@ -65,6 +65,8 @@ impl PlacedPair<'_> {
         if is_plain_sum(result.computed) {
             let most = decimals.iter().map(|of| places(of)).max().unwrap_or(0);
             let of_shares = most >= COMPUTED
+                && !left.has_unit
+                && !right.has_unit
                 && places(&result.printed) == most
                 && decimals.iter().filter(|of| places(of) >= COMPUTED).count() > 1
                 && result.units < 1.001;
