@@ -119,6 +119,7 @@ fn a_letter_of_the_formula_is_no_unit() {
     };
     unlisted(Latex, &[&text("T")]);
     listed(Latex, &[&text("")]);
+    listed(Latex, &[r"$V_{out} = \frac{4 \cdot 1.5}{8} = 0.85V$"]);
 }
 
 #[test]

@@ -206,7 +206,7 @@ impl PlacedPair<'_> {
             }
         }
         // A bracket closes in the left side that none in it opens.
-        if self.begins_chain() && bracket_symbols::closes_unopened(&self.left.tokens) {
+        if bracket_symbols::closes_unopened(&self.left.tokens) {
             return true;
         }
         let end = self.right.span.end as usize;

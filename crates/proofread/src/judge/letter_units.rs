@@ -72,9 +72,9 @@ fn stands_alone(tokens: &[Token], letter: &str) -> bool {
         let counted =
             before.replace(token).is_some_and(|of| !matches!(of.kind, TokenKind::Operator(_)) || of.is_sign(')'));
         let is_letter = matches!(&token.kind, TokenKind::Name(name) if name == letter);
-        // With an exponent, it is still behind its number.
-        let is_raised = counted && matches!(token.kind, TokenKind::Scripts(..));
-        (is_letter && !counted) || (!is_raised && token.inner().any(|inner| stands_alone(inner, letter)))
+        // With an exponent, it is still behind its number, and with an index it is another one.
+        let is_other = matches!(&token.kind, TokenKind::Scripts(_, index, _) if counted || !index.is_empty());
+        (is_letter && !counted) || (!is_other && token.inner().any(|inner| stands_alone(inner, letter)))
     })
 }
 
