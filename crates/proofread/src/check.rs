@@ -153,7 +153,6 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         weighed: WeighedFindings::default(),
         open_pairs: 0,
         budget: options.hint_effort,
-        is_plain_text: format == TextFormat::Plain,
         #[cfg(feature = "cli")]
         unchecked_before: None,
         #[cfg(feature = "cli")]
@@ -228,7 +227,7 @@ const MAY_AGREE: &str = "sides that may agree in another reading";
 /// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
 fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     let says = |token: &Token| match &token.kind {
-        TokenKind::Operator(c) => *c == '≠',
+        TokenKind::Operator(c) => "≠✗✘".contains(*c),
         TokenKind::Word(word) => matches!(word.as_str(), "false" | "False" | "untrue" | "extraneous" | "Contradiction"),
         _ => false,
     };
@@ -268,8 +267,6 @@ struct DocumentCheck<'t> {
     open_pairs: usize,
     /// What the search for hints may still cost.
     budget: usize,
-    /// Whether the text is one of plain lines.
-    is_plain_text: bool,
     /// How many chains that were not checked are in the formulas, before those of running text.
     #[cfg(feature = "cli")]
     unchecked_before: Option<usize>,
@@ -437,7 +434,6 @@ impl DocumentCheck<'_> {
                 results: &self.results,
                 is_free: free,
                 ends_formula: ends,
-                is_plain_text: self.is_plain_text,
                 judgement,
             };
             pair.explain()

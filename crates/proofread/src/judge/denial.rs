@@ -18,7 +18,18 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if asked && question {
         return true;
     }
+    // Data of an exercise that say so: [4, false, "2 + 4 = 8"].
+    if before.trim_end_matches(|c: char| c.is_whitespace() || "$({[\\\"'".contains(c)).ends_with("false,") {
+        return true;
+    }
+    // Its denial stands beside it.
+    if is_denied_near([&before, &after], text.get(span.range()).unwrap_or_default()) {
+        return true;
+    }
     // One of the answers to choose from.
+    if is_choice_of_list(text_before(text, span)) {
+        return true;
+    }
     if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
         return true;
     }
@@ -39,7 +50,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // An exercise that has the reader put in brackets, or say which of several statements hold.
-    const EXERCISES: [&str; 7] = [
+    const EXERCISES: [&str; 11] = [
+        "true or false",
+        "whether the following statements",
+        "whether each statement",
+        "whether each of the following",
         "to make the following statements true",
         "to make the statement true",
         "to make each statement true",
@@ -89,6 +104,14 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
+    let behind = text.get(span.end as usize..).unwrap_or_default();
+    let behind = behind[..behind.floor_char_boundary(STATEMENT)].to_ascii_lowercase();
+    if ["the statement is false", "the equation is false", "the proposition is false"]
+        .iter()
+        .any(|of| behind.contains(of))
+    {
+        return true;
+    }
     const DENIALS: [&str; 12] = [
         "no longer true",
         "no longer holds",
@@ -104,6 +127,30 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is inconsistent",
     ];
     DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&rest, text.get(span.range()).unwrap_or_default())
+}
+
+/// How far behind a formula a text may say that the statement is false, in bytes.
+const STATEMENT: usize = 300;
+
+/// Whether the text near an equation has it with a sign that denies it: `8 − 5 = 2` beside `8 − 5 ≠ 2`.
+fn is_denied_near(near: [&str; 2], formula: &str) -> bool {
+    let solid = |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace() && !"{}$".contains(*c)).collect() };
+    let formula = solid(formula);
+    let Some((left, right)) = formula.split_once('=').filter(|(left, right)| !left.is_empty() && !right.is_empty())
+    else {
+        return false;
+    };
+    let signs = ["\\neq", "\\ne", "≠", "\\not="].map(|sign| format!("{left}{sign}{right}"));
+    near.into_iter().map(solid).any(|text| signs.iter().any(|denial| text.contains(denial)))
+}
+
+/// Whether a place is in a list with capital letters for its items that is part of a statement in PreTeXt: answers to choose from.
+fn is_choice_of_list(before: &str) -> bool {
+    let inside =
+        |tag: &str| before.rfind(&format!("<{tag}")).filter(|at| !before[*at..].contains(&format!("</{tag}>")));
+    let Some(list) = inside("ol") else { return false };
+    let tag: String = before[list..].split('>').next().unwrap_or_default().replace(' ', "");
+    ["marker=\"A", "marker=\"(A", "marker='A"].iter().any(|mark| tag.contains(mark)) && inside("statement").is_some()
 }
 
 /// Whether what stands behind a formula says that it is a contradiction itself: not that a number of elements is one, nor what an inequality

@@ -476,6 +476,12 @@ impl Tex<'_> {
             "begin" | "end" => self.environment(&name, span, depth, out),
             "square" | "Box" if !self.ends() => push(out, TokenKind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, TokenKind::Space(2)),
+            // Two crosses of the package pifont; its other signs are unknown.
+            "ding" => {
+                let number: String = self.raw_group().iter().map(|sign| sign.c).collect();
+                let is_cross = matches!(number.trim(), "55" | "56");
+                push(out, if is_cross { TokenKind::Operator('✗') } else { TokenKind::Unknown("\\ding".to_owned()) });
+            }
             "pmod" => push(out, TokenKind::Unknown(name)),
             "bmod" | "mod" => push(out, TokenKind::Word("mod".to_owned())),
             "binom" | "dbinom" | "tbinom" => {
