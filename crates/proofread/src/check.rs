@@ -153,6 +153,7 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
         weighed: WeighedFindings::default(),
         open_pairs: 0,
         budget: options.hint_effort,
+        is_plain_text: format == TextFormat::Plain,
         #[cfg(feature = "cli")]
         unchecked_before: None,
         #[cfg(feature = "cli")]
@@ -267,6 +268,8 @@ struct DocumentCheck<'t> {
     open_pairs: usize,
     /// What the search for hints may still cost.
     budget: usize,
+    /// Whether the text is one of plain lines.
+    is_plain_text: bool,
     /// How many chains that were not checked are in the formulas, before those of running text.
     #[cfg(feature = "cli")]
     unchecked_before: Option<usize>,
@@ -404,8 +407,7 @@ impl DocumentCheck<'_> {
         let are_matrices = !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right);
         let entries = columns.as_ref().map(|[left, right]| [left, right]).or(are_matrices.then_some([left, right]));
         if let Some(sides) = entries {
-            self.compare_matrices(chain, formula, sides, relation);
-            return None;
+            return self.compare_matrices(chain, formula, sides, relation);
         }
         if has_several_currencies([left, right]) {
             return Some(Obstacle::Unclear("several currencies"));
@@ -434,6 +436,7 @@ impl DocumentCheck<'_> {
                 results: &self.results,
                 is_free: free,
                 ends_formula: ends,
+                is_plain_text: self.is_plain_text,
                 judgement,
             };
             pair.explain()
@@ -447,18 +450,18 @@ impl DocumentCheck<'_> {
         obstacle
     }
 
-    /// Compares each entry of a matrix with that of another one.
+    /// Compares each entry of a matrix with that of another one; what keeps them from being compared, if anything does.
     fn compare_matrices(
         &mut self,
         chain: &Chain,
         formula: &Formula,
         [left, right]: [&ChainSide; 2],
         relation: Relation,
-    ) {
+    ) -> Option<Obstacle> {
         if let (Some(one), Some(other)) = (matrix_sides::only_matrix(left), matrix_sides::only_matrix(right))
             && permutation::are_same_in_rows(one, other)
         {
-            return;
+            return None;
         }
         let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
         let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
@@ -488,9 +491,14 @@ impl DocumentCheck<'_> {
                 entries = by_entry;
             }
         }
+        // An equals sign between augmented matrices may stand for row operations.
+        if [left, right].into_iter().all(matrix_sides::is_augmented) && !entries.iter().all(|(_, of)| agrees(of)) {
+            return Some(Obstacle::Unclear("augmented matrices that differ"));
+        }
         for ([left, right], judgement) in entries {
             self.record(formula, chain, [&left, &right], judgement, relation);
         }
+        None
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.

@@ -14,8 +14,6 @@ pub(crate) struct StepRounding {
     pub cancels: bool,
     /// Whether one of these terms is more than a printed integer, which has no other digits.
     pub cancels_decimals: bool,
-    /// The size of the largest term of a sum, in its own unit.
-    pub largest_term: f64,
     /// The last value that was rounded, without its rounding and with it.
     last: Option<[Interval; 2]>,
 }
@@ -60,7 +58,6 @@ impl StepRounding {
         let cancels = open && sum.point.abs() < SMALL * size;
         let is_integer = |term: &SideValue, of: Interval| term.literal == Literal::Number && of.point.fract() == 0.0;
         self.cancels |= cancels;
-        self.largest_term = self.largest_term.max(size);
         self.cancels_decimals |= cancels && !(is_integer(terms[0], one) && is_integer(terms[1], other));
     }
 }

@@ -13,6 +13,10 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
         return true;
     }
+    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
+    if sentence.trim_end_matches(marks).ends_with("whether") {
+        return true;
+    }
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
     if asked && question {
@@ -34,7 +38,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     let behind = after.split("\n\n").next().unwrap_or_default();
-    if sentence.contains("what if ") || behind.contains("This fallacy") || behind.contains("this fallacy") {
+    if sentence.contains("what if ")
+        || behind.contains("This fallacy")
+        || behind.contains("this fallacy")
+        || behind.contains("extraneous")
+    {
         return true;
     }
     if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
@@ -126,7 +134,8 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is not a solution",
         "is inconsistent",
     ];
-    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&rest, text.get(span.range()).unwrap_or_default())
+    let formula = text.get(span.range()).unwrap_or_default();
+    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), formula)
 }
 
 /// How far behind a formula a text may say that the statement is false, in bytes.
@@ -153,12 +162,13 @@ fn is_choice_of_list(before: &str) -> bool {
     ["marker=\"A", "marker=\"(A", "marker='A"].iter().any(|mark| tag.contains(mark)) && inside("statement").is_some()
 }
 
-/// Whether what stands behind a formula says that it is a contradiction itself: not that a number of elements is one, nor what an inequality
-/// in the formula says.
+/// Whether what stands behind a formula says that it is a contradiction, absurd or impossible itself: not that a number of elements is, nor
+/// what an inequality in the formula says.
 fn contradicts(rest: &str, formula: &str) -> bool {
     const LINKS: &str = " a an the is are this that which gives giving yields leads leading to us we have get arrive at so clearly and but \
-        in by again our another obvious therefore hence thus contrary ";
-    let Some(at) = rest.find("contradiction") else { return false };
+        in by again our another obvious clear clearly it which therefore hence thus contrary ";
+    let words = ["contradiction", "absurd", "impossible"];
+    let Some(at) = words.iter().filter_map(|word| rest.find(word)).min() else { return false };
     let mut words = rest[..at].split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
     let compares = ["<", ">", "\\le", "\\ge", "\\lt", "\\gt", "≤", "≥"].iter().any(|sign| formula.contains(sign));
     !compares && words.all(|word| LINKS.split_ascii_whitespace().any(|link| link == word))

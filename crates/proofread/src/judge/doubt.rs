@@ -342,6 +342,15 @@ impl PlacedPair<'_> {
             && bare(right)
             && self.right.relation == Some(Relation::Equal)
             && right.number().is_ok_and(|of| of.point.fract() == 0.0);
+        // What a code stands for: 107 = 7 days.
+        let coded = both
+            && bare(left)
+            && is_integer(left)
+            && right.has_unit
+            && apart
+            && !is_sum
+            && self.begins_chain()
+            && self.formula.style == FormulaStyle::Plain;
         let opposite = both && left.dimension == right.dimension && left.clone().negate().meets(right, ROUGH);
         // So is the deviation in per cent of what was measured.
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
@@ -370,6 +379,7 @@ impl PlacedPair<'_> {
             || costs
             || deviates
             || sets
+            || coded
             || pair
             || (bare(left) && (is_small || (bare(right) && apart && !is_raised)))
     }

@@ -72,6 +72,8 @@ pub(crate) struct DifferingPair<'t> {
     pub is_free: bool,
     /// Whether the right side ends the formula.
     pub ends_formula: bool,
+    /// Whether the text has nothing but plain lines, so that it may come out of a page.
+    pub is_plain_text: bool,
     /// How the sides compare, as far as the explanations have been tried.
     pub judgement: PairJudgement,
 }
@@ -304,7 +306,12 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     }
     if pair.formula.style == FormulaStyle::Plain {
         let before = pair.text.get(..pair.left.span.start as usize).unwrap_or_default();
-        for [left, right] in flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens) {
+        // Elsewhere, one exponent alone may fit by chance.
+        let raised = |[left, right]: &[Vec<Token>; 2]| {
+            left.len() + right.len() > pair.left.tokens.len() + pair.right.tokens.len() + 1
+        };
+        let lost = flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens);
+        for [left, right] in lost.into_iter().filter(|sides| pair.is_plain_text || raised(sides)) {
             let other = pair.judge(&left, &right);
             if other.verdict == ChainVerdict::Consistent {
                 return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
@@ -370,6 +377,7 @@ mod tests {
                         results: &results,
                         is_free: true,
                         ends_formula: which + 1 == chains.len() && at + 1 == chain.sides.len(),
+                        is_plain_text: false,
                         judgement,
                     };
                     let judgement = judge(&left.tokens, &right.tokens, relation, None);

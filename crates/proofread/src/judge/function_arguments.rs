@@ -1,4 +1,5 @@
-//! How far the argument of a function reaches where no brackets are printed: over all factors, or over the braces of TeX.
+//! How far the argument of a function or a root reaches where no brackets are printed: over all factors, over the braces of TeX, or over all
+//! digits.
 
 use crate::token::{Token, TokenKind};
 
@@ -54,4 +55,30 @@ fn group_length(text: &str) -> Option<usize> {
         }
     }
     None
+}
+
+/// A side with all digits under the root whose braces were left out, `\sqrt 10`; none if there is no such root.
+pub(super) fn with_whole_radicand(side: &[Token]) -> Option<Vec<Token>> {
+    let mut out: Vec<Token> = Vec::with_capacity(side.len());
+    let mut found = false;
+    for token in side {
+        let mut copy = token.clone();
+        for list in copy.kind.lists() {
+            if let Some(changed) = with_whole_radicand(list) {
+                (*list, found) = (changed, true);
+            }
+        }
+        if let (Some(digits), Some(last)) = (copy.number(), out.last_mut())
+            && let TokenKind::Root(of, _) = &mut last.kind
+            && let [first] = of.as_mut_slice()
+            && first.span.end == copy.span.start
+            && let TokenKind::Number(radicand) = &mut first.kind
+        {
+            radicand.push_str(digits);
+            found = true;
+        } else {
+            out.push(copy);
+        }
+    }
+    found.then_some(out)
 }

@@ -8,7 +8,7 @@ use crate::judge::binary_numbers;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions::turns_into_degrees;
 use crate::judge::flattened;
-use crate::judge::function_arguments::{under_function, with_braced_arguments};
+use crate::judge::function_arguments::{under_function, with_braced_arguments, with_whole_radicand};
 use crate::judge::number_marks::{integer, touch};
 use crate::judge::permutation::as_permutations;
 use crate::judge::point_coordinates::as_cartesian;
@@ -56,6 +56,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&under_function);
     each(&|side| with_braced_arguments(text, side));
     each(&with_low_points);
+    each(&with_whole_radicand);
     each(&in_degrees_by_factor);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));

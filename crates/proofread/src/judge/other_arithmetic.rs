@@ -187,10 +187,17 @@ pub(crate) fn has_own_operation(text: &str, side: Span) -> bool {
     let before = surroundings::text_before(text, side).replace("\\ast", "*");
     let solid: String = before.chars().filter(|c| !c.is_whitespace()).collect();
     let named = ["$*$", "\\(*\\)", "<m>*</m>", "(*)"].iter().any(|sign| solid.contains(sign));
-    let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphabetic());
-    let defined = solid.match_indices("=").take(surroundings::MOST_CALLS).any(|(at, _)| {
+    // With its letters on the right side, too, unlike a product with numbers put in.
+    let defined = solid.match_indices('=').take(surroundings::MOST_CALLS).any(|(at, _)| {
         let mut signs = solid[..at].chars().rev();
-        is_letter(signs.next()) && signs.next() == Some('*') && is_letter(signs.next()) && !is_letter(signs.next())
+        let [other, sign, one, before] = [signs.next(), signs.next(), signs.next(), signs.next()];
+        let letters = [one, other].map(|letter| letter.filter(char::is_ascii_alphabetic));
+        let [Some(one), Some(other)] = letters else { return false };
+        let behind = solid[at + 1..].split(['$', '=', '<']).next().unwrap_or_default();
+        sign == Some('*')
+            && !before.is_some_and(|before| before.is_ascii_alphabetic() || before == '*')
+            && behind.contains(one)
+            && behind.contains(other)
     });
     named || defined
 }

@@ -1,7 +1,7 @@
 //! Two neighbouring sides compared under every reading that makes a difference.
 
 use crate::evaluate::expression::{Evaluator, NameValues};
-use crate::evaluate::interval::{Interval, RESIDUE, SLACK};
+use crate::evaluate::interval::{Interval, SLACK};
 use crate::evaluate::numeral::with_shared_exact;
 use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
@@ -102,8 +102,6 @@ struct ComparedSides<'t> {
     cancels: bool,
     /// Whether their terms are more than printed integers.
     cancels_decimals: bool,
-    /// The size of the largest term of a sum in either side.
-    largest_term: f64,
     /// Both sides with the numbers exact that both of them print.
     alike: Option<[Vec<Token>; 2]>,
     /// Whether nothing but their agreement is asked for.
@@ -120,7 +118,6 @@ impl<'t> ComparedSides<'t> {
             inverse: false,
             cancels: false,
             cancels_decimals: false,
-            largest_term: 0.0,
             alike: None,
             only_agreement: false,
         }
@@ -221,7 +218,6 @@ impl<'t> ComparedSides<'t> {
         self.inverse |= evaluator.inverse;
         self.cancels |= mode == Mode::Strict && evaluator.steps.cancels;
         self.cancels_decimals |= mode == Mode::Strict && evaluator.steps.cancels_decimals;
-        self.largest_term = self.largest_term.max(evaluator.steps.largest_term);
         used.append(&mut evaluator.used);
         value
     }
@@ -360,7 +356,7 @@ impl<'t> ComparedSides<'t> {
             [true, false] => left.meets(&points[1], 0.0),
             [false, false] => points[0].difference(&points[1]) < SLACK,
         };
-        if agrees || self.is_residue(&points) {
+        if agrees {
             return Ok(fine(ChainVerdict::Consistent));
         }
         if self.only_agreement {
@@ -491,12 +487,6 @@ impl<'t> ComparedSides<'t> {
     /// The most digits of a decimal number that goes into a result, and of the printed one.
     fn digits_of_operands_and_result(&self, literal: [bool; 2]) -> [usize; 2] {
         literal.map(|of| most_digits(self.sides[usize::from(of)]))
-    }
-
-    /// Whether no more than the rounding of floating point is left of the terms of a sum: (49 + 20√6) − 10(5 + 2√6) + 1 = 0.
-    fn is_residue(&self, points: &[SideValue; 2]) -> bool {
-        let most = 8.0 * RESIDUE * self.largest_term;
-        points[0].parts.pairs(&points[1].parts).all(|(one, other)| (one.point - other.point).abs() <= most)
     }
 
     /// Whether bare numbers give a whole one that is small enough to be printed in full, or is printed to its last digit: then the printed
