@@ -315,7 +315,8 @@ impl DocumentCheck<'_> {
             // A row below says that this one is false.
             let is_denied = chain.sides.len() == 2
                 && chain.starts_row
-                && false_from.is_some_and(|place| chain.sides[1].span.end <= place);
+                && false_from.is_some_and(|place| chain.sides[1].span.end <= place)
+                || denial::is_derived_from_false(self.text, &chains, at);
             self.check_chain(chain, formula, from..to, (at == last, is_denied));
         }
     }

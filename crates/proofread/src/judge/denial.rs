@@ -1,7 +1,29 @@
 //! Whether a text says that a formula is false, or asks whether it holds.
 
+use crate::join::chain::{Chain, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::surroundings::{text_around, text_before};
+use crate::judge::verdict::judge;
 use crate::token::Span;
+
+/// Whether the chain at a place follows from one that is false, or one that is false follows from it, and it is false itself: −1 = 1 ⇒ 5 − 6 = 7 − 6.
+pub(crate) fn is_derived_from_false(text: &str, chains: &[Chain], at: usize) -> bool {
+    const ARROWS: [&str; 5] = ["\\Rightarrow", "\\Longrightarrow", "\\implies", "⇒", "⟹"];
+    let follows = |pair: &[Chain]| {
+        let end = pair[0].sides.last().map_or(0, |side| side.span.end as usize);
+        let between = text.get(end..pair[1].sides[0].span.start as usize).unwrap_or_default();
+        ARROWS.iter().any(|arrow| between.contains(arrow))
+    };
+    let is_false = |chain: &Chain| match chain.sides.as_slice() {
+        [left, right] => {
+            right.relation == Some(Relation::Equal)
+                && judge(&left.tokens, &right.tokens, Relation::Equal, None).verdict == ChainVerdict::Inconsistent
+        }
+        _ => false,
+    };
+    let pairs = [at.checked_sub(1), Some(at)].into_iter().flatten().filter_map(|from| chains.get(from..from + 2));
+    { pairs }.any(|pair| follows(pair) && pair.iter().all(is_false))
+}
 
 /// Whether the text asks if the formula holds, or says that it does not.
 pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {

@@ -304,14 +304,9 @@ fn try_other_notation(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
             return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
         }
     }
-    if pair.formula.style == FormulaStyle::Plain {
+    if pair.is_plain_text {
         let before = pair.text.get(..pair.left.span.start as usize).unwrap_or_default();
-        // Elsewhere, one exponent alone may fit by chance.
-        let raised = |[left, right]: &[Vec<Token>; 2]| {
-            left.len() + right.len() > pair.left.tokens.len() + pair.right.tokens.len() + 1
-        };
-        let lost = flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens);
-        for [left, right] in lost.into_iter().filter(|sides| pair.is_plain_text || raised(sides)) {
+        for [left, right] in flattened::with_lost_marks(before, &pair.left.tokens, &pair.right.tokens) {
             let other = pair.judge(&left, &right);
             if other.verdict == ChainVerdict::Consistent {
                 return Some(PairJudgement { verdict: ChainVerdict::Doubtful, ..other });
