@@ -25,6 +25,8 @@ fn plus_minus_and_minus_plus_go_together() {
 fn what_floating_point_leaves_is_zero() {
     unlisted(Latex, &[r"It is $(\sqrt2+\sqrt3)^4 - 10(\sqrt2+\sqrt3)^2+1 = (49+20\sqrt6) - 10(5+2\sqrt6) + 1 = 0$."]);
     listed(Latex, &[r"It is $(\sqrt2+\sqrt3)^4 - 10(\sqrt2+\sqrt3)^2+2 = (49+20\sqrt6) - 10(5+2\sqrt6) + 1 = 0$."]);
+    unlisted(Latex, &["$1 - 1 + e^{-144} = e^{-144}$"]);
+    listed(Latex, &["$1 - 1 + e^{-144} = e^{-142}$"]);
 }
 
 #[test]

@@ -200,7 +200,8 @@ impl<'b> Evaluator<'b> {
             let both = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
             self.steps.note_sum([&sum, &term], &both);
             let sizes = [&sum, &term].map(|of| of.number().map_or(0.0, |of| of.point.abs()));
-            largest = sizes.into_iter().fold(largest, f64::max);
+            // What is exactly zero has no rounding that goes on.
+            largest = if both.is_zero_at_point() { 0.0 } else { sizes.into_iter().fold(largest, f64::max) };
             sum = both;
         }
         sum.parts = sum.parts.map(|part| part.without_residue(largest));

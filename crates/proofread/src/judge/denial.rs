@@ -165,6 +165,9 @@ const STATEMENT: usize = 300;
 
 /// Whether the text near an equation has it with a sign that denies it: `8 − 5 = 2` beside `8 − 5 ≠ 2`.
 fn is_denied_near(near: [&str; 2], formula: &str) -> bool {
+    if !near.iter().any(|text| ["\\ne", "≠", "\\not"].iter().any(|sign| text.contains(sign))) {
+        return false;
+    }
     let solid = |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace() && !"{}$".contains(*c)).collect() };
     let formula = solid(formula);
     let Some((left, right)) = formula.split_once('=').filter(|(left, right)| !left.is_empty() && !right.is_empty())
