@@ -126,7 +126,7 @@ impl PlacedPair<'_> {
         // Each pair looks at the whole formula, which takes too long if both are many.
         let short = self.formula.tokens.len() <= LONGEST;
         let unknown = short && (self.is_in_argument() || self.is_beside_unknown());
-        if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(has_uncertainty) {
+        if unknown || self.is_no_formula() || [self.left, self.right].into_iter().any(number_marks::has_uncertainty) {
             return Some(Doubt::Unknown);
         }
         if judgement.is_ill_conditioned
@@ -201,7 +201,10 @@ impl PlacedPair<'_> {
                     || surroundings::follows_label(self.text, self.left.span));
             let called = surroundings::follows_function(self.text, self.formula.span)
                 || (plain && surroundings::is_torn_off(self.text, self.left));
-            if joined_on || glued || signed || sums_on || parted || by_word || named || called {
+            // A unit that is added to has its number elsewhere, as does an amount behind one in a larger unit: 7 shillings and 85 cents.
+            let lacks_number = matches!(&*without_space(&self.left.tokens), [unit, sign, ..] if unit.word().is_some() && sign.is_one_of("+-"))
+                || literal && surroundings::is_second_amount(self.text, self.left.span);
+            if joined_on || glued || signed || sums_on || parted || by_word || named || called || lacks_number {
                 return true;
             }
         }
@@ -243,6 +246,8 @@ impl PlacedPair<'_> {
             || (point_coordinates::are_proportional(left, right)
                 && surroundings::speaks_of_homogeneous_coordinates(self.text, around))
             || notation::has_phasor(right)
+            || self.is_minor()
+            || other_arithmetic::has_own_operation(self.text, self.left.span)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
@@ -268,7 +273,8 @@ impl PlacedPair<'_> {
                 && surroundings::named_base(self.text, around).is_none()
                 && !computes_remainder(left)
                 && !computes_remainder(right)
-                && other_arithmetic::may_explain(self.text, around, &bare_differences(judgement)))
+                && (other_arithmetic::may_explain(self.text, around, &bare_differences(judgement))
+                    || other_arithmetic::may_be_remainder(self.text, left, judgement.values.as_ref(), self.left.span)))
     }
 
     /// Whether a number of the chain names its base.
@@ -355,6 +361,15 @@ impl PlacedPair<'_> {
             && bare(right)
             && self.right.relation == Some(Relation::Equal)
             && right.number().is_ok_and(|of| of.point.fract() == 0.0);
+        // What a code stands for: 107 = 7 days.
+        let coded = both
+            && bare(left)
+            && is_integer(left)
+            && right.has_unit
+            && apart
+            && !is_sum
+            && self.begins_chain()
+            && self.formula.style == FormulaStyle::Plain;
         let opposite = both && left.dimension == right.dimension && left.clone().negate().meets(right, ROUGH);
         // So is the deviation in per cent of what was measured.
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
@@ -383,6 +398,7 @@ impl PlacedPair<'_> {
             || costs
             || deviates
             || sets
+            || coded
             || pair
             || (bare(left) && (is_small || (bare(right) && apart && !is_raised)))
     }
@@ -477,25 +493,6 @@ fn bare_differences(judgement: &PairJudgement) -> Vec<f64> {
         return vec![right.point * libm::round(1.0 / left.point) - 1.0];
     }
     left.parts.pairs(&right.parts).map(|(one, other)| one.point - other.point).collect()
-}
-
-/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
-/// sign.
-fn has_uncertainty(side: &ChainSide) -> bool {
-    let percent = any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "%"));
-    (percent && has_signed_bracket(&side.tokens))
-        || side.tokens.windows(4).any(|of| {
-            let [decimals, open, digits, close] = of else { return false };
-            let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
-            let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
-            open.is_sign('(') && close.is_sign(')') && fine && digits.len() <= 2 && !digits.contains('.')
-        })
-}
-
-/// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
-fn has_signed_bracket(tokens: &[Token]) -> bool {
-    without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
-        || tokens.iter().any(|token| token.inner().any(has_signed_bracket))
 }
 
 /// Whether the token at a place is one of these, or in braces that are no argument of what is not known.

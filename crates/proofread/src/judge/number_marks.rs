@@ -1,6 +1,8 @@
-//! What is written like numbers and is none: marks of stations, bits.
+//! What is written like numbers and is none, or belongs to one: marks of stations, bits, uncertainties.
 
-use crate::token::Token;
+use crate::join::chain::ChainSide;
+use crate::judge::substitution::without_space;
+use crate::token::{Token, TokenKind, any};
 
 /// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.
 pub(crate) fn is_mark(side: &[Token]) -> bool {
@@ -35,4 +37,23 @@ pub(super) fn integer(token: &Token) -> Option<u32> {
 /// Whether tokens stand one behind the other without anything between them in the text.
 pub(super) fn touch(tokens: &[Token]) -> bool {
     tokens.windows(2).all(|pair| pair[0].span.end == pair[1].span.start)
+}
+
+/// Whether one or two digits in brackets stand close behind decimals, whose uncertainty they are, as in 9.81(2), or an uncertainty with its
+/// sign.
+pub(crate) fn has_uncertainty(side: &ChainSide) -> bool {
+    let percent = any(&side.tokens, &|kind| matches!(kind, TokenKind::Word(word) if word == "%"));
+    (percent && has_signed_bracket(&side.tokens))
+        || side.tokens.windows(4).any(|of| {
+            let [decimals, open, digits, close] = of else { return false };
+            let (Some(decimals), Some(digits)) = (decimals.number(), digits.number()) else { return false };
+            let fine = decimals.split_once('.').is_some_and(|(_, behind)| behind.len() > 1);
+            open.is_sign('(') && close.is_sign(')') && fine && digits.len() <= 2 && !digits.contains('.')
+        })
+}
+
+/// Whether a bracket begins with the sign of an uncertainty anywhere in these tokens.
+fn has_signed_bracket(tokens: &[Token]) -> bool {
+    without_space(tokens).windows(2).any(|of| of[0].is_sign('(') && of[1].is_sign('±'))
+        || tokens.iter().any(|token| token.inner().any(has_signed_bracket))
 }

@@ -1,8 +1,9 @@
-//! Terms whose sign or unit is written in a way that only some texts have.
+//! Terms whose size, sign or unit is written in a way that only some texts have.
 
+use crate::evaluate::atom::large_number;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind};
-use crate::unit::unit;
+use crate::unit::{currency, unit};
 
 /// A side in which a negative number in braces is raised with its sign, `{-8}^2` as 64: whoever puts it in braces, often a program, puts it in
 /// for a letter.
@@ -53,4 +54,16 @@ pub(super) fn begins_with_unit(side: &[Token]) -> bool {
         if word.word().is_some_and(|word| word.chars().all(char::is_alphabetic) && unit(word).is_some())
             && sign.is_one_of("×·")
             && number.number().is_some())
+}
+
+/// A side without the word for a large number behind its last number, in which the other side may count: `0.6 · 200 = 120 million`.
+pub(super) fn without_large_number(side: &[Token]) -> Option<Vec<Token>> {
+    let is_large = |word: &str| large_number(word).is_some();
+    // The sign of a currency, or a word that is no unit.
+    let is_other = |word: &str| currency(word).is_some() || (unit(word).is_none() && !is_large(word));
+    let is_behind = |token: &Token| token.is_space() || token.word().is_some_and(is_other);
+    let end = side.iter().rposition(|token| !is_behind(token))?;
+    let (last, rest) = side[..=end].split_last()?;
+    let counts = last.word().is_some_and(is_large);
+    (counts && rest.iter().any(|token| token.number().is_some())).then(|| rest.to_vec())
 }
