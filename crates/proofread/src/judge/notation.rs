@@ -18,7 +18,7 @@ use crate::judge::term_notation::{sum_in_degrees, with_braced_sign, without_larg
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{NamedOperation, Token, TokenKind, any};
-use crate::unit::{currency, unit};
+use crate::unit::unit;
 use std::f64::consts::PI;
 
 /// What two sides would be in each of the ways of writing that they may be in.
