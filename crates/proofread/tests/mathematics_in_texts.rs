@@ -236,6 +236,7 @@ fn a_function_takes_a_product_with_signs() {
 fn an_absolute_value_may_be_meant() {
     unlisted(Markdown, &["$$\\frac{-20\\%}{20\\%} = 1$$\n\n*Note that we take the absolute value for elasticity.*"]);
     listed(Markdown, &["$$\\frac{-20\\%}{20\\%} = 1$$\n\n*Note that we take the value for it.*"]);
+    listed(Markdown, &["Now evaluate the absolute values: $2 - 4|-5| = 2 - 20 = 18$"]);
 }
 
 #[test]
