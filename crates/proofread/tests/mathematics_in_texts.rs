@@ -132,6 +132,12 @@ fn items_may_be_true_or_false() {
         ],
     );
     listed(Markdown, &["These hold:\n- [ ] $2 - 5 = 5-2$"]);
+    listed(
+        Markdown,
+        &[
+            "True or false? It grows. That much may be said of what the first of many rabbits do in a year of their own on an island, and of the others, too, as long as there is any of the food that they need. So $3 + 4 = 8$.",
+        ],
+    );
 }
 
 #[test]
