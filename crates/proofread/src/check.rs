@@ -330,7 +330,6 @@ impl DocumentCheck<'_> {
         (last, is_denied): (bool, bool),
     ) {
         self.report.tally.chains += 1;
-        self.report.tally.checkable += usize::from(chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2);
         let before = self.report.tally.pairs;
         let denied = chain.asked || is_denied || denial::is_meant_false(self.text, formula.span);
         if denied {
@@ -362,7 +361,10 @@ impl DocumentCheck<'_> {
                 self.count_unchecked(outcome.reason().or(may_agree), chain, checked);
             }
         }
-        self.report.tally.checked += usize::from(self.report.tally.pairs > before);
+        let checked = self.report.tally.pairs > before;
+        self.report.tally.checked += usize::from(checked);
+        let are_numbers = || chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2;
+        self.report.tally.checkable += usize::from(checked || are_numbers());
         self.known.learn(chain, formula.scope, self.options.name_policy);
     }
 
