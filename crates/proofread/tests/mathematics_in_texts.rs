@@ -132,6 +132,12 @@ fn items_may_be_true_or_false() {
         ],
     );
     listed(Markdown, &["These hold:\n- [ ] $2 - 5 = 5-2$"]);
+    listed(
+        Markdown,
+        &[
+            "True or false? It grows. That much may be said of what the first of many rabbits do in a year of their own on an island, and of the others, too, as long as there is any of the food that they need. So $3 + 4 = 8$.",
+        ],
+    );
 }
 
 #[test]
@@ -236,6 +242,7 @@ fn a_function_takes_a_product_with_signs() {
 fn an_absolute_value_may_be_meant() {
     unlisted(Markdown, &["$$\\frac{-20\\%}{20\\%} = 1$$\n\n*Note that we take the absolute value for elasticity.*"]);
     listed(Markdown, &["$$\\frac{-20\\%}{20\\%} = 1$$\n\n*Note that we take the value for it.*"]);
+    listed(Markdown, &["Now evaluate the absolute values: $2 - 4|-5| = 2 - 20 = 18$"]);
 }
 
 #[test]

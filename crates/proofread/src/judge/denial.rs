@@ -80,11 +80,7 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // An exercise that has the reader put in brackets, or say which of several statements hold.
-    const EXERCISES: [&str; 11] = [
-        "true or false",
-        "whether the following statements",
-        "whether each statement",
-        "whether each of the following",
+    const EXERCISES: [&str; 7] = [
         "to make the following statements true",
         "to make the statement true",
         "to make each statement true",
@@ -96,6 +92,20 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let task = example.to_ascii_lowercase();
     let asked = EXERCISES.iter().filter_map(|exercise| task.rfind(exercise)).max();
     if asked.is_some_and(|at| !["solution", "answer", "example"].iter().any(|end| task[at..].contains(end))) {
+        return true;
+    }
+    // The items of a list of statements.
+    const LISTS: [&str; 4] = [
+        "true or false",
+        "whether the following statements",
+        "whether each statement",
+        "whether each of the following",
+    ];
+    const ITEMS: [&str; 6] = ["<li", "\\item", "\n- ", "\n* ", "> - ", "(a)"];
+    let list = LISTS.iter().filter_map(|list| task.rfind(list)).max().map(|at| &task[at..]);
+    let is_item = |list: &str| ITEMS.iter().any(|item| list.contains(item));
+    if list.is_some_and(|list| is_item(list) && !["solution", "answer", "example"].iter().any(|end| list.contains(end)))
+    {
         return true;
     }
     const REPORTS: [&str; 11] = [

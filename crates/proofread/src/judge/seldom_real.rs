@@ -26,7 +26,7 @@ const BY_ESTIMATES: f64 = 0.02;
 
 impl PlacedPair<'_> {
     /// Whether the sides differ in sign alone where a sign is often left out: in a difference or an elasticity that the text calls so, and in
-    /// the square of a negative number without brackets, `t² = −3.1² = 9.61`.
+    /// the square of a negative number without brackets, `t² = −3.1² = 9.61`, or where the text takes the absolute value.
     pub(crate) fn leaves_sign_out(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
         let positive = right.is_literal() && right.number().is_ok_and(|of| of.point > 0.0);
@@ -45,7 +45,7 @@ impl PlacedPair<'_> {
             });
         let called = |words: &[&str]| surroundings::speaks_before(self.text, self.left.span, words);
         // By how much something falls, and the size of an effect or of a statistic of two sides.
-        const SIZES: [&str; 10] = [
+        const FALLS: [&str; 10] = [
             "elasticity",
             "differs ",
             "differ by",
@@ -58,9 +58,11 @@ impl PlacedPair<'_> {
             "two-sided",
         ];
         let example = || surroundings::text_before(self.text, self.left.span).to_ascii_lowercase();
-        let is_size = surroundings::speaks_around(self.text, self.right.span, &["absolute value", "in magnitude"]);
+        const SIZES: [&str; 4] =
+            ["take the absolute value", "taking the absolute value", "in absolute value", "in magnitude"];
+        let is_size = surroundings::speaks_around(self.text, self.right.span, &SIZES);
         let is_named = is_difference && called(&["difference", "distance", "apart"]);
-        is_squared || is_named || is_size || called(&SIZES) || example().contains("elasticit")
+        is_squared || is_named || is_size || called(&FALLS) || example().contains("elasticit")
     }
 
     /// Whether a determinant has entries in colour or struck out, so that a part of it may be meant: the minor of an entry.
