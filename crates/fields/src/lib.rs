@@ -129,6 +129,23 @@ impl<T: Into<FieldValue>> From<Vec<T>> for FieldValue {
     }
 }
 
+/// Things one after the other in words.
+///
+/// ```
+/// use geneva_fields::listed;
+///
+/// let things = ["a".to_owned(), "b".to_owned(), "c".to_owned()];
+/// assert_eq!([listed(&things[..1]), listed(&things[..2]), listed(&things)], ["a", "a and b", "a, b and c"]);
+/// assert_eq!(listed(&[]), "");
+/// ```
+pub fn listed(things: &[String]) -> String {
+    match things {
+        [] => String::new(),
+        [only] => only.clone(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

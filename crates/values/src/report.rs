@@ -1,7 +1,8 @@
 //! What a check or a record says: for people, and as JSON.
 
-use crate::check::{FindingKind, NumberFinding, NumbersReport, listed};
+use crate::check::{FindingKind, NumberFinding, NumbersReport};
 use crate::recording::RecordReport;
+use geneva_fields::listed;
 use geneva_host::layout::TextLayout;
 use geneva_host::printable::{escaped, shown_path};
 use proofread::reader::LeftOut;
