@@ -122,12 +122,12 @@ impl MeasuredWheel {
             (slot_play, slot_uncertainty, Size::SlotWidth(None), Size::PinDiameter),
             (arc_play, arc_uncertainty, Size::ArcRadius(None), Size::DiscRadius),
         ];
-        pairs.into_iter().zip(self.may_be_loose()).filter_map(move |((play, uncertainty, wide, thin), is_open)| {
-            (is_open && play > most + BEYOND * uncertainty).then(|| UndecidedCulprit {
-                doubt: Doubt::Play { play, most },
-                sizes: vec![wide, thin],
-                telling: [wide, thin].into_iter().filter_map(MeasuredSize::when_new).collect(),
-            })
+        let open = pairs.into_iter().zip(self.may_be_loose()).filter(|(_, is_open)| *is_open).map(|(pair, _)| pair);
+        let loose = open.filter(move |(play, uncertainty, ..)| *play > most + BEYOND * uncertainty);
+        loose.map(move |(play, _, wide, thin)| UndecidedCulprit {
+            doubt: Doubt::Play { play, most },
+            sizes: vec![wide, thin],
+            telling: [wide, thin].into_iter().filter_map(MeasuredSize::when_new).collect(),
         })
     }
 
