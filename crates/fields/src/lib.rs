@@ -132,13 +132,13 @@ impl<T: Into<FieldValue>> From<Vec<T>> for FieldValue {
 /// Things one after the other in words.
 ///
 /// ```
-/// use geneva_fields::listed;
+/// use geneva_fields::joined_with_and;
 ///
 /// let things = ["a".to_owned(), "b".to_owned(), "c".to_owned()];
-/// assert_eq!([listed(&things[..1]), listed(&things[..2]), listed(&things)], ["a", "a and b", "a, b and c"]);
-/// assert_eq!(listed(&[]), "");
+/// assert_eq!([joined_with_and(&things[..1]), joined_with_and(&things[..2]), joined_with_and(&things)], ["a", "a and b", "a, b and c"]);
+/// assert_eq!(joined_with_and(&[]), "");
 /// ```
-pub fn listed(things: &[String]) -> String {
+pub fn joined_with_and(things: &[String]) -> String {
     match things {
         [] => String::new(),
         [only] => only.clone(),

@@ -14,7 +14,7 @@ use crate::typed_number::length;
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
-    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, Doubt, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
+    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, DoubtReason, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
     UndecidedCulprit,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
@@ -120,8 +120,8 @@ impl CheckQuestion {
         let open = unmeasured_of_verdict(&self.measured, &built, &turn);
         // A jam of sizes that are filled in is none of this wheel.
         let jam = turn.jam.as_ref().filter(|_| open.is_empty());
-        let mut doubts = self.measured.undecided(&nearest);
-        doubts.retain(|doubt| doubt.doubt != Doubt::NoDesign || !self.is_refused_by_chance(&nearest));
+        let mut doubts = self.measured.undecided_culprits(&nearest);
+        doubts.retain(|doubt| doubt.doubt != DoubtReason::NoDesign || !self.is_refused_by_chance(&nearest));
         let culprits = told_culprits(&nearest, &doubts);
         let checked = CheckedWheel {
             coarse: jam.and_then(|jam| too_coarse(&self.measured, jam)),
@@ -283,7 +283,7 @@ impl CheckQuestion {
 
 /// The sizes of which it is certain that they contradict the others, the worst first.
 fn told_culprits(nearest: &NearestWheel, doubts: &[UndecidedCulprit]) -> Vec<Culprit> {
-    let is_open = doubts.iter().any(|doubt| doubt.doubt == Doubt::Contradiction);
+    let is_open = doubts.iter().any(|doubt| doubt.doubt == DoubtReason::Contradiction);
     let all = nearest.culprit.iter().chain(&nearest.further_culprits);
     // The doubt is about the first one, and about what goes with it.
     let is_in_doubt = |(k, culprit): &(usize, &Culprit)| is_open && (*k == 0 || culprit.size.number().is_none());

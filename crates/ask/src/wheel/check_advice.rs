@@ -33,7 +33,7 @@ pub(super) fn part_words(size: MeasuredSize, measured: f64, value: f64, digits: 
         }
         Size::SlotEnd(_) if is_smaller => {
             format!(
-                "deepen {} until the round end's centre is {told} from the wheel's axis",
+                "make {} deeper until the round end's centre is {told} from the wheel's axis",
                 which("the slots", "slot")
             )
         }

@@ -3,7 +3,7 @@
 use super::check_needs::UnmeasuredSize;
 use super::check_words::named;
 use crate::number_format::number;
-use geneva_kinematics::wheel::as_built::{Doubt, MeasuredSize, NearestWheel, UndecidedCulprit};
+use geneva_kinematics::wheel::as_built::{DoubtReason, MeasuredSize, NearestWheel, UndecidedCulprit};
 
 /// Measurements that are named at most, each of which would tell.
 const MOST_NAMED: usize = 3;
@@ -12,8 +12,8 @@ const MOST_NAMED: usize = 3;
 pub(super) fn doubt_words(doubt: &UndecidedCulprit, nearest: &NearestWheel) -> String {
     let either = either(&doubt.sizes);
     let what = match doubt.doubt {
-        Doubt::Contradiction => format!("the {either} is wrong"),
-        Doubt::Play { play, most } => {
+        DoubtReason::Contradiction => format!("the {either} is wrong"),
+        DoubtReason::Play { play, most } => {
             let pair =
                 if doubt.sizes.contains(&MeasuredSize::PinDiameter) { "pin in its slot" } else { "disc in its arc" };
             format!(
@@ -22,7 +22,7 @@ pub(super) fn doubt_words(doubt: &UndecidedCulprit, nearest: &NearestWheel) -> S
                 number(most)
             )
         }
-        Doubt::NoDesign => {
+        DoubtReason::NoDesign => {
             let reason = nearest.refusal.as_ref().map_or_else(String::new, |error| format!(": {}", error.reason()));
             let which = match &doubt.sizes[..] {
                 [] => "more than one of them is wrong".to_owned(),

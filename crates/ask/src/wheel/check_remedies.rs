@@ -39,7 +39,7 @@ impl WheelRemedy {
             // Several worn slots or arcs are of one wheel.
             let is_same =
                 |of: &&RemedySize| of.size.name() == size.name() && of.value == *value && of.measured > of.value;
-            let of_all = size.of_all().filter(|_| self.sizes.iter().filter(is_same).count() > 1);
+            let of_all = size.size_of_all().filter(|_| self.sizes.iter().filter(is_same).count() > 1);
             let words = part_words(of_all.unwrap_or(*size), *measured, *value, self.digits);
             if !work.contains(&words) {
                 work.push(words);

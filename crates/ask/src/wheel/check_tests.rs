@@ -195,7 +195,7 @@ fn remedies_of(question: &str) -> (Vec<WheelRemedy>, AsBuiltWheel) {
     let built = measured.as_built(&nearest);
     let shallow = shallow_slots(&measured, &built);
     let open = unmeasured_of_verdict(&measured, &built, &built.turn().expect("a turn"));
-    let culprits = told_culprits(&nearest, &measured.undecided(&nearest));
+    let culprits = told_culprits(&nearest, &measured.undecided_culprits(&nearest));
     (remedies(&measured, &nearest, &culprits, &built, &shallow, open.is_empty()).expect("remedies"), built)
 }
 

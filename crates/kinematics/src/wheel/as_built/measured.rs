@@ -76,7 +76,7 @@ impl MeasuredSize {
     }
 
     /// This width of a slot or radius of an arc, of all of them; none for other sizes.
-    pub fn of_all(self) -> Option<Self> {
+    pub fn size_of_all(self) -> Option<Self> {
         match self {
             Self::SlotWidth(_) => Some(Self::SlotWidth(None)),
             Self::ArcRadius(_) => Some(Self::ArcRadius(None)),
@@ -89,10 +89,10 @@ impl MeasuredSize {
     /// ```
     /// use geneva_kinematics::wheel::as_built::MeasuredSize;
     ///
-    /// assert_eq!(MeasuredSize::SlotWidth(Some(2)).when_new(), Some(MeasuredSize::NewSlotWidth));
-    /// assert_eq!(MeasuredSize::CentreDistance.when_new(), None);
+    /// assert_eq!(MeasuredSize::SlotWidth(Some(2)).size_when_new(), Some(MeasuredSize::NewSlotWidth));
+    /// assert_eq!(MeasuredSize::CentreDistance.size_when_new(), None);
     /// ```
-    pub fn when_new(self) -> Option<Self> {
+    pub fn size_when_new(self) -> Option<Self> {
         match self {
             Self::PinDiameter => Some(Self::NewPinDiameter),
             Self::SlotWidth(_) => Some(Self::NewSlotWidth),

@@ -39,4 +39,4 @@ pub use random::SplitMix64;
 pub use remedies::SizeChange;
 pub use test_piece::{RUNG, TestPiece};
 pub use turn::{BuiltTurn, Jam, StationTurn, WIDTH_TOLERANCE};
-pub use undecided::{Doubt, UndecidedCulprit};
+pub use undecided::{DoubtReason, UndecidedCulprit};

@@ -11,7 +11,7 @@ use crate::wheel::Wheel;
 
 /// Why one of some measured sizes is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Doubt {
+pub enum DoubtReason {
     /// They contradict each other: without any single one of them the others agree.
     Contradiction,
     /// A pin has more play in its slot, or the disc in its arc, than an ordinary one, so one of the two is worn.
@@ -29,7 +29,7 @@ pub enum Doubt {
 #[derive(Clone, Debug, PartialEq)]
 pub struct UndecidedCulprit {
     /// Why one of them is wrong.
-    pub doubt: Doubt,
+    pub doubt: DoubtReason,
     /// The sizes. A single one contradicts all others.
     pub sizes: Vec<MeasuredSize>,
     /// Sizes that were not measured, each of which tells which one is wrong: the easiest to measure first. None if nothing would.
@@ -66,12 +66,12 @@ impl MeasuredWheel {
     /// let mut measured = MeasuredWheel::new(Wheel::new(6)?);
     /// measured.add(MeasuredSize::CentreDistance, 51.0, 0.05)?; // mm
     /// measured.add(MeasuredSize::CrankRadius, 25.0, 0.05)?; // mm, right for 50 mm
-    /// let doubts = measured.undecided(&measured.nearest()?);
+    /// let doubts = measured.undecided_culprits(&measured.nearest()?);
     /// assert_eq!(doubts[0].sizes, [MeasuredSize::CentreDistance, MeasuredSize::CrankRadius]);
     /// assert_eq!(doubts[0].telling[0], MeasuredSize::TipRadius);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn undecided(&self, nearest: &NearestWheel) -> Vec<UndecidedCulprit> {
+    pub fn undecided_culprits(&self, nearest: &NearestWheel) -> Vec<UndecidedCulprit> {
         let mut found: Vec<UndecidedCulprit> = self.contradiction(nearest).into_iter().collect();
         found.extend(self.plays(nearest));
         if found.is_empty() && nearest.culprit.is_none() && nearest.refusal.is_some() {
@@ -96,7 +96,7 @@ impl MeasuredWheel {
         telling.retain(|size| !self.has(|of| of.name() == size.name()));
         // What contradicts besides rests on which one it is, but for a single slot or arc, which has its like.
         sizes.extend(nearest.further_culprits.iter().map(|of| of.size).filter(|size| size.number().is_none()));
-        Some(UndecidedCulprit { doubt: Doubt::Contradiction, sizes: distinct(sizes), telling })
+        Some(UndecidedCulprit { doubt: DoubtReason::Contradiction, sizes: distinct(sizes), telling })
     }
 
     /// Plays that are more than ordinary, of pin and slot and of disc and arc.
@@ -125,9 +125,9 @@ impl MeasuredWheel {
         let open = pairs.into_iter().zip(self.may_be_loose()).filter(|(_, is_open)| *is_open).map(|(pair, _)| pair);
         let loose = open.filter(move |(play, uncertainty, ..)| *play > most + BEYOND * uncertainty);
         loose.map(move |(play, _, wide, thin)| UndecidedCulprit {
-            doubt: Doubt::Play { play, most },
+            doubt: DoubtReason::Play { play, most },
             sizes: vec![wide, thin],
-            telling: [wide, thin].into_iter().filter_map(MeasuredSize::when_new).collect(),
+            telling: [wide, thin].into_iter().filter_map(MeasuredSize::size_when_new).collect(),
         })
     }
 
@@ -141,7 +141,7 @@ impl MeasuredWheel {
         let sizes: Vec<MeasuredSize> =
             can_be_wrong.filter(can_be_drawn).map(|place| self.sizes()[place].size).collect();
         let telling = if sizes.len() > 1 { self.telling(&sizes) } else { Vec::new() };
-        UndecidedCulprit { doubt: Doubt::NoDesign, sizes: distinct(sizes), telling }
+        UndecidedCulprit { doubt: DoubtReason::NoDesign, sizes: distinct(sizes), telling }
     }
 
     /// What is not measured and would be another size for each of these culprits.
@@ -172,7 +172,7 @@ impl MeasuredWheel {
                 .all(|(one, other)| (one.0 - other.0).abs() > TELLING * libm::hypot(one.1.max(other.1), usual))
         };
         let is_open = |size: &MeasuredSize| !self.has(|of| of.name() == size.name());
-        let when_new = culprits.iter().filter_map(|size| size.when_new()).collect();
+        let when_new = culprits.iter().filter_map(|size| size.size_when_new()).collect();
         let measurable = MEASURABLE.into_iter().filter(is_open).filter(is_telling);
         let worn: Vec<MeasuredSize> = distinct(when_new).into_iter().filter(is_open).collect();
         measurable.chain(worn).collect()

@@ -3,7 +3,7 @@
 
 use super::super::assembly::sized;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::{Doubt, MeasuredSize, MeasuredWheel, SplitMix64, UndecidedCulprit};
+use geneva_kinematics::wheel::as_built::{DoubtReason, MeasuredSize, MeasuredWheel, SplitMix64, UndecidedCulprit};
 use geneva_kinematics::wheel::{Choices, Play, Sizes, Wheel};
 
 /// The sizes that can be measured of a wheel besides the worn one, each with its right value.
@@ -102,7 +102,7 @@ fn a_worn_part_accuses_no_other_whichever_sizes_are_measured() {
             assert!(culprits.clone().all(|culprit| is_worn(culprit.size)), "{worn:?} {all:?} {nearest:?}");
             assert!(nearest.suspects.is_empty(), "{worn:?} {all:?} {nearest:?}");
             found += culprits.count();
-            for doubt in measured.undecided(&nearest) {
+            for doubt in measured.undecided_culprits(&nearest) {
                 assert!(doubt.sizes.iter().any(|size| is_worn(*size)), "{worn:?} {all:?} {doubt:?}");
                 doubted += 1;
             }
@@ -121,17 +121,18 @@ fn what_is_named_to_be_measured_tells_which_part_is_worn() {
         all.extend(worn.measurements(&sizes, 0.3 * sizes.pin_diameter));
         let measured = measure(&sizes, &all, uncertainty, &mut random);
         assert_eq!(told(&measured), None, "{worn:?}");
-        let doubts = measured.undecided(&measured.nearest().expect("a wheel"));
-        let [UndecidedCulprit { doubt: Doubt::Play { play, most }, telling, .. }] = &doubts[..] else {
+        let doubts = measured.undecided_culprits(&measured.nearest().expect("a wheel"));
+        let [UndecidedCulprit { doubt: DoubtReason::Play { play, most }, telling, .. }] = &doubts[..] else {
             panic!("{worn:?} {doubts:?}")
         };
         assert!(play > most && telling.len() == 2, "{worn:?} {doubts:?}");
         for size in telling {
-            let right = right_sizes(&sizes).into_iter().find(|(of, _)| of.when_new() == Some(*size)).expect("a size").1;
+            let right =
+                right_sizes(&sizes).into_iter().find(|(of, _)| of.size_when_new() == Some(*size)).expect("a size").1;
             let mut with_it = measured.clone();
             with_it.add(*size, right, uncertainty).expect("a size");
             assert_eq!(told(&with_it), Some(worn.size()), "{worn:?} {size:?}");
-            assert!(with_it.undecided(&with_it.nearest().expect("a wheel")).is_empty(), "{worn:?} {size:?}");
+            assert!(with_it.undecided_culprits(&with_it.nearest().expect("a wheel")).is_empty(), "{worn:?} {size:?}");
         }
     }
     // Less wear than an ordinary play is found, too, where the size is known that the part had when it was new.
@@ -159,8 +160,9 @@ fn what_is_named_to_be_measured_tells_which_of_two_sizes_is_wrong() {
                         measured.add(size, value + off, uncertainty).expect("a size");
                     }
                 }
-                let doubts = measured.undecided(&measured.nearest().expect("a wheel"));
-                let [UndecidedCulprit { doubt: Doubt::Contradiction, sizes: either, telling }] = &doubts[..] else {
+                let doubts = measured.undecided_culprits(&measured.nearest().expect("a wheel"));
+                let [UndecidedCulprit { doubt: DoubtReason::Contradiction, sizes: either, telling }] = &doubts[..]
+                else {
                     panic!("{wrong:?} {other:?} {off} {doubts:?}")
                 };
                 assert!(either.contains(&wrong) && !telling.is_empty(), "{wrong:?} {other:?} {off} {doubts:?}");
