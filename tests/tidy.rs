@@ -29,7 +29,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("documents", &["evidence", "kinematics", "dynamics", "mimic", "case1973"]),
     ("figures", &["kinematics", "dynamics", "mimic", "case1973"]),
     ("proofread", &["host"]),
-    ("values", &["evidence", "exact", "host", "proofread"]),
+    ("values", &["evidence", "exact", "fields", "host", "proofread"]),
     ("workshop", &["kinematics"]),
     ("fields", &[]),
     ("ask", &["fields", "kinematics", "dynamics", "figures", "workshop"]),

@@ -129,6 +129,23 @@ impl<T: Into<FieldValue>> From<Vec<T>> for FieldValue {
     }
 }
 
+/// Things one after the other in words.
+///
+/// ```
+/// use geneva_fields::joined_with_and;
+///
+/// let things = ["a".to_owned(), "b".to_owned(), "c".to_owned()];
+/// assert_eq!([joined_with_and(&things[..1]), joined_with_and(&things[..2]), joined_with_and(&things)], ["a", "a and b", "a, b and c"]);
+/// assert_eq!(joined_with_and(&[]), "");
+/// ```
+pub fn joined_with_and(things: &[String]) -> String {
+    match things {
+        [] => String::new(),
+        [only] => only.clone(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

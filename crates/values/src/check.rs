@@ -8,6 +8,7 @@ use crate::record_file::{NumberEntry, Tie};
 use crate::values::{ComputedValue, Values};
 use geneva_evidence::{PlainVerdict, nearest_name};
 use geneva_exact::Rational;
+use geneva_fields::joined_with_and;
 use proofread::reader::LeftOut;
 use proofread::{LineColumn, LineIndex};
 use std::collections::{BTreeMap, BTreeSet};
@@ -252,7 +253,7 @@ impl Judge<'_> {
             }
             Some((Tie::Candidates(keys), _)) => {
                 finding.kind = FindingKind::Undecided;
-                finding.message = format!("{shown} may be any of {}; choose one as its `value`", listed(keys));
+                finding.message = format!("{shown} may be any of {}; choose one as its `value`", joined_with_and(keys));
             }
             Some((Tie::None(kind), entry)) => {
                 let is_same = entry.printed == number.printed && entry.unit == number.unit;
@@ -364,14 +365,5 @@ fn told(
         Comparison::OtherQuantity => {
             format!("printed {shown}, {key} is {computed}: the units measure different things")
         }
-    }
-}
-
-/// Names in a list for people.
-pub(crate) fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [all @ .., last] => format!("{} and {last}", all.join(", ")),
     }
 }

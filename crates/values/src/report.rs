@@ -1,7 +1,8 @@
 //! What a check or a record says: for people, and as JSON.
 
-use crate::check::{FindingKind, NumberFinding, NumbersReport, listed};
+use crate::check::{FindingKind, NumberFinding, NumbersReport};
 use crate::recording::RecordReport;
+use geneva_fields::joined_with_and;
 use geneva_host::layout::TextLayout;
 use geneva_host::printable::{escaped, shown_path};
 use proofread::reader::LeftOut;
@@ -68,7 +69,7 @@ pub(crate) fn summary(report: &NumbersReport) -> String {
         .map(|(name, count)| format!("{count} {}", if count == 1 { LeftOut::singular(name) } else { name }))
         .collect();
     if !left_out.is_empty() {
-        out += &format!(" Not read: {} with digits.", listed(&left_out));
+        out += &format!(" Not read: {} with digits.", joined_with_and(&left_out));
     }
     out
 }

@@ -35,13 +35,13 @@ fn our_own_drawings_give_back_the_sizes() {
             let right = |size| match size {
                 MeasuredSize::CentreDistance | MeasuredSize::ArcCentre(_) => sizes.centre_distance,
                 MeasuredSize::CrankRadius => sizes.crank_radius,
-                MeasuredSize::PinDiameter => sizes.pin_diameter,
+                MeasuredSize::PinDiameter | MeasuredSize::NewPinDiameter => sizes.pin_diameter,
                 MeasuredSize::TipRadius => sizes.tip_radius,
-                MeasuredSize::SlotWidth(_) => sizes.slot_width,
+                MeasuredSize::SlotWidth(_) | MeasuredSize::NewSlotWidth => sizes.slot_width,
                 MeasuredSize::SlotEnd(_) => sizes.slot_end,
                 MeasuredSize::SlotDirection(_) => 0.0,
-                MeasuredSize::ArcRadius(_) => sizes.locking_arc_radius,
-                MeasuredSize::DiscRadius => disc.radius,
+                MeasuredSize::ArcRadius(_) | MeasuredSize::NewArcRadius => sizes.locking_arc_radius,
+                MeasuredSize::DiscRadius | MeasuredSize::NewDiscRadius => disc.radius,
                 MeasuredSize::CrescentCentre => disc.crescent.centre,
                 MeasuredSize::CrescentRadius => disc.crescent.radius,
             };
@@ -362,7 +362,6 @@ fn slots_of_a_drawing_are_numbered_from_the_right_however_a_slot_is_out_of_its_p
                         let is_wide = match of.size {
                             MeasuredSize::SlotWidth(_) => of.value > sizes.slot_width + 0.25,
                             MeasuredSize::ArcRadius(_) => of.value < sizes.locking_arc_radius - 0.25,
-                            _ => continue,
                         };
                         assert_eq!(
                             is_wide,

@@ -3,6 +3,7 @@
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
 use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
+use super::check_doubts::{doubt_words, measuring_words, stations_words};
 use super::check_needs::{
     DEPTH, ENTRY, UnmeasuredSize, all_sizes, options, taken_as_right, unmeasured, unmeasured_of_verdict,
 };
@@ -13,7 +14,8 @@ use crate::typed_number::length;
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
-    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
+    AsBuiltWheel, BuiltError, BuiltTurn, Culprit, DoubtReason, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
+    UndecidedCulprit,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
@@ -118,10 +120,17 @@ impl CheckQuestion {
         let open = unmeasured_of_verdict(&self.measured, &built, &turn);
         // A jam of sizes that are filled in is none of this wheel.
         let jam = turn.jam.as_ref().filter(|_| open.is_empty());
+        let mut doubts = self.measured.undecided_culprits(&nearest);
+        doubts.retain(|doubt| doubt.doubt != DoubtReason::NoDesign || !self.is_refused_by_chance(&nearest));
+        let culprits = told_culprits(&nearest, &doubts);
         let checked = CheckedWheel {
             coarse: jam.and_then(|jam| too_coarse(&self.measured, jam)),
-            remedies: remedies(&self.measured, &nearest, &built, &shallow, open.is_empty()).map_err(in_words)?,
+            remedies: remedies(&self.measured, &nearest, &culprits, &built, &shallow, open.is_empty())
+                .map_err(in_words)?,
             mistakes: self.measured.known_mistakes(&nearest, jam.map(|_| &turn)),
+            fitting_stations: self.measured.fitting_stations(&nearest),
+            culprits,
+            doubts,
             open,
             nearest: &nearest,
             built: &built,
@@ -153,6 +162,11 @@ impl CheckQuestion {
         }
     }
 
+    /// Whether the sizes seem to be those of no wheel by less than chance.
+    fn is_refused_by_chance(&self, nearest: &NearestWheel) -> bool {
+        matches!(&nearest.refusal, Some(SizesError::DoesNotFit { by, .. }) if is_chance(&self.measured, *by))
+    }
+
     fn is_pin_measured(&self) -> bool {
         self.measured.sizes().iter().any(|of| of.size == MeasuredSize::PinDiameter)
     }
@@ -160,7 +174,8 @@ impl CheckQuestion {
 
 impl CheckQuestion {
     fn verdict(&self, checked: &CheckedWheel<'_>) -> Vec<ReportField> {
-        let CheckedWheel { nearest, built, turn, mistakes, remedies, coarse, shallow, open } = checked;
+        let CheckedWheel { built, turn, mistakes, remedies, coarse, shallow, open, .. } = checked;
+        let first_culprit = checked.culprits.first();
         let (turn, coarse) = (*turn, *coarse);
         let is_known = coarse.is_none() && open.is_empty();
         let turns = turning_words(built, turn, coarse, open);
@@ -182,19 +197,11 @@ impl CheckQuestion {
         };
         let filled_in = unmeasured(&self.measured, &all_sizes(built));
         // What the other sizes ask for instead.
-        let expected = nearest.culprit.map(|culprit| typed(culprit.size, culprit.expected));
-        let culprits: Vec<String> = culprits(nearest).map(culprit_words).collect();
-        let without = match &nearest.refusal {
-            Some(SizesError::DoesNotFit { by, .. }) if is_chance(&self.measured, *by) => {
-                "none: within their uncertainties, all measured sizes fit one right wheel".to_owned()
-            }
-            Some(error) => format!("no wheel has exactly these sizes, so one of them is wrong: {}", error.reason()),
-            None => "none: all measured sizes fit one right wheel".to_owned(),
-        };
+        let expected = first_culprit.map(|culprit| typed(culprit.size, culprit.expected));
         let names: Vec<FieldValue> = mistakes.iter().map(|mistake| mistake.name().into()).collect();
         let explained: Vec<&str> = mistakes.iter().map(|mistake| mistake.explanation()).collect();
         let is_enough = !is_known || turn.is_driven();
-        let first = first_change(remedies).or((!is_enough).then(|| NO_REMEDY.to_owned()));
+        let first = self.first_change(checked, is_enough);
         let nothing = if open.is_empty() { "nothing" } else { "nothing that was measured" };
         let missing = shallow.iter().map(|of| of.missing).reduce(f64::max);
         let numbers = shallow.iter().map(|of| FieldValue::from(of.slot + 1)).collect();
@@ -205,9 +212,12 @@ impl CheckQuestion {
                 .words("entry", entry),
             ReportField::new("shallow_slots", FieldValue::List(numbers)).words("slots", depth),
             ReportField::in_unit("missing_depth_mm", missing, "mm"),
-            ReportField::new("culprit", nearest.culprit.map(|culprit| named(culprit.size))).words(
-                "contradiction",
-                if culprits.is_empty() { without } else { culprits.join(". Besides, ") + &rest_words(nearest) },
+            ReportField::new("culprit", first_culprit.map(|culprit| named(culprit.size)))
+                .words("contradiction", self.contradiction_words(checked)),
+            ReportField::new("in_doubt", in_doubt(&checked.doubts)),
+            ReportField::new(
+                "fitting_stations",
+                FieldValue::List(checked.fitting_stations.iter().map(|of| FieldValue::from(*of as usize)).collect()),
             ),
             ReportField::in_unit(
                 "culprit_expected",
@@ -216,7 +226,7 @@ impl CheckQuestion {
             ),
             ReportField::in_unit(
                 "culprit_expected_uncertainty",
-                nearest.culprit.and_then(|culprit| Some(typed(culprit.size, culprit.expected_uncertainty?).0)),
+                first_culprit.and_then(|culprit| Some(typed(culprit.size, culprit.expected_uncertainty?).0)),
                 expected.map_or("", |(_, unit)| unit),
             ),
             ReportField::new("wrong_formulas", FieldValue::List(names)).words(
@@ -225,13 +235,79 @@ impl CheckQuestion {
             ),
             ReportField::new("change_first", first.clone())
                 .words("change first", first.unwrap_or_else(|| nothing.to_owned())),
+            design_field(remedies),
         ]
+    }
+
+    /// What is wrong of the sizes, in words: those that contradict the others, and those of which one is wrong.
+    fn contradiction_words(&self, checked: &CheckedWheel<'_>) -> String {
+        let nearest = checked.nearest;
+        let mut words: Vec<String> = checked.doubts.iter().map(|doubt| doubt_words(doubt, nearest)).collect();
+        let culprits: Vec<String> = checked.culprits.iter().take(MOST_IN_WORDS).map(culprit_words).collect();
+        let further = checked.culprits.len().saturating_sub(MOST_IN_WORDS);
+        if !culprits.is_empty() {
+            let others = if further == 0 { String::new() } else { format!(", and so are {further} more") };
+            words.insert(0, culprits.join(". Besides, ") + &others + rest_words(nearest));
+        }
+        let stations = stations_words(&checked.fitting_stations, self.measured.wheel().stations());
+        match (words.join(". Besides, "), stations) {
+            (said, Some(stations)) if !said.is_empty() => format!("{stations}, {said}"),
+            (said, _) if !said.is_empty() => said,
+            _ if nearest.refusal.is_some() => {
+                "none: within their uncertainties, all measured sizes fit one right wheel".to_owned()
+            }
+            _ => "none: all measured sizes fit one right wheel".to_owned(),
+        }
+    }
+
+    /// What to do first, in words; none if nothing.
+    fn first_change(&self, checked: &CheckedWheel<'_>, is_enough: bool) -> Option<String> {
+        let measuring = checked.doubts.iter().filter(|doubt| doubt.sizes.len() != 1).map(measuring_words);
+        let measuring = (!checked.doubts.is_empty()).then(|| measuring.collect::<Vec<_>>().join(", and "));
+        let change = first_change(&checked.remedies);
+        let words: Vec<String> = measuring.filter(|words| !words.is_empty()).into_iter().chain(change).collect();
+        let words =
+            if words.is_empty() { (!is_enough).then(|| NO_REMEDY.to_owned()) } else { Some(words.join("; then ")) };
+        let count = checked
+            .fitting_stations
+            .first()
+            .map(|stations| format!("count the slots again: with --stations {stations} nothing is wrong"));
+        match (count, words) {
+            (Some(count), Some(words)) => {
+                Some(format!("{count}. If there are {}, {words}", self.measured.wheel().stations()))
+            }
+            (count, words) => count.or(words),
+        }
     }
 }
 
-/// All sizes that contradict the others, the worst first.
-fn culprits(nearest: &NearestWheel) -> impl Iterator<Item = &Culprit> {
-    nearest.culprit.iter().chain(&nearest.further_culprits)
+/// The sizes of which it is certain that they contradict the others, the worst first.
+fn told_culprits(nearest: &NearestWheel, doubts: &[UndecidedCulprit]) -> Vec<Culprit> {
+    let is_open = doubts.iter().any(|doubt| doubt.doubt == DoubtReason::Contradiction);
+    let all = nearest.culprit.iter().chain(&nearest.further_culprits);
+    // The doubt is about the first one, and about what goes with it.
+    let is_in_doubt = |(k, culprit): &(usize, &Culprit)| is_open && (*k == 0 || culprit.size.number().is_none());
+    all.enumerate().filter(|of| !is_in_doubt(of)).map(|(_, culprit)| *culprit).collect()
+}
+
+/// The sizes of which one is wrong, or worn.
+fn in_doubt(doubts: &[UndecidedCulprit]) -> FieldValue {
+    FieldValue::List(doubts.iter().flat_map(|doubt| &doubt.sizes).map(|size| named(*size).into()).collect())
+}
+
+/// The commands that design new parts, in the order of the remedies.
+fn design_field(remedies: &[WheelRemedy]) -> ReportField {
+    let mut commands: Vec<String> = Vec::new();
+    for arguments in remedies.iter().filter_map(|remedy| remedy.design.as_ref()) {
+        let command = format!("geneva wheel {arguments}");
+        if !commands.contains(&command) {
+            commands.push(command);
+        }
+    }
+    let words = commands.join("; or ");
+    let field =
+        ReportField::new("design_commands", FieldValue::List(commands.into_iter().map(FieldValue::from).collect()));
+    if words.is_empty() { field } else { field.words("design them", words) }
 }
 
 fn culprit_words(culprit: &Culprit) -> String {
@@ -249,17 +325,13 @@ fn culprit_words(culprit: &Culprit) -> String {
 }
 
 /// What is said of the sizes that don't contradict.
-fn rest_words(nearest: &NearestWheel) -> String {
+fn rest_words(nearest: &NearestWheel) -> &'static str {
     let agrees = nearest.culprit.is_some_and(|culprit| culprit.rest_agrees);
-    let rest = if agrees { "; all others agree" } else { "; and the others contradict each other, too" };
-    let suspects: Vec<String> = nearest.suspects.iter().map(|size| named(*size)).collect();
-    let first = nearest.culprit.map_or_else(String::new, |culprit| named(culprit.size));
-    if suspects.is_empty() {
-        rest.to_owned()
-    } else {
-        format!("{rest}. Instead of the {first} it could be the {}", suspects.join(" or the "))
-    }
+    if agrees { "; all others agree" } else { "; and the others contradict each other, too" }
 }
+
+/// Culprits that are told in words at most; each of worn slots or arcs that were measured one by one is one.
+const MOST_IN_WORDS: usize = 3;
 
 /// What is said where nothing that is tried makes a wheel turn.
 const NO_REMEDY: &str = "no change of one size by up to 0.4 of the pin's diameter makes it turn; make new parts";
@@ -275,6 +347,12 @@ struct CheckedWheel<'a> {
     shallow: &'a [ShallowSlot],
     /// What was not measured and decides whether the wheel turns; empty if that is known.
     open: Vec<UnmeasuredSize>,
+    /// The sizes that contradict the others for certain, the worst first.
+    culprits: Vec<Culprit>,
+    /// Sizes of which one is wrong, or worn.
+    doubts: Vec<UndecidedCulprit>,
+    /// Other numbers of stations with which nothing is wrong.
+    fitting_stations: Vec<u32>,
 }
 
 /// Which right wheel is shown.

@@ -21,7 +21,7 @@ pub struct CheckArgument {
 
 /// The arguments that are measured sizes. Each value may carry its uncertainty, `6.1+-0.05`; those of slots and arcs may be of single
 /// ones, `1:6.1,2:6.0`.
-pub const CHECK_ARGUMENTS: [CheckArgument; 13] = [
+pub const CHECK_ARGUMENTS: [CheckArgument; 17] = [
     argument("centre-distance", "MM", "Distance between the two axes", |_| MeasuredSize::CentreDistance, 1.0),
     argument(
         "crank-radius",
@@ -71,6 +71,34 @@ pub const CHECK_ARGUMENTS: [CheckArgument; 13] = [
         1.0,
     ),
     argument("crescent-radius", "MM", "Radius of the cut in the disc", |_| MeasuredSize::CrescentRadius, 1.0),
+    argument(
+        "new-pin-diameter",
+        "MM",
+        "Diameter of the pins when they were new: by a drawing, a spare part, or where nothing rubs",
+        |_| MeasuredSize::NewPinDiameter,
+        1.0,
+    ),
+    argument(
+        "new-slot-width",
+        "MM",
+        "Width of the slots when they were new: by a drawing, or where no pin runs",
+        |_| MeasuredSize::NewSlotWidth,
+        1.0,
+    ),
+    argument(
+        "new-locking-disc-radius",
+        "MM",
+        "Radius of the locking disc when it was new",
+        |_| MeasuredSize::NewDiscRadius,
+        1.0,
+    ),
+    argument(
+        "new-locking-arc-radius",
+        "MM",
+        "Radius of the locking arcs when they were new",
+        |_| MeasuredSize::NewArcRadius,
+        1.0,
+    ),
 ];
 
 const fn argument(

@@ -23,6 +23,27 @@ fn known(
 }
 
 impl CheckQuestion {
+    /// The play of the loosest measured slot in mid-index, in radians from end to end. What was not measured leaves the pin free: neither the
+    /// ends of the slots nor a cut that the disc was filled in with take play away. Zero where
+    /// the pin is too thick.
+    fn slot_play(&self, built: &AsBuiltWheel, turn: &BuiltTurn) -> f64 {
+        let has = |size: MeasuredSize| self.measured.sizes().iter().any(|of| of.size.name() == size.name());
+        let mut measured = built.clone();
+        if !has(MeasuredSize::CrescentCentre) || !has(MeasuredSize::CrescentRadius) {
+            measured.disc_radius = None;
+        }
+        if !has(MeasuredSize::SlotEnd(None)) {
+            let crank = measured.pins().iter().map(|pin| pin.crank_radius).fold(0.0, f64::max);
+            let deep = (measured.centre_distance - crank) / 2.0;
+            measured.slots_mut().iter_mut().for_each(|slot| slot.end = slot.end.min(deep));
+        }
+        let has_slot = |slot: usize| is_measured(&self.measured, MeasuredSize::SlotWidth(None), Some(slot));
+        // Events come in the order of the stations.
+        let events = turn.stations.iter().zip(0_i64..).filter(|(station, _)| has_slot(station.slot));
+        let plays = events.filter_map(|(_, event)| Some(measured.free_angles(event, 0.0).ok()?.width()));
+        plays.fold(0.0, f64::max)
+    }
+
     /// Play, errors and blows of the wheel as it was made.
     pub(super) fn as_made(&self, built: &AsBuiltWheel, turn: &BuiltTurn) -> Vec<ReportField> {
         let measured = &self.measured;
@@ -32,8 +53,6 @@ impl CheckQuestion {
         let has_arc = |of: &&StationTurn| {
             built.disc_radius.is_none() || is_measured(measured, MeasuredSize::ArcRadius(None), Some(of.arc))
         };
-        let most_of_slots =
-            |of: fn(&StationTurn) -> f64| turn.stations.iter().filter(has_slot).map(of).fold(0.0, f64::max);
         let most_of_arcs =
             |of: fn(&StationTurn) -> f64| turn.stations.iter().filter(has_arc).map(of).fold(0.0, f64::max);
         let needed = |sizes: &[MeasuredSize]| {
@@ -44,6 +63,7 @@ impl CheckQuestion {
         };
         let (no_index, no_dwell, no_entry) = (needed(INDEX), needed(dwell(built)), needed(ENTRY));
         let not_all = unmeasured_to_turn(measured, built);
+        let slot_play = self.slot_play(built, turn);
         let or_none = |missing: &[UnmeasuredSize], value: f64| missing.is_empty().then_some(value);
 
         let of_entries = || turn.stations.iter().filter(has_slot).filter_map(|station| station.entry);
@@ -80,7 +100,7 @@ impl CheckQuestion {
             degrees("tightest_crank_angle_deg", or_none(&not_all, turn.tightest.crank_angle))
                 .line("", "crank angle from the line of centres there"),
             known(
-                degrees("index_backlash_deg", or_none(&no_index, most_of_slots(|station| station.index_backlash))),
+                degrees("index_backlash_deg", or_none(&no_index, slot_play)),
                 "backlash",
                 "at mid-index from end to end, of the loosest station that was measured",
                 &no_index,

@@ -4,6 +4,7 @@
 //! filled in says nothing of this wheel. So it isn't told: the measurements that would tell it are named instead.
 
 use super::check_arguments::CHECK_ARGUMENTS;
+use geneva_fields::joined_with_and;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, BuiltContact, BuiltTurn, Jam, MeasuredSize, MeasuredWheel};
 
@@ -43,6 +44,7 @@ pub(super) struct UnmeasuredSize {
 impl UnmeasuredSize {
     /// The option with which it is given, without hyphens.
     pub(super) fn option(&self) -> &'static str {
+        // Of two for one size, as for the rim, the first is what a calliper measures.
         CHECK_ARGUMENTS.iter().find(|argument| argument.size_of_all() == self.size).map_or("", |argument| argument.name)
     }
 
@@ -51,32 +53,29 @@ impl UnmeasuredSize {
         self.numbers.is_empty()
     }
 
-    fn words(&self) -> String {
+    /// A size that was measured of no slot or arc.
+    pub(super) fn of_all(size: MeasuredSize) -> Self {
+        Self { size, numbers: Vec::new() }
+    }
+
+    /// Its name and its option: `pin diameter (--pin-diameter)`.
+    pub(super) fn words(&self) -> String {
         // It is measured across.
         let name = if self.size == MeasuredSize::TipRadius { "outside diameter" } else { self.size.name() };
         let numbers: Vec<String> = self.numbers.iter().map(|number| (number + 1).to_string()).collect();
-        let of = if numbers.is_empty() { String::new() } else { format!(" of number {}", listed(&numbers)) };
+        let of = if numbers.is_empty() { String::new() } else { format!(" of number {}", joined_with_and(&numbers)) };
         format!("{name}{of} (--{})", self.option())
-    }
-}
-
-/// Things one after the other: `a`, `a and b`, `a, b and c`.
-fn listed(things: &[String]) -> String {
-    match things {
-        [] => String::new(),
-        [only] => only.clone(),
-        [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
 }
 
 /// The measurements to make, in words: `the pin diameter (--pin-diameter) and the slot width (--slot-width)`.
 pub(super) fn to_measure(missing: &[UnmeasuredSize]) -> String {
-    listed(&missing.iter().map(|of| format!("the {}", of.words())).collect::<Vec<_>>())
+    joined_with_and(&missing.iter().map(|of| format!("the {}", of.words())).collect::<Vec<_>>())
 }
 
 /// The options of the measurements to make, in words: `--pin-diameter and --slot-width`.
 pub(super) fn options(missing: &[UnmeasuredSize]) -> String {
-    listed(&missing.iter().map(|of| format!("--{}", of.option())).collect::<Vec<_>>())
+    joined_with_and(&missing.iter().map(|of| format!("--{}", of.option())).collect::<Vec<_>>())
 }
 
 /// Whether a measured size is what is needed: a number counts for itself only.
@@ -212,5 +211,5 @@ pub(super) fn taken_as_right(measured: &MeasuredWheel, built: &AsBuiltWheel) -> 
     let named: Vec<String> = all.into_iter().filter(|(_, is)| *is).map(|(name, _)| name.to_owned()).collect();
     let is_one = named.len() == 1 && !named[0].starts_with("the ends");
     let (verb, counts) = if is_one { ("was", "counts") } else { ("were", "count") };
-    (!named.is_empty()).then(|| format!("{} {verb} not measured and {counts} as right", listed(&named)))
+    (!named.is_empty()).then(|| format!("{} {verb} not measured and {counts} as right", joined_with_and(&named)))
 }

@@ -2,8 +2,10 @@
 
 mod arguments;
 mod check;
+mod check_advice;
 mod check_arguments;
 mod check_certainty;
+mod check_doubts;
 mod check_made;
 mod check_needs;
 mod check_remedies;

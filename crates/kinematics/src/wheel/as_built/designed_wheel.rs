@@ -61,10 +61,11 @@ impl MeasuredWheel {
     pub(super) fn designed(&self, crank_radius: f64) -> Option<Free> {
         let default = Sizes::new(*self.wheel(), Scale::CrankRadius(crank_radius), &Choices::default()).ok()?;
         let mean = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
-        let slot = mean(|size| matches!(size, MeasuredSize::SlotWidth(_)));
-        let pin = mean(|size| size == MeasuredSize::PinDiameter);
-        let (typed_arc, disc) =
-            (mean(|size| matches!(size, MeasuredSize::ArcRadius(_))), mean(|size| size == MeasuredSize::DiscRadius));
+        use MeasuredSize as Size;
+        let slot = mean(|size| size == Size::NewSlotWidth).or(mean(|size| matches!(size, Size::SlotWidth(_))));
+        let pin = mean(|size| size == Size::NewPinDiameter).or(mean(|size| size == Size::PinDiameter));
+        let typed_arc = mean(|size| size == Size::NewArcRadius).or(mean(|size| matches!(size, Size::ArcRadius(_))));
+        let disc = mean(|size| size == Size::NewDiscRadius).or(mean(|size| size == Size::DiscRadius));
         let arc = typed_arc.or(disc);
         // A play of two measured sizes is known, but zero has no logarithm.
         let known = |wide: Option<f64>, thin: Option<f64>| {
@@ -104,7 +105,8 @@ impl MeasuredWheel {
         let rows = |of: &Logarithms| -> Option<Vec<f64>> {
             let free = right_wheel(&design(self, of)?);
             let right = Right { wheel: self.wheel(), free };
-            let measured = self.sizes().iter().map(|of| (right.size(of.size) - of.value) / of.uncertainty);
+            let drawn = self.drawn_slots();
+            let measured = self.sizes().iter().map(|of| (right.fitting(of, drawn) - of.value) / of.uncertainty);
             let wishes = (0..FREE).map(|k| BY_DEFAULT[k] * (of[k] - start[k]));
             Some(measured.chain(wishes).collect())
         };

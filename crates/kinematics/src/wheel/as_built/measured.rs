@@ -31,6 +31,14 @@ pub enum MeasuredSize {
     CrescentCentre,
     /// Radius of the crescent, in millimetres.
     CrescentRadius,
+    /// Diameter of the pins when they were new, in millimetres.
+    NewPinDiameter,
+    /// Width of the slots when they were new, in millimetres.
+    NewSlotWidth,
+    /// Radius of the locking arcs when they were new, in millimetres.
+    NewArcRadius,
+    /// Radius of the locking disc when it was new, in millimetres.
+    NewDiscRadius,
 }
 
 impl MeasuredSize {
@@ -49,6 +57,10 @@ impl MeasuredSize {
             Self::DiscRadius => "locking disc's radius",
             Self::CrescentCentre => "crescent's centre",
             Self::CrescentRadius => "crescent's radius",
+            Self::NewPinDiameter => "pin diameter when new",
+            Self::NewSlotWidth => "slot width when new",
+            Self::NewArcRadius => "locking arc's radius when new",
+            Self::NewDiscRadius => "locking disc's radius when new",
         }
     }
 
@@ -61,6 +73,38 @@ impl MeasuredSize {
             Self::SlotDirection(number) => Some(number),
             _ => None,
         }
+    }
+
+    /// This width of a slot or radius of an arc, of all of them; none for other sizes.
+    pub fn size_of_all(self) -> Option<Self> {
+        match self {
+            Self::SlotWidth(_) => Some(Self::SlotWidth(None)),
+            Self::ArcRadius(_) => Some(Self::ArcRadius(None)),
+            _ => None,
+        }
+    }
+
+    /// The size that this one was when it was new, for those that wear; none for the others.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::as_built::MeasuredSize;
+    ///
+    /// assert_eq!(MeasuredSize::SlotWidth(Some(2)).size_when_new(), Some(MeasuredSize::NewSlotWidth));
+    /// assert_eq!(MeasuredSize::CentreDistance.size_when_new(), None);
+    /// ```
+    pub fn size_when_new(self) -> Option<Self> {
+        match self {
+            Self::PinDiameter => Some(Self::NewPinDiameter),
+            Self::SlotWidth(_) => Some(Self::NewSlotWidth),
+            Self::ArcRadius(_) => Some(Self::NewArcRadius),
+            Self::DiscRadius => Some(Self::NewDiscRadius),
+            _ => None,
+        }
+    }
+
+    /// Whether it says how large a part was when it was new. The part is no longer so, so the size itself is never wrong.
+    pub fn is_when_new(self) -> bool {
+        matches!(self, Self::NewPinDiameter | Self::NewSlotWidth | Self::NewArcRadius | Self::NewDiscRadius)
     }
 }
 
@@ -147,6 +191,26 @@ impl MeasuredWheel {
     pub(super) fn only(&self, places: &[usize]) -> Self {
         let sizes = places.iter().filter_map(|place| self.sizes.get(*place)).copied().collect();
         Self { wheel: self.wheel, sizes }
+    }
+
+    /// The least and the greatest of what is measured of a size or of one like it, of whatever number; none if nothing is.
+    pub(super) fn extremes(&self, is_it: impl Fn(MeasuredSize) -> bool) -> Option<[f64; 2]> {
+        let values = self.sizes().iter().filter(|of| is_it(of.size)).map(|of| of.value);
+        values.fold(None, |found: Option<[f64; 2]>, value| {
+            Some(found.map_or([value, value], |[least, most]| [least.min(value), most.max(value)]))
+        })
+    }
+
+    /// Whether a size was measured, of whatever number.
+    pub(super) fn has(&self, is_it: impl Fn(MeasuredSize) -> bool) -> bool {
+        self.sizes.iter().any(|of| is_it(of.size))
+    }
+
+    /// These sizes for a wheel with another number of stations; none if a size is of a slot or an arc that it doesn't have.
+    pub(super) fn with_wheel(&self, wheel: Wheel) -> Option<Self> {
+        let stations = wheel.stations() as usize;
+        let fits = self.sizes.iter().all(|of| of.size.number().is_none_or(|number| number < stations));
+        fits.then(|| Self { wheel, sizes: self.sizes.clone() })
     }
 
     /// The mean of what is measured of a size or of one like it, of whatever number; none if nothing is.

@@ -97,6 +97,12 @@ fn is_crescent_wrong(nearest: &NearestWheel, jam: Option<&Jam>) -> bool {
     culprits.any(|culprit| is_crescent(culprit.size)) || jam.is_some_and(is_met)
 }
 
+/// Whether the rim contradicts the other sizes, or may be what does.
+fn is_rim_in_question(nearest: &NearestWheel) -> bool {
+    let culprits = nearest.culprit.iter().chain(&nearest.further_culprits).map(|culprit| culprit.size);
+    culprits.chain(nearest.suspects.iter().copied()).any(|size| size == MeasuredSize::TipRadius)
+}
+
 impl MeasuredWheel {
     /// The wrong formulas that give the measured sizes, the most telling first: none unless the sizes contradict the nearest right wheel,
     /// or jam as they were measured. A right wheel may have a size of a wrong formula by chance.
@@ -119,7 +125,11 @@ impl MeasuredWheel {
         self.fitting_mistakes()
             .into_iter()
             .filter(|mistake| {
-                contradicts && (*mistake != KnownMistake::CrescentAboutWheelAxis || is_crescent_wrong(nearest, jam))
+                // Where the rim goes with the others, no formula for it is wrong.
+                let is_of_rim = *mistake == KnownMistake::ShortRim;
+                contradicts
+                    && (!is_of_rim || is_rim_in_question(nearest))
+                    && (*mistake != KnownMistake::CrescentAboutWheelAxis || is_crescent_wrong(nearest, jam))
             })
             .collect()
     }

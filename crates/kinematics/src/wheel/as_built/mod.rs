@@ -23,6 +23,7 @@ mod remedies;
 mod right_wheel;
 mod test_piece;
 mod turn;
+mod undecided;
 
 pub use assemblies::{Assemblies, Yield};
 pub use blow::BuiltBlow;
@@ -38,3 +39,4 @@ pub use random::SplitMix64;
 pub use remedies::SizeChange;
 pub use test_piece::{RUNG, TestPiece};
 pub use turn::{BuiltTurn, Jam, StationTurn, WIDTH_TOLERANCE};
+pub use undecided::{DoubtReason, UndecidedCulprit};

@@ -92,11 +92,12 @@ impl MeasuredWheel {
         let (found, kept, (free, left)) = self.contradictions(fitted);
         let rest = self.only(&kept);
         let right = Right { wheel: self.wheel(), free };
+        let drawn = rest.drawn_slots();
         let residuals: Vec<Residual> = self
             .sizes()
             .iter()
             .map(|of| {
-                let right = right.size(of.size);
+                let right = right.fitting(of, drawn);
                 Residual { measured: *of, right, normalized: (of.value - right) / of.uncertainty }
             })
             .collect();
@@ -119,10 +120,11 @@ impl MeasuredWheel {
         culprits.sort_by(|(_, one), (_, other)| other.uncertainties.abs().total_cmp(&one.uncertainties.abs()));
         let suspects = culprits.first().map_or_else(Vec::new, |(index, _)| self.suspects(*index, &kept, (free, left)));
         let mut culprits = culprits.into_iter().map(|(_, culprit)| culprit);
+        let rim = residuals.iter().find(|of| of.measured.size == MeasuredSize::TipRadius).copied();
         Ok(NearestWheel {
             crank_radius: free[0],
             centre_distance: right.centre_distance(),
-            tip_radius: right.tip_radius(),
+            tip_radius: rim.map_or(right.tip_radius(), |of| of.right),
             pin_diameter: free[1],
             slot_width: free[2],
             slot_end: free[3],
@@ -141,7 +143,7 @@ impl MeasuredWheel {
     }
 
     /// The fit to all measurements: the design that is nearest, if that does, and otherwise any right wheel.
-    fn nearest_fit(&self) -> Result<(Free, f64), MeasuredError> {
+    pub(super) fn nearest_fit(&self) -> Result<(Free, f64), MeasuredError> {
         let start = self.start()?;
         let designed = self.designed(start[0]).map(|free| (free, self.sum_of_squares(&free)));
         match designed.filter(|(_, sum)| self.is_agreeing(*sum)) {
@@ -164,7 +166,10 @@ impl MeasuredWheel {
     fn contradictions(&self, fitted: (Free, f64)) -> (Vec<usize>, Vec<usize>, (Free, f64)) {
         let mut kept: Vec<usize> = (0..self.sizes().len()).collect();
         let (mut found, mut best) = (Vec::new(), fitted);
-        while found.len() < MOST_CULPRITS {
+        // What a part was when it was new contradicts each slot and each arc by itself.
+        let is_new_known = self.has(MeasuredSize::is_when_new);
+        let most = MOST_CULPRITS + if is_new_known { 2 * self.wheel().stations() as usize } else { 0 };
+        while found.len() < most {
             let rest = self.only(&kept);
             let Some((place, without)) = rest.worst(best) else { break };
             found.push(kept.remove(place));
@@ -195,11 +200,13 @@ impl MeasuredWheel {
         if self.is_agreeing(fitted.1) {
             return None;
         }
-        let without = (0..count).map(|index| (index, self.fit_without(index, fitted.0)));
+        let drawn = self.drawn_slots();
+        let can_be_wrong = (0..count).filter(|index| !self.sizes()[*index].size.is_when_new());
+        let without = can_be_wrong.map(|index| (index, self.fit_without(index, fitted.0)));
         // A measurement takes no more away than the square by which it is off; a fit that falls by more was not the best one.
         let is_cause = |(index, (free, sum)): &(usize, (Free, f64))| {
             let of = self.sizes()[*index];
-            let off = (of.value - Right { wheel: self.wheel(), free: *free }.size(of.size)) / of.uncertainty;
+            let off = (of.value - Right { wheel: self.wheel(), free: *free }.fitting(&of, drawn)) / of.uncertainty;
             off * off >= SHARE * (fitted.1 - sum)
         };
         let causes: Vec<(usize, (Free, f64))> = without.filter(is_cause).collect();
@@ -225,8 +232,10 @@ impl MeasuredWheel {
     fn suspects(&self, culprit: usize, kept: &[usize], (free, least): (Free, f64)) -> Vec<MeasuredSize> {
         let all = self.only(&[&[culprit], kept].concat());
         let (_, sum) = all.fit(free);
-        let is_suspect = |place: &usize| all.fit_without(*place, free).1 - least < SUSPECT * (sum - least);
-        (1..all.sizes().len()).filter(is_suspect).map(|place| all.sizes()[place].size).collect()
+        let most = (SUSPECT * (sum - least)).clamp(LEAST_SUSPECT, single_limit(kept.len()));
+        let is_suspect = |place: &usize| all.fit_without(*place, free).1 - least < most;
+        let can_be_wrong = (1..all.sizes().len()).filter(|place| !all.sizes()[*place].size.is_when_new());
+        can_be_wrong.filter(is_suspect).map(|place| all.sizes()[place].size).collect()
     }
 
     /// The wheel as it was measured; what was not measured is as in the nearest right wheel. Of the centre distance and the distance of the
@@ -273,8 +282,9 @@ const SHARE: f64 = 0.5;
 /// Of what the culprit takes away, the part by which a second one may take less and still do equally well: our choice.
 const TIE: f64 = 1e-3;
 
-/// Suspects leave no more than this part of what the culprit takes away: our choice.
+/// Suspects leave no more than this part of what the culprit takes away, and at least two uncertainties as a square: our choice.
 const SUSPECT: f64 = 0.02;
+const LEAST_SUSPECT: f64 = 4.0;
 
 /// The sum of squares that so many measurements may have: four standard deviations above its mean, as for a distribution of χ².
 fn limit(measurements: usize) -> f64 {
@@ -349,6 +359,11 @@ impl AsBuiltWheel {
                     }
                 }
             }
+            // What a part was when it was new, it is no longer.
+            MeasuredSize::NewPinDiameter
+            | MeasuredSize::NewSlotWidth
+            | MeasuredSize::NewArcRadius
+            | MeasuredSize::NewDiscRadius => {}
         }
     }
 }

@@ -6,7 +6,7 @@
 //! conditions: their uncertainties are our choice. The sizes are found by weighted least squares (Gauss and Newton).
 
 use super::errors::MeasuredError;
-use super::measured::{MeasuredSize, MeasuredWheel};
+use super::measured::{MeasuredSize, MeasuredWheel, SizeMeasurement};
 use super::process::{Process, ProcessNumbers};
 use crate::indexing::Indexing;
 use crate::wheel::{Choices, Play, Scale, Sizes, SizesError, Wheel};
@@ -26,6 +26,8 @@ const ORDINARY_PLAY: f64 = 0.15;
 const PLAY_UNCERTAINTY: f64 = 0.01;
 const TIGHT_UNCERTAINTY: f64 = 0.001;
 const ORDINARY_DEPTH: f64 = 0.5;
+/// The greatest part of a width or a diameter that counts as worn off where its partner was not measured: our choice.
+const MOST_WEAR: f64 = 0.3;
 const LEAST_HORN: f64 = 0.2;
 const WIDE_UNCERTAINTY: f64 = 0.05;
 const CRESCENT_UNCERTAINTY: f64 = 0.5;
@@ -55,16 +57,34 @@ impl Right<'_> {
         match size {
             MeasuredSize::CentreDistance | MeasuredSize::ArcCentre(_) => self.centre_distance(),
             MeasuredSize::CrankRadius => self.free[0],
-            MeasuredSize::PinDiameter => self.free[1],
+            MeasuredSize::PinDiameter | MeasuredSize::NewPinDiameter => self.free[1],
             MeasuredSize::TipRadius => self.tip_radius(),
-            MeasuredSize::SlotWidth(_) => self.free[2],
+            MeasuredSize::SlotWidth(_) | MeasuredSize::NewSlotWidth => self.free[2],
             MeasuredSize::SlotEnd(_) => self.free[3],
             MeasuredSize::SlotDirection(_) => 0.0,
-            MeasuredSize::ArcRadius(_) => self.free[4],
-            MeasuredSize::DiscRadius => self.free[5],
+            MeasuredSize::ArcRadius(_) | MeasuredSize::NewArcRadius => self.free[4],
+            MeasuredSize::DiscRadius | MeasuredSize::NewDiscRadius => self.free[5],
             MeasuredSize::CrescentCentre => self.free[6],
             MeasuredSize::CrescentRadius => self.crescent_radius(),
         }
+    }
+
+    /// What the wheel has in a measurement's place, in millimetres or radians. The rim, which is at the slots' corners, is that for a slot of a
+    /// width `drawn` from the least to the greatest in millimetres, whichever comes nearest.
+    pub(super) fn fitting(&self, of: &SizeMeasurement, drawn: Option<[f64; 2]>) -> f64 {
+        match drawn.filter(|_| of.size == MeasuredSize::TipRadius) {
+            Some(widths) => {
+                let along = self.free[0] / libm::tan(self.wheel.half_pitch_angle());
+                let [least, most] = widths.map(|width| libm::hypot(along, width / 2.0));
+                of.value.max(least).min(most)
+            }
+            None => self.size(of.size),
+        }
+    }
+
+    /// The greatest play of slot and arc that is ordinary, in millimetres.
+    pub(super) fn greatest_play(&self) -> f64 {
+        (ORDINARY_PLAY * self.free[1]).max(coarsest_play(self.centre_distance()))
     }
 
     /// The soft conditions, each over its uncertainty: zero where it holds. Slot and arc may be `loose` where both partners of a play
@@ -72,7 +92,12 @@ impl Right<'_> {
     fn conditions(&self, shallowest: f64, loose: [bool; 2]) -> [f64; 5] {
         let [a, pin, slot, end, arc, disc, cut]: [f64; FREE] = self.free.into();
         let outside = |value: f64, least: f64, most: f64| value - value.max(least).min(most);
-        let greatest = (ORDINARY_PLAY * pin).max(coarsest_play(self.centre_distance()));
+        let greatest = self.greatest_play();
+        // Wear makes horns thinner than they were drawn.
+        let [made_slot, made_arc] = [
+            if loose[0] { slot.min(pin + greatest) } else { slot },
+            if loose[1] { arc.min(disc + greatest / 2.0) } else { arc },
+        ];
         let ordinary = |play: f64, is_loose: bool| {
             let off = outside(play, 0.0, if is_loose { f64::INFINITY } else { greatest });
             off / (pin * if off < 0.0 { TIGHT_UNCERTAINTY } else { PLAY_UNCERTAINTY })
@@ -82,7 +107,7 @@ impl Right<'_> {
             ordinary(slot - pin, loose[0]),
             ordinary(2.0 * (arc - disc), loose[1]),
             outside(deepest - end, 0.0, ORDINARY_DEPTH * pin) / (WIDE_UNCERTAINTY * pin),
-            outside(a - slot / 2.0 - arc, LEAST_HORN * pin, f64::INFINITY) / (WIDE_UNCERTAINTY * pin),
+            outside(a - made_slot / 2.0 - made_arc, LEAST_HORN * pin, f64::INFINITY) / (WIDE_UNCERTAINTY * pin),
             (cut - shallowest) / (CRESCENT_UNCERTAINTY * pin),
         ]
     }
@@ -100,9 +125,11 @@ impl MeasuredWheel {
         let sine = libm::sin(self.wheel().half_pitch_angle());
         let tangent = libm::tan(self.wheel().half_pitch_angle());
         let of = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
-        let slot = of(|size| matches!(size, MeasuredSize::SlotWidth(_)));
+        let slot =
+            of(|size| size == MeasuredSize::NewSlotWidth).or(of(|size| matches!(size, MeasuredSize::SlotWidth(_))));
         let rim = of(|size| size == MeasuredSize::TipRadius);
-        let half = slot.or(of(|size| size == MeasuredSize::PinDiameter)).unwrap_or(0.0) / 2.0;
+        let pin = of(|size| size == MeasuredSize::NewPinDiameter).or(of(|size| size == MeasuredSize::PinDiameter));
+        let half = slot.or(pin).unwrap_or(0.0) / 2.0;
         let scales = [
             of(|size| size == MeasuredSize::CentreDistance).map(|c| c * sine),
             of(|size| matches!(size, MeasuredSize::ArcCentre(_))).map(|c| c * sine),
@@ -113,15 +140,16 @@ impl MeasuredWheel {
         scales.sort_by(f64::total_cmp);
         let a = *scales.get(scales.len() / 2).ok_or(MeasuredError::NoScale)?;
         let by_default = |choices: &Choices| Sizes::new(*self.wheel(), Scale::CrankRadius(a), choices).ok();
-        let pin = of(|size| size == MeasuredSize::PinDiameter).or(slot.map(|width| 0.98 * width));
+        let pin = pin.or(slot.map(|width| 0.98 * width));
         let design =
             by_default(&Choices { pin_diameter: pin, ..Choices::default() }).or(by_default(&Choices::default()));
         let ratio = |share: f64| share * a;
         let design_or = |size: fn(&Sizes) -> f64, other: f64| design.as_ref().map_or(other, size);
         let pin = pin.unwrap_or(design_or(|sizes| sizes.pin_diameter, ratio(0.3)));
         let slot = slot.unwrap_or(pin * 1.02);
-        let arc = of(|size| matches!(size, MeasuredSize::ArcRadius(_)));
-        let disc = of(|size| size == MeasuredSize::DiscRadius);
+        let arc =
+            of(|size| size == MeasuredSize::NewArcRadius).or(of(|size| matches!(size, MeasuredSize::ArcRadius(_))));
+        let disc = of(|size| size == MeasuredSize::NewDiscRadius).or(of(|size| size == MeasuredSize::DiscRadius));
         let default_arc = design_or(|sizes| sizes.locking_arc_radius, ratio(0.5));
         let arc_radius = arc.or(disc.map(|disc| disc + 0.01 * pin)).unwrap_or(default_arc);
         let default_end = a / sine - a - 0.05 * pin;
@@ -141,13 +169,43 @@ impl MeasuredWheel {
     /// The residuals of the measurements and of the soft conditions.
     fn rows(&self, free: &Free, shallowest: f64) -> Vec<f64> {
         let right = Right { wheel: self.wheel(), free: *free };
-        let measured = self.sizes().iter().map(|of| (right.size(of.size) - of.value) / of.uncertainty);
-        let has = |is_it: fn(MeasuredSize) -> bool| self.sizes().iter().any(|of| is_it(of.size));
-        let loose = [
-            has(|size| size == MeasuredSize::PinDiameter) && has(|size| matches!(size, MeasuredSize::SlotWidth(_))),
-            has(|size| size == MeasuredSize::DiscRadius) && has(|size| matches!(size, MeasuredSize::ArcRadius(_))),
-        ];
-        measured.chain(right.conditions(shallowest, loose)).collect()
+        let drawn = self.drawn_slots();
+        let measured = self.sizes().iter().map(|of| (right.fitting(of, drawn) - of.value) / of.uncertainty);
+        measured.chain(right.conditions(shallowest, self.may_be_loose())).collect()
+    }
+
+    /// Whether the play of slot and of arc may be more than an ordinary one: both partners are measured, and of neither is it known how large
+    /// it was when it was new.
+    pub(super) fn may_be_loose(&self) -> [bool; 2] {
+        use MeasuredSize as Size;
+        let is_worn_pair = |are: [fn(Size) -> bool; 2], new: [Size; 2]| {
+            are.iter().all(|is_it| self.has(is_it)) && !self.has(|size| new.contains(&size))
+        };
+        [
+            is_worn_pair(
+                [|size| size == Size::PinDiameter, |size| matches!(size, Size::SlotWidth(_))],
+                [Size::NewPinDiameter, Size::NewSlotWidth],
+            ),
+            is_worn_pair(
+                [|size| size == Size::DiscRadius, |size| matches!(size, Size::ArcRadius(_))],
+                [Size::NewDiscRadius, Size::NewArcRadius],
+            ),
+        ]
+    }
+
+    /// The least and the greatest width of slot in millimetres for which the rim can have been drawn. A worn slot is wider than it was
+    /// drawn, and a worn pin thinner, so it is between both. None where neither was measured.
+    pub(super) fn drawn_slots(&self) -> Option<[f64; 2]> {
+        use MeasuredSize as Size;
+        let new = self.extremes(|size| size == Size::NewSlotWidth);
+        let slots = self.extremes(|size| matches!(size, Size::SlotWidth(_)));
+        let pins = self.extremes(|size| matches!(size, Size::PinDiameter | Size::NewPinDiameter));
+        new.or(match (slots, pins) {
+            (Some([least, most]), Some([_, pin])) => Some([least.min(pin), most.max(pin)]),
+            (Some([least, most]), None) => Some([(1.0 - MOST_WEAR) * least, most]),
+            (None, Some([pin, _])) => Some([pin, pin / (1.0 - MOST_WEAR)]),
+            (None, None) => None,
+        })
     }
 
     /// The normal matrix and the gradient of half the sum of squares.

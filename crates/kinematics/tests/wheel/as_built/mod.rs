@@ -8,4 +8,5 @@ mod points;
 mod process;
 mod some_sizes;
 mod sweep;
+mod worn;
 mod yields;
