@@ -179,10 +179,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         };
     }
     if let Some(folder) = &wanted.out {
-        if question.process.is_none() {
-            reject_any(&question, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
-        }
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
+        reject_without_effect(&design.question, CommandFormat::Text)?;
         return write_all(&design, folder, wanted.unit.unit, layout);
     }
     let recommends_size = question.process.is_some();
@@ -262,6 +260,9 @@ fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextL
     if !missing.is_empty() {
         let why = match design.wheel.kind() {
             WheelKind::Spherical => "because the parts of a spherical wheel are not worked out",
+            _ if design.crank_radius.is_some() => {
+                "because with so little play, meshes would have more corners than a printer has use for: give a larger --play"
+            }
             WheelKind::External | WheelKind::Internal => "because they need a size: add --crank-radius MM",
         };
         written += &format!("Not written, {why}:\n");
@@ -358,10 +359,10 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
         reject_any(wanted, acts_on(ActsOn::Size), why)?;
     }
-    if !is_shape(format) {
-        let why = format!("on --format {}, which has numbers only; add --out DIR for all files", format.name());
+    if format == CommandFormat::Csv {
+        let why = "on --format csv, which has the cycle only; add --out DIR for all files, or choose --format text";
         let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
-        reject_any(wanted, is_of_files, &why)?;
+        reject_any(wanted, is_of_files, why)?;
     }
     if wanted.process.is_none() {
         reject_any(wanted, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;

@@ -63,6 +63,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
         places,
         engraved: Vec::new(),
         is_joined: false,
+        hole_allowance: 0.0,
     };
 
     let mut wheel =
@@ -151,6 +152,7 @@ fn pin(
         places: places.collect(),
         engraved: Vec::new(),
         is_joined,
+        hole_allowance: 0.0,
     }))
 }
 
