@@ -467,4 +467,79 @@ mod tests {
         let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
         assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
     }
+
+    /// What the command says to these words, with and without a folder for all files, if it refuses.
+    fn refusals(words: &str, folder: &Path) -> [Option<String>; 2] {
+        let command = WheelArguments::augment_args(Command::new("wheel"));
+        let line = ["wheel"].into_iter().chain(words.split_whitespace());
+        let mut asked = WheelArguments::from_arg_matches(&command.get_matches_from(line)).expect("options");
+        let sheet = page(&asked, TextLayout::default()).err().map(|error| error.to_string());
+        asked.out = Some(folder.to_owned());
+        [sheet, page(&asked, TextLayout::default()).err().map(|error| error.to_string())]
+    }
+
+    #[test]
+    fn the_sheet_refuses_just_what_all_files_refuse_in_the_same_words() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut random = fastrand::Rng::with_seed(7);
+        const KINDS: &[&str] =
+            &["--type external", "--type external", "--type internal --thickness 6", "--type spherical"];
+        const CHOICES: &[&str] = &[
+            "--wheel-shaft 5",
+            "--driver-shaft 5",
+            "--plate-shaft 6",
+            "--wheel-flat 4.5",
+            "--wheel-flat 6",
+            "--driver-flat 5.5",
+            "--wheel-bore-shape key",
+            "--driver-bore-shape key",
+            "--pin-diameter 3",
+            "--pin-screw M4",
+            "--pin-screw-hole nut-trap",
+            "--pin-mount dowel",
+            "--hub-screw M3",
+            "--hub-screw-hole nut-trap",
+            "--hub-dowel 2",
+            "--hub-holes 5",
+            "--wheel-hub-circle 16",
+            "--driver-hub-circle 24",
+            "--disc-dowel 2",
+            "--disc-dowel-circle 20",
+            "--disc-dowels 3",
+            "--base-thickness 5",
+            "--base-screw M4",
+            "--shoulder-diameter 9",
+            "--shoulder-depth 5",
+            "--kerf 0.2",
+            "--kerf 9",
+            "--thickness 2",
+            "--mouth-chamfer 2",
+            "--measured-play 0.3",
+            "--driver-pieces one-piece",
+            "--drive-torque 1",
+            "--disc-friction 0.1",
+            "--density 1000",
+        ];
+        let (mut refused, mut accepted) = (0, 0);
+        for case in 0..120 {
+            let stations = random.u32(3..9);
+            let mut words = format!("{} --stations {stations} --crank-radius 25", KINDS[random.usize(..KINDS.len())]);
+            let mut left: Vec<&str> = CHOICES.to_vec();
+            for _ in 0..random.usize(0..5) {
+                let chosen = left.swap_remove(random.usize(..left.len()));
+                let name = chosen.split(' ').next().expect("a name");
+                if !words.contains(name) {
+                    words += &format!(" {chosen}");
+                }
+            }
+            // One in ten with a process, whose assemblies take long.
+            if case % 10 == 0 {
+                words += [" --process laser", " --process fdm"][random.usize(..2)];
+            }
+            let [sheet, files] = refusals(&words, folder.path());
+            assert_eq!(sheet, files, "{words}");
+            *(if sheet.is_some() { &mut refused } else { &mut accepted }) += 1;
+        }
+        assert!(refused > 30 && accepted > 20, "{refused} {accepted}");
+    }
 }

@@ -468,7 +468,7 @@ mod tests {
             WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel").step().map(|_| ())
         };
         let said = with_pin("--pin-diameter 6 --pin-screw M3").expect_err("no room").to_string();
-        assert!(said.contains("choose a pin of 3 mm, which is then the screw itself, or a dowel"), "{said}");
+        assert!(said.contains("give --pin-diameter 3, which is then the screw itself, or --pin-mount dowel"), "{said}");
         for right in ["--pin-diameter 3 --pin-screw M3", "--pin-diameter 6 --pin-mount dowel"] {
             assert_eq!(with_pin(right), Ok(()), "{right}");
         }

@@ -227,6 +227,7 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let mut found = design.warnings()?;
     found.extend(droop_warning(design)?);
+    found.extend(design.yield_cause()?);
     let thin = design.makeable_parts()?.map(|list| list.thin_walls).unwrap_or_default();
     found.extend(thin.iter().map(ThinWall::to_string));
     let said = found.join("; ");
