@@ -521,25 +521,25 @@ mod tests {
             "--density 1000",
         ];
         let (mut refused, mut accepted) = (0, 0);
-        for case in 0..120 {
+        for case in 0..30 {
             let stations = random.u32(3..9);
             let mut words = format!("{} --stations {stations} --crank-radius 25", KINDS[random.usize(..KINDS.len())]);
             let mut left: Vec<&str> = CHOICES.to_vec();
-            for _ in 0..random.usize(0..5) {
+            for _ in 0..random.usize(0..6) {
                 let chosen = left.swap_remove(random.usize(..left.len()));
                 let name = chosen.split(' ').next().expect("a name");
                 if !words.contains(name) {
                     words += &format!(" {chosen}");
                 }
             }
-            // One in ten with a process, whose assemblies take long.
-            if case % 10 == 0 {
+            // Few with a process, whose assemblies take long.
+            if case % 15 == 0 {
                 words += [" --process laser", " --process fdm"][random.usize(..2)];
             }
             let [sheet, files] = refusals(&words, folder.path());
             assert_eq!(sheet, files, "{words}");
             *(if sheet.is_some() { &mut refused } else { &mut accepted }) += 1;
         }
-        assert!(refused > 30 && accepted > 20, "{refused} {accepted}");
+        assert!(refused > 15 && accepted > 3, "{refused} {accepted}");
     }
 }

@@ -201,3 +201,54 @@ fn with_given(error: &MountingError, question: &WheelQuestion) -> Error {
     let given = given.collect::<Vec<_>>().join(", ");
     if given.is_empty() { refused!("{error}") } else { refused!("{error} ({given})") }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Error;
+    use crate::wheel::{WheelDesign, WheelQuestion};
+
+    fn made(question: &str) -> Result<f64, Error> {
+        let design = WheelDesign::new(WheelQuestion::parse(question)?)?;
+        let pin = design.makeable_parts()?.map(|_| design.sizes.map_or(0.0, |sizes| sizes.pin_diameter));
+        Ok(pin.unwrap_or(0.0))
+    }
+
+    #[test]
+    fn what_a_refusal_says_to_give_can_be_made() {
+        for (wheel, wrong, kept) in [
+            ("--stations 4 --crank-radius 25", "--pin-diameter 3 --pin-screw M4", "--pin-screw M4"),
+            ("--stations 4 --crank-radius 25", "--pin-diameter 6 --pin-screw M4", "--pin-screw M4"),
+            ("--stations 6 --crank-radius 25", "--wheel-bore-shape key --wheel-shaft 5", "--wheel-bore-shape key"),
+            (
+                "--stations 6 --crank-radius 60",
+                "--thickness 2 --pin-diameter 12 --pin-screw M3 --pin-screw-hole nut-trap",
+                "--pin-diameter 12 --pin-screw M3 --pin-screw-hole nut-trap",
+            ),
+            (
+                "--stations 6 --type internal --crank-radius 40 --thickness 6",
+                "--disc-dowel 30 --disc-dowel-circle 150",
+                "",
+            ),
+        ] {
+            let said = made(&format!("{wheel} {wrong}")).expect_err(wrong).to_string();
+            let (_, change) = said.split_once("; give ").expect(&said);
+            let change = change.split(", or ").next().and_then(|first| first.split(", which").next()).expect(&said);
+            let words: Vec<&str> =
+                change.split(' ').filter(|word| !matches!(*word, "with" | "from" | "or" | "more")).collect();
+            // Of a range, the least value.
+            let change: String = words.split(|word| *word == "to").next().map(|words| words.join(" ")).expect(&said);
+            assert!(made(&format!("{wheel} {kept} {change}")).is_ok(), "{said}: {change}");
+            assert!(!said.contains("thinner pin"), "{said}");
+        }
+        let bare = made("--stations 6 --crank-radius 25 --wheel-flat 5").expect_err("no shaft").to_string();
+        assert!(bare.ends_with("add its diameter, --wheel-shaft MM"), "{bare}");
+    }
+
+    #[test]
+    fn a_screw_without_a_pin_gets_a_bush_with_a_wall_or_is_the_pin() {
+        let printed = "--stations 4 --crank-radius 25 --process fdm";
+        assert_eq!([made(printed), made(&format!("{printed} --pin-screw M4"))], [Ok(6.0), Ok(6.5)]);
+        assert_eq!(made(&format!("{printed} --pin-screw M3")), Ok(6.0));
+        assert_eq!(made(&format!("{printed} --pin-screw M6")), Ok(6.0));
+    }
+}

@@ -17,8 +17,11 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
+    /// What the files from which it is made refuse; speeds, inertias and angles that no wheel has; and numbers that are too large or too
+    /// small to compute with.
     pub fn answer(&self) -> Result<MechanismReport, Error> {
+        // What no file can be made of is refused before anything is computed that takes long.
+        self.makeable_parts()?;
         let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
