@@ -228,7 +228,7 @@ const MAY_AGREE: &str = "sides that may agree in another reading";
 /// The last place in a formula where a sign or a word says that a row is false; none if it says so nowhere.
 fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     let says = |token: &Token| match &token.kind {
-        TokenKind::Operator(c) => *c == '≠',
+        TokenKind::Operator(c) => "≠✗✘".contains(*c),
         TokenKind::Word(word) => matches!(word.as_str(), "false" | "False" | "untrue" | "extraneous" | "Contradiction"),
         _ => false,
     };
@@ -315,7 +315,8 @@ impl DocumentCheck<'_> {
             // A row below says that this one is false.
             let is_denied = chain.sides.len() == 2
                 && chain.starts_row
-                && false_from.is_some_and(|place| chain.sides[1].span.end <= place);
+                && false_from.is_some_and(|place| chain.sides[1].span.end <= place)
+                || denial::is_derived_from_false(self.text, &chains, at);
             self.check_chain(chain, formula, from..to, (at == last, is_denied));
         }
     }
@@ -329,7 +330,6 @@ impl DocumentCheck<'_> {
         (last, is_denied): (bool, bool),
     ) {
         self.report.tally.chains += 1;
-        self.report.tally.checkable += usize::from(chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2);
         let before = self.report.tally.pairs;
         let denied = chain.asked || is_denied || denial::is_meant_false(self.text, formula.span);
         if denied {
@@ -361,7 +361,10 @@ impl DocumentCheck<'_> {
                 self.count_unchecked(outcome.reason().or(may_agree), chain, checked);
             }
         }
-        self.report.tally.checked += usize::from(self.report.tally.pairs > before);
+        let checked = self.report.tally.pairs > before;
+        self.report.tally.checked += usize::from(checked);
+        let are_numbers = || chain.sides.iter().filter(|side| is_numeric(side)).count() >= 2;
+        self.report.tally.checkable += usize::from(checked || are_numbers());
         self.known.learn(chain, formula.scope, self.options.name_policy);
     }
 
@@ -407,8 +410,7 @@ impl DocumentCheck<'_> {
         let are_matrices = !free && matrix_sides::has_matrix(left) && matrix_sides::has_matrix(right);
         let entries = columns.as_ref().map(|[left, right]| [left, right]).or(are_matrices.then_some([left, right]));
         if let Some(sides) = entries {
-            self.compare_matrices(chain, formula, sides, relation);
-            return None;
+            return self.compare_matrices(chain, formula, sides, relation);
         }
         if has_several_currencies([left, right]) {
             return Some(Obstacle::Unclear("several currencies"));
@@ -451,18 +453,18 @@ impl DocumentCheck<'_> {
         obstacle
     }
 
-    /// Compares each entry of a matrix with that of another one.
+    /// Compares each entry of a matrix with that of another one; what keeps them from being compared, if anything does.
     fn compare_matrices(
         &mut self,
         chain: &Chain,
         formula: &Formula,
         [left, right]: [&ChainSide; 2],
         relation: Relation,
-    ) {
+    ) -> Option<Obstacle> {
         if let (Some(one), Some(other)) = (matrix_sides::only_matrix(left), matrix_sides::only_matrix(right))
             && permutation::are_same_in_rows(one, other)
         {
-            return;
+            return None;
         }
         let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
         let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
@@ -492,9 +494,14 @@ impl DocumentCheck<'_> {
                 entries = by_entry;
             }
         }
+        // An equals sign between augmented matrices may stand for row operations.
+        if [left, right].into_iter().all(matrix_sides::is_augmented) && !entries.iter().all(|(_, of)| agrees(of)) {
+            return Some(Obstacle::Unclear("augmented matrices that differ"));
+        }
         for ([left, right], judgement) in entries {
             self.record(formula, chain, [&left, &right], judgement, relation);
         }
+        None
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.

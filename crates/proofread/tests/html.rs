@@ -33,7 +33,14 @@ fn a_page_shows_the_place_the_values_and_what_was_not_checked() {
         assert!(page.contains(part), "{part}\nis not in\n{page}");
     }
     let (_, less) = self::page("a.md", "It is $2 + 2 = 5$.", &[]);
-    assert!(less.contains(" class=\"other-list\"") && less.contains("<dt>Less certain</dt><dd>few digits"), "{less}");
+    assert!(
+        less.contains(" class=\"other-list less-certain\"") && less.contains("<dt>Less certain</dt><dd>few digits"),
+        "{less}"
+    );
+    assert!(
+        less.contains("<input type=\"checkbox\" id=\"certain-only\">") && !page.contains("id=\"certain-only\""),
+        "{less}"
+    );
     let (code, page) = self::page("a.md", "It is $2 + 2 = 4$.", &[]);
     assert!(code == 0 && page.contains("<p class=\"result right\">Nothing found.</p>") && !page.contains("<article"));
 }

@@ -30,6 +30,7 @@ mod judged;
 #[cfg(feature = "cli")]
 mod lsp;
 mod mathematics;
+mod mathematics_in_texts;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;

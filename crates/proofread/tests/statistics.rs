@@ -195,6 +195,9 @@ fn a_p_value_is_read_in_the_notation_of_any_field() {
         ["t(20) = 5.00, p = ", "6.9 × 10^-5", "6.9 × 10^-4"],
         ["t(28) = 2,20; p = ", "0,036", "0,36"],
         ["t(28) = 2·20, p = ", "0·036", "0·36"],
+        ["$t(28) = 2.20, p = ", ".036^{*}$", ".36^{*}$"],
+        ["$t(28) = 2.20^*$, $p = ", ".036^{\\ast\\dagger}$", ".36^\\dagger$"],
+        ["t(28) = 2.20, p = ", ".036^(∗∗∗)", ".36^(∗∗∗)"],
     ] {
         let text = |p: &str| format!("The groups were compared: {before}{p}.");
         assert_eq!(markdown(&text(right)), [""; 0], "{before}{right}");
@@ -224,6 +227,7 @@ fn what_is_no_test_result_is_not_read() {
         "The effect was t(28) = 2.20; in the other group the regression coefficient had p = .4.",
         "F(2, 57) = 3.91, F(1, 57) = 2.10, both reported elsewhere.",
         "`t(28) = 2.20, p = .36`",
+        "A power and a number that goes on: $t(28) = 2.20$, $p = .3^{2}$, $t(28) = 2.20$, $p = .36^n$, and t(28) = 2.20, p = .36 1.",
     ] {
         assert_eq!(markdown(text), [""; 0], "{text}");
     }

@@ -48,6 +48,9 @@ fn what_the_program_does_not_know_counts_as_checkable() {
     assert_eq!((found.tally.checked, found.tally.checkable), (2, 5));
     let words = summary::describe_unchecked_chains(&found.not_checked);
     assert_eq!(words.as_deref(), Some(r"Not checked: 2 chains with `\foo`, 1 with `strange`."));
+    // What was checked though it has letters counts, too, and hides nothing that was not.
+    let found = report(r"We have $\left. x^2 \right|_0^2 = 4$ and $\foo{7}{4} = 36$.", TextFormat::Markdown);
+    assert_eq!((found.tally.checked, found.tally.checkable), (1, 2));
     // Letters are no numbers, whatever stands beside them.
     let found = report(r"$\foo{n}{2} = 3k$, $x = 5$", TextFormat::Markdown);
     assert_eq!((found.tally.checked, found.tally.checkable), (0, 0));

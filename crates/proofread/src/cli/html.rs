@@ -28,6 +28,10 @@ const LONGEST_AROUND: usize = 120;
 /// Most lines of a marked place that are shown: one may be as long as a table.
 const MOST_LINES: usize = 12;
 
+/// Hides the findings that are less certain, by the style alone.
+const LESS_CERTAIN_SWITCH: &str =
+    "<p><label><input type=\"checkbox\" id=\"certain-only\"> Hide what is less certain</label></p>\n";
+
 /// A page, of which the parts are kept until the sum is known.
 #[derive(Default)]
 pub(crate) struct HtmlWriter {
@@ -194,7 +198,11 @@ fn excerpt(of: &ShownDocument<'_>, span: Span) -> String {
 fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
     let is_wrong =
         matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) && finding.caveat.is_none();
-    let (kind, colour) = if is_wrong { ("", "wrong") } else { (" class=\"other-list\"", "other") };
+    let (kind, colour) = match (is_wrong, finding.caveat) {
+        (true, _) => ("", "wrong"),
+        (false, Some(_)) => (" class=\"other-list less-certain\"", "other"),
+        (false, None) => (" class=\"other-list\"", "other"),
+    };
     let mut out = format!(
         "<article id=\"{id}\"{kind} aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><span class=\"{colour}\">{}</span> \
          <span class=\"place\">{}</span></h3>\n",
@@ -279,6 +287,9 @@ impl ReportWriter for HtmlWriter {
              <style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>Proofreading report</h1>\n<p class=\"result {colour}\">{found}</p>\n\
              </header>\n<main>\n<section aria-labelledby=\"summary\">\n<h2 id=\"summary\">What was checked</h2>\n<ul>\n{sentences}</ul>\n"
         );
+        if sum.less_certain > 0 {
+            page += LESS_CERTAIN_SWITCH;
+        }
         if self.documents.len() > 1 {
             page += "<nav aria-label=\"Files\">\n<ol>\n";
             for (at, part) in self.documents.iter().enumerate() {

@@ -63,7 +63,7 @@ fn checked_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     let mut said = vec![format!(
         "Checked {} of {} that arithmetic can check, in {} and {}.",
         describe_count(tally.checked, "chain"),
-        describe_count(tally.checkable.max(tally.checked), "chain"),
+        describe_count(tally.checkable, "chain"),
         describe_count(tally.formulas, "formula or line").replace("formula or lines", "formulas or lines"),
         describe_count(sum.documents, "document"),
     )];

@@ -155,10 +155,10 @@ impl<'b> Evaluator<'b> {
             return Ok(sum);
         }
         let mut negative = false;
-        if cursor.peek().is_some_and(|token| token.is_one_of("±∓")) {
+        if let Some(sign) = cursor.peek().filter(|token| token.is_one_of("±∓")) {
             cursor.at += 1;
             self.noticed.insert(ReadingChoices::MINUS);
-            negative = self.is_chosen(ReadingChoices::MINUS);
+            negative = self.is_chosen(ReadingChoices::MINUS) != sign.is_sign('∓');
         } else if !cursor.take('+') {
             negative = cursor.take('-');
         }
@@ -177,6 +177,7 @@ impl<'b> Evaluator<'b> {
                 sum.parts = sum.parts.map(|part| part.shifted(zero));
             }
         }
+        let mut largest = 0.0f64;
         while let Some(token) = cursor.peek() {
             if token.is_one_of("±∓") {
                 return self.spread(&sum, cursor);
@@ -198,8 +199,12 @@ impl<'b> Evaluator<'b> {
             let term = if token.is_sign('-') { term.negate() } else { term };
             let both = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
             self.steps.note_sum([&sum, &term], &both);
+            let sizes = [&sum, &term].map(|of| of.number().map_or(0.0, |of| of.point.abs()));
+            // What is exactly zero has no rounding that goes on.
+            largest = if both.is_zero_at_point() { 0.0 } else { sizes.into_iter().fold(largest, f64::max) };
             sum = both;
         }
+        sum.parts = sum.parts.map(|part| part.without_residue(largest));
         if cursor.peek().and_then(Token::word) == Some("mod") {
             cursor.at += 1;
             let negative = cursor.take('-');

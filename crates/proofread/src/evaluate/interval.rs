@@ -60,6 +60,13 @@ impl Interval {
         (self.low > 0.0 || self.high < 0.0).then(|| self.map_monotone(|x| 1.0 / x))
     }
 
+    /// Each value, zero if no more than the rounding of a sum with terms up to this size is left: (49 + 20√6) − 10(5 + 2√6) + 1.
+    #[must_use]
+    pub(crate) fn without_residue(self, largest: f64) -> Self {
+        let rounded = |x: f64| if x.abs() <= RESIDUE * largest { 0.0 } else { x };
+        Self { low: rounded(self.low), point: rounded(self.point), high: rounded(self.high) }
+    }
+
     /// The sizes of the values.
     #[must_use]
     pub(crate) fn abs(self) -> Self {

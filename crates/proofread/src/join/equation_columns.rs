@@ -6,6 +6,28 @@ use crate::unit::unit;
 /// The width of the space that parts two equations, wider than that of `\quad`.
 pub(crate) const EQUATION_END: u8 = 11;
 
+/// Most pairs of columns that are looked at.
+const MOST_COLUMNS: usize = 8;
+
+/// How many spaces in a row are as wide as what parts equations.
+const SPACES_OF_GAP: usize = 5;
+
+/// The tokens with the last of many spaces in a row as a wide one, unless a unit, a sign or words go on behind them.
+pub(crate) fn with_wide_gaps(mut tokens: Vec<Token>) -> Vec<Token> {
+    let mut spaces = 0;
+    for at in 0..tokens.len() {
+        let is_gap = matches!(tokens[at].kind, TokenKind::Space(1..9));
+        spaces = if is_gap { spaces + 1 } else { 0 };
+        let goes_on = tokens
+            .get(at + 1)
+            .is_none_or(|next| matches!(next.kind, TokenKind::Space(_) | TokenKind::Word(_) | TokenKind::Operator(_)));
+        if spaces >= SPACES_OF_GAP && !goes_on {
+            tokens[at].kind = TokenKind::Space(EQUATION_END);
+        }
+    }
+    tokens
+}
+
 /// The rows of a formula, each with its cells.
 fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {
     let rows = tokens.split(|token| token.kind == TokenKind::Line);
@@ -13,7 +35,11 @@ fn cells(tokens: &[Token]) -> Vec<Vec<&[Token]>> {
 }
 
 fn begins_with_relation(cell: &[Token]) -> bool {
-    trim_space(cell).first().is_some_and(|first| first.is_one_of("=≈"))
+    trim_space(cell).first().is_some_and(|first| match &first.kind {
+        // In smaller letters or a colour: \small{= 3}.
+        TokenKind::Group(inner) => begins_with_relation(inner),
+        _ => first.is_one_of("=≈"),
+    })
 }
 
 /// Whether a cell is a remark: words, or a number in brackets, and no equation.
@@ -159,14 +185,27 @@ pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
     let rows = cells(tokens);
     let is_empty = |cells: &[&[Token]]| cells.iter().all(|cell| trim_space(cell).is_empty());
     let side_by_side = rows.iter().all(|row| row.chunks(2).all(|of| is_empty(of) || is_equation(of)));
+    // Two columns that have an equation of their own in each row.
+    let is_own = |at: usize| {
+        let mut parts = rows.iter().filter_map(|row| row.chunks(2).nth(at)).filter(|part| !is_empty(part)).peekable();
+        at > 0 && parts.peek().is_some() && parts.all(is_equation)
+    };
+    let widest = rows.iter().map(|row| row.len().div_ceil(2)).max().unwrap_or(0).min(MOST_COLUMNS);
+    let own: Vec<bool> = (0..widest).map(is_own).collect();
     let at = tokens.first()?.span;
     let mut out = Vec::with_capacity(tokens.len() + rows.len());
     let (mut found, mut is_whole) = (false, false);
     for (which, row) in rows.iter().enumerate() {
-        let parts: Vec<&[&[Token]]> = if side_by_side { row.chunks(2).collect() } else { vec![row.as_slice()] };
+        let parts: Vec<&[&[Token]]> = match (side_by_side, own.iter().position(|own| *own)) {
+            (true, _) => row.chunks(2).collect(),
+            (false, Some(at)) if 2 * at < row.len() => {
+                std::iter::once(&row[..2 * at]).chain(row[2 * at..].chunks(2)).collect()
+            }
+            (false, _) => vec![row.as_slice()],
+        };
         for (place, part) in parts.into_iter().enumerate() {
             let begins = part.get(..2).is_some_and(is_equation);
-            let parted = is_whole && begins;
+            let parted = begins && (is_whole || (place > 0 && !side_by_side));
             found |= parted;
             match (parted, place) {
                 // Not the sign of a row, behind which a side may go on.

@@ -30,6 +30,12 @@ pub(crate) fn only_matrix(side: &ChainSide) -> Option<&[Vec<Token>]> {
     solid.next().and_then(rows_of).filter(|_| solid.next().is_none())
 }
 
+/// Whether a side is a matrix in which a bar parts the columns of a system of equations from its right sides.
+pub(crate) fn is_augmented(side: &ChainSide) -> bool {
+    let has_bar = |row: &Vec<Token>| row.iter().any(|token| token.is_sign('|'));
+    only_matrix(side).is_some_and(|rows| rows.iter().all(has_bar))
+}
+
 /// Whether all numbers in the matrices of a side are zeros and ones.
 pub(crate) fn has_bits_alone(side: &ChainSide) -> bool {
     let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !matches!(&**digits, "0" | "1"));

@@ -11,7 +11,7 @@ use crate::token::{MathFunction, NamedOperation, Span, Token, TokenKind, any, sh
 
 /// Joins the tokens of a formula.
 pub(crate) fn join_tokens(tokens: &[Token]) -> Vec<Token> {
-    let rows = rows(tokens);
+    let rows = equation_columns::with_wide_gaps(rows(tokens));
     let rows = equation_columns::without_row_remarks(&rows).unwrap_or(rows);
     let rows = equation_columns::read_down(&rows).or_else(|| equation_columns::part_equations(&rows)).unwrap_or(rows);
     let tokens = flatten(&rows);

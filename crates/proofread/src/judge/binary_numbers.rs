@@ -8,16 +8,31 @@ use crate::token::{MathFunction, Token, TokenKind};
 const MOST_DIGITS: usize = 40;
 
 /// Both sides in base ten, if all of their numbers may be in base two; or the left one, where it is a significand of base two times a power of
-/// two: `1.0110 · 2^0 = 1.375`.
+/// two, or one number with the digits of base two: `1.0110 · 2^0 = 1.375`, `111 = 4 + 2 + 1`, `1001 = 9h`.
 pub(super) fn in_decimal(left: &[Token], right: &[Token]) -> Option<Sides> {
     if is_binary(left, |_| true) && is_binary(right, |_| true) {
         return Some([converted(left), converted(right)]);
     }
-    let is_power_of_two = |at: usize| {
-        left[at].number() == Some("2") && matches!(left.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
+    let is_power_of_two = |side: &[Token], at: usize| {
+        side[at].number() == Some("2") && matches!(side.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }))
     };
-    let has_power = (0..left.len()).any(is_power_of_two);
-    (has_power && is_binary(left, |at| !is_power_of_two(at))).then(|| [converted(left), right.to_vec()])
+    let is_significand = |side: &[Token]| {
+        (0..side.len()).any(|at| is_power_of_two(side, at)) && is_binary(side, |at| !is_power_of_two(side, at))
+    };
+    if is_significand(left) {
+        return Some([converted(left), right.to_vec()]);
+    }
+    let is_number = matches!(left, [number] if number.number().is_some_and(|digits| digits.len() > 2));
+    if !is_number || !is_binary(left, |_| true) {
+        return None;
+    }
+    // The letter of a hexadecimal digit is no unit.
+    let right = match right {
+        [digit, letter] if digit.number().is_some() && matches!(letter.word(), Some("h" | "H")) => vec![digit.clone()],
+        right if is_significand(right) => converted(right),
+        right => right.to_vec(),
+    };
+    Some([converted(left), right])
 }
 
 /// Whether the numbers of a side, but for those that don't count, have the digits 0 and 1 only, one of them several.

@@ -11,16 +11,16 @@ fn is_integer(token: &Token) -> bool {
     token.number().is_some_and(|digits| digits.chars().all(|c| c.is_ascii_digit()))
 }
 
-/// Whether π stands before one number in brackets, as the name of a function does: π(3) and π(10²³), but not π(3)².
+/// Whether π stands before one number in brackets, as the name of a function does: π(3), π[3] and π(10²³), but not π(3)².
 fn names_pi(side: &[Token]) -> bool {
     let solid = without_space(side);
     let is_power = |token: &&&Token| matches!(token.kind, TokenKind::Power(_));
     let is_call = |at: usize| match solid.get(at..) {
         Some([name, open, number, rest @ ..]) => {
             let rest = &rest[usize::from(rest.first().as_ref().is_some_and(is_power))..];
-            let is_closed = rest.first().is_some_and(|close| close.is_sign(')'));
+            let is_closed = rest.first().is_some_and(|close| close.is_one_of(")]"));
             name.kind == pi()
-                && open.is_sign('(')
+                && open.is_one_of("([")
                 && number.number().is_some()
                 && is_closed
                 && !rest.get(1).as_ref().is_some_and(is_power)

@@ -1,7 +1,29 @@
 //! Whether a text says that a formula is false, or asks whether it holds.
 
+use crate::join::chain::{Chain, Relation};
+use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::surroundings::{text_around, text_before};
+use crate::judge::verdict::judge;
 use crate::token::Span;
+
+/// Whether the chain at a place follows from one that is false, or one that is false follows from it, and it is false itself: −1 = 1 ⇒ 5 − 6 = 7 − 6.
+pub(crate) fn is_derived_from_false(text: &str, chains: &[Chain], at: usize) -> bool {
+    const ARROWS: [&str; 5] = ["\\Rightarrow", "\\Longrightarrow", "\\implies", "⇒", "⟹"];
+    let follows = |pair: &[Chain]| {
+        let end = pair[0].sides.last().map_or(0, |side| side.span.end as usize);
+        let between = text.get(end..pair[1].sides[0].span.start as usize).unwrap_or_default();
+        ARROWS.iter().any(|arrow| between.contains(arrow))
+    };
+    let is_false = |chain: &Chain| match chain.sides.as_slice() {
+        [left, right] => {
+            right.relation == Some(Relation::Equal)
+                && judge(&left.tokens, &right.tokens, Relation::Equal, None).verdict == ChainVerdict::Inconsistent
+        }
+        _ => false,
+    };
+    let pairs = [at.checked_sub(1), Some(at)].into_iter().flatten().filter_map(|from| chains.get(from..from + 2));
+    { pairs }.any(|pair| follows(pair) && pair.iter().all(is_false))
+}
 
 /// Whether the text asks if the formula holds, or says that it does not.
 pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
@@ -13,17 +35,36 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
         return true;
     }
+    let marks = |c: char| c.is_whitespace() || "$({[\\".contains(c);
+    if sentence.trim_end_matches(marks).ends_with("whether") {
+        return true;
+    }
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
     if asked && question {
         return true;
     }
+    // Data of an exercise that say so: [4, false, "2 + 4 = 8"].
+    if before.trim_end_matches(|c: char| c.is_whitespace() || "$({[\\\"'".contains(c)).ends_with("false,") {
+        return true;
+    }
+    // Its denial stands beside it.
+    if is_denied_near([&before, &after], text.get(span.range()).unwrap_or_default()) {
+        return true;
+    }
     // One of the answers to choose from.
+    if is_choice_of_list(text_before(text, span)) {
+        return true;
+    }
     if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
         return true;
     }
     let behind = after.split("\n\n").next().unwrap_or_default();
-    if sentence.contains("what if ") || behind.contains("This fallacy") || behind.contains("this fallacy") {
+    if sentence.contains("what if ")
+        || behind.contains("This fallacy")
+        || behind.contains("this fallacy")
+        || behind.contains("extraneous")
+    {
         return true;
     }
     if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
@@ -39,7 +80,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // An exercise that has the reader put in brackets, or say which of several statements hold.
-    const EXERCISES: [&str; 7] = [
+    const EXERCISES: [&str; 11] = [
+        "true or false",
+        "whether the following statements",
+        "whether each statement",
+        "whether each of the following",
         "to make the following statements true",
         "to make the statement true",
         "to make each statement true",
@@ -89,6 +134,14 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
+    let behind = text.get(span.end as usize..).unwrap_or_default();
+    let behind = behind[..behind.floor_char_boundary(STATEMENT)].to_ascii_lowercase();
+    if ["the statement is false", "the equation is false", "the proposition is false"]
+        .iter()
+        .any(|of| behind.contains(of))
+    {
+        return true;
+    }
     const DENIALS: [&str; 12] = [
         "no longer true",
         "no longer holds",
@@ -103,15 +156,44 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is not a solution",
         "is inconsistent",
     ];
-    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&rest, text.get(span.range()).unwrap_or_default())
+    let formula = text.get(span.range()).unwrap_or_default();
+    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), formula)
 }
 
-/// Whether what stands behind a formula says that it is a contradiction itself: not that a number of elements is one, nor what an inequality
-/// in the formula says.
+/// How far behind a formula a text may say that the statement is false, in bytes.
+const STATEMENT: usize = 300;
+
+/// Whether the text near an equation has it with a sign that denies it: `8 − 5 = 2` beside `8 − 5 ≠ 2`.
+fn is_denied_near(near: [&str; 2], formula: &str) -> bool {
+    if !near.iter().any(|text| ["\\ne", "≠", "\\not"].iter().any(|sign| text.contains(sign))) {
+        return false;
+    }
+    let solid = |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace() && !"{}$".contains(*c)).collect() };
+    let formula = solid(formula);
+    let Some((left, right)) = formula.split_once('=').filter(|(left, right)| !left.is_empty() && !right.is_empty())
+    else {
+        return false;
+    };
+    let signs = ["\\neq", "\\ne", "≠", "\\not="].map(|sign| format!("{left}{sign}{right}"));
+    near.into_iter().map(solid).any(|text| signs.iter().any(|denial| text.contains(denial)))
+}
+
+/// Whether a place is in a list with capital letters for its items that is part of a statement in PreTeXt: answers to choose from.
+fn is_choice_of_list(before: &str) -> bool {
+    let inside =
+        |tag: &str| before.rfind(&format!("<{tag}")).filter(|at| !before[*at..].contains(&format!("</{tag}>")));
+    let Some(list) = inside("ol") else { return false };
+    let tag: String = before[list..].split('>').next().unwrap_or_default().replace(' ', "");
+    ["marker=\"A", "marker=\"(A", "marker='A"].iter().any(|mark| tag.contains(mark)) && inside("statement").is_some()
+}
+
+/// Whether what stands behind a formula says that it is a contradiction, absurd or impossible itself: not that a number of elements is, nor
+/// what an inequality in the formula says.
 fn contradicts(rest: &str, formula: &str) -> bool {
     const LINKS: &str = " a an the is are this that which gives giving yields leads leading to us we have get arrive at so clearly and but \
-        in by again our another obvious therefore hence thus contrary ";
-    let Some(at) = rest.find("contradiction") else { return false };
+        in by again our another obvious clear clearly it which therefore hence thus contrary ";
+    let words = ["contradiction", "absurd", "impossible"];
+    let Some(at) = words.iter().filter_map(|word| rest.find(word)).min() else { return false };
     let mut words = rest[..at].split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
     let compares = ["<", ">", "\\le", "\\ge", "\\lt", "\\gt", "≤", "≥"].iter().any(|sign| formula.contains(sign));
     !compares && words.all(|word| LINKS.split_ascii_whitespace().any(|link| link == word))

@@ -192,7 +192,10 @@ impl PlacedPair<'_> {
                     || surroundings::follows_label(self.text, self.left.span));
             let called = surroundings::follows_function(self.text, self.formula.span)
                 || (plain && surroundings::is_torn_off(self.text, self.left));
-            if joined_on || glued || signed || sums_on || parted || by_word || named || called {
+            // A unit that is added to has its number elsewhere, as does an amount behind one in a larger unit: 7 shillings and 85 cents.
+            let lacks_number = matches!(&*without_space(&self.left.tokens), [unit, sign, ..] if unit.word().is_some() && sign.is_one_of("+-"))
+                || literal && surroundings::is_second_amount(self.text, self.left.span);
+            if joined_on || glued || signed || sums_on || parted || by_word || named || called || lacks_number {
                 return true;
             }
         }
@@ -229,6 +232,8 @@ impl PlacedPair<'_> {
             || (point_coordinates::are_proportional(left, right)
                 && surroundings::speaks_of_homogeneous_coordinates(self.text, around))
             || notation::has_phasor(right)
+            || self.is_minor()
+            || other_arithmetic::has_own_operation(self.text, self.left.span)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
@@ -249,7 +254,8 @@ impl PlacedPair<'_> {
                 && surroundings::named_base(self.text, around).is_none()
                 && !computes_remainder(left)
                 && !computes_remainder(right)
-                && other_arithmetic::may_explain(self.text, around, &bare_differences(judgement)))
+                && (other_arithmetic::may_explain(self.text, around, &bare_differences(judgement))
+                    || other_arithmetic::may_be_remainder(self.text, left, judgement.values.as_ref(), self.left.span)))
     }
 
     /// Whether a number of the chain names its base.
@@ -336,6 +342,15 @@ impl PlacedPair<'_> {
             && bare(right)
             && self.right.relation == Some(Relation::Equal)
             && right.number().is_ok_and(|of| of.point.fract() == 0.0);
+        // What a code stands for: 107 = 7 days.
+        let coded = both
+            && bare(left)
+            && is_integer(left)
+            && right.has_unit
+            && apart
+            && !is_sum
+            && self.begins_chain()
+            && self.formula.style == FormulaStyle::Plain;
         let opposite = both && left.dimension == right.dimension && left.clone().negate().meets(right, ROUGH);
         // So is the deviation in per cent of what was measured.
         let deviates = self.right.tokens.last().and_then(Token::word) == Some("%")
@@ -364,6 +379,7 @@ impl PlacedPair<'_> {
             || costs
             || deviates
             || sets
+            || coded
             || pair
             || (bare(left) && (is_small || (bare(right) && apart && !is_raised)))
     }

@@ -13,7 +13,7 @@ use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{Span, Token, TokenKind, trim_space};
+use crate::token::{Span, Token, TokenKind, show, trim_space};
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -131,11 +131,28 @@ fn try_undefined(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let Some(Obstacle::NoValue(why)) = &pair.judgement.obstacle else { return None };
     let of_right = evaluate_freely(&pair.right.tokens, pair.bindings).err();
     let alike = [DIVIDES_BY_ZERO, NEGATIVE_ROOT].contains(why);
+    // Complex numbers may be meant: (1 + √−3)(1 − √−3) = 4.
+    if *why == NEGATIVE_ROOT && has_root_twice(&pair.left.tokens) {
+        return pair.with_verdict(ChainVerdict::Doubtful);
+    }
     let shown = matches!(of_right, Some(Obstacle::NoValue(of_right)) if alike && of_right == *why);
     (shown || surroundings::calls_undefined(pair.text, pair.left.span.join(pair.right.span)))
         .then(|| pair.with_verdict(ChainVerdict::Doubtful))
         .flatten()
 }
+
+/// Whether two roots of a side are of the same negative number.
+fn has_root_twice(side: &[Token]) -> bool {
+    let of_negative = |token: &Token| match &token.kind {
+        TokenKind::Root(of, _) => trim_space(of).first().is_some_and(|sign| sign.is_sign('-')).then(|| show(of)),
+        _ => None,
+    };
+    let roots: Vec<String> = side.iter().filter_map(of_negative).take(MOST_ROOTS).collect();
+    roots.iter().enumerate().any(|(at, one)| roots[at + 1..].contains(one))
+}
+
+/// Most roots of a side that are compared with each other.
+const MOST_ROOTS: usize = 8;
 
 /// Digits that are printed elsewhere, or that everybody knows, went into the computed side: a result before it was rounded, a
 /// constant of nature, 3.14 for π.

@@ -3,7 +3,7 @@
 
 use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
-use crate::token::{Token, TokenKind, span_of};
+use crate::token::{MathFunction, Token, TokenKind, span_of};
 
 /// Most ways in which the numbers of two sides are read.
 const MOST: usize = 16;
@@ -85,6 +85,28 @@ pub(super) fn with_whole_exponents(side: &[Token]) -> Option<Vec<Token>> {
     let half = Token::new(TokenKind::Fraction(vec![one], below), span);
     out[at + 1] = Token::new(TokenKind::Power(vec![half]), span);
     Some(out)
+}
+
+/// A side with the base of a logarithm that is printed close before its number, `log101,000` or `log28`; none if there is none.
+pub(super) fn with_base_of_logarithm(side: &[Token]) -> Option<Vec<Token>> {
+    let mut out = side.to_vec();
+    let mut found = false;
+    for at in 1..out.len() {
+        let (before, behind) = out.split_at_mut(at);
+        let (Some(name), TokenKind::Number(digits)) = (before.last_mut(), &mut behind[0].kind) else { continue };
+        if name.kind != TokenKind::Function(MathFunction::Log) {
+            continue;
+        }
+        // The comma of a thousand stays where it is.
+        for (base, function) in [("10", MathFunction::Lg), ("2", MathFunction::LogTo(2))] {
+            let rest = digits.strip_prefix(base).filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+            if let Some(rest) = rest.map(str::to_owned) {
+                (name.kind, *digits, found) = (TokenKind::Function(function), rest, true);
+                break;
+            }
+        }
+    }
+    found.then_some(out)
 }
 
 /// A side with all factors behind a root sign under it, whose bar is lost in running text; none if there is no such sign.

@@ -10,6 +10,7 @@ pub(crate) mod doubt;
 mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
+mod function_arguments;
 pub(crate) mod letter_units;
 mod lost_digits;
 pub(crate) mod money;

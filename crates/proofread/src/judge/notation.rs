@@ -6,7 +6,9 @@ use crate::evaluate::value::{AngleUnit, SideValue};
 use crate::join::chain::{ChainSide, ROW_END, Relation};
 use crate::judge::binary_numbers;
 use crate::judge::chain_verdict::ChainVerdict;
+use crate::judge::equals_conventions::turns_into_degrees;
 use crate::judge::flattened;
+use crate::judge::function_arguments::{under_function, with_braced_arguments, with_whole_radicand};
 use crate::judge::number_marks::{integer, touch};
 use crate::judge::permutation::as_permutations;
 use crate::judge::point_coordinates::as_cartesian;
@@ -52,6 +54,10 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&as_remainder);
     each(&as_columns);
     each(&under_function);
+    each(&|side| with_braced_arguments(text, side));
+    each(&with_low_points);
+    each(&with_whole_radicand);
+    each(&in_degrees_by_factor);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
     each(&with_fractional_parts);
@@ -59,6 +65,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);
+        each(&flattened::with_base_of_logarithm);
     }
     out.extend(binary_numbers::in_decimal(&left.tokens, &right.tokens));
     out.extend(all_in_degrees(&left.tokens, &right.tokens));
@@ -300,14 +307,37 @@ fn all_in_degrees(left: &[Token], right: &[Token]) -> Option<Sides> {
     Some([one, other])
 }
 
-/// A side in which a function takes all factors behind it, `sin 2 · 30°`; none if there is no such function.
-fn under_function(side: &[Token]) -> Option<Vec<Token>> {
-    let at = side.iter().position(|token| matches!(token.kind, TokenKind::Function(_)))?;
-    let end = side[at..].iter().position(|token| token.is_one_of("+-/")).map_or(side.len(), |end| at + end);
-    let inner = &side[at + 1..end];
-    let fits = inner.iter().any(|token| token.is_one_of("·×")) && inner.iter().all(|token| !token.is_one_of("()[]"));
-    let sign = |c| Token::new(TokenKind::Operator(c), side[at].span);
-    fits.then(|| [&side[..=at], &[sign('(')], inner, &[sign(')')], &side[end..]].concat())
+/// A side with the points behind exponents as signs of products, `2^2.3^2`; none if there are none.
+fn with_low_points(side: &[Token]) -> Option<Vec<Token>> {
+    let mut out: Vec<Token> = Vec::with_capacity(side.len() + 1);
+    let mut found = false;
+    for token in side {
+        let mut copy = token.clone();
+        for list in copy.kind.lists() {
+            if let Some(changed) = with_low_points(list) {
+                (*list, found) = (changed, true);
+            }
+        }
+        let is_raised = out.last().is_some_and(|last| matches!(last.kind, TokenKind::Power(_)));
+        if let TokenKind::Number(digits) = &mut copy.kind
+            && is_raised
+            && let Some(behind) = digits.strip_prefix('.').map(str::to_owned)
+        {
+            *digits = behind;
+            out.push(Token::new(TokenKind::Operator('·'), token.span));
+            found = true;
+        }
+        out.push(copy);
+    }
+    found.then_some(out)
+}
+
+/// A side that a factor 180/π changes to degrees without their sign, with it; none if there is no such factor.
+fn in_degrees_by_factor(side: &[Token]) -> Option<Vec<Token>> {
+    let at = side.first()?.span;
+    let sign = |c| Token::new(TokenKind::Operator(c), at);
+    let degree = Token::new(TokenKind::Word("°".to_owned()), at);
+    turns_into_degrees(side).then(|| [&[sign('(')], side, &[sign(')'), degree]].concat())
 }
 
 /// Where one or two digits in brackets stand directly behind decimals.

@@ -1,8 +1,11 @@
 //! Whether the text speaks of numbers that are not reckoned with as usual: remainders, other bases, truth values.
 
 use crate::decimal::parse_decimal;
+use crate::effort;
+use crate::evaluate::value::SideValue;
+use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
-use crate::token::{Span, Token, show};
+use crate::token::{Span, Token, TokenKind, show};
 
 const WORDS: [&str; 15] = [
     "significand",
@@ -134,6 +137,69 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
             let is_ring = modulus.len() < behind.len() || is_field(sign);
             is_ring && fits(number_at(modulus))
         })
+}
+
+/// How far before two sides a text may name the modulus of their remainders, in bytes.
+const SECTION: usize = 6000;
+
+/// The least modulus that is looked for so far away; of smaller ones, too many differences are multiples.
+const LEAST_FAR: f64 = 5.0;
+
+/// The least number that may be a modulus although the text doesn't call it so.
+const LEAST_UNCALLED: f64 = 100.0;
+
+/// Whether the right side may be the remainder of the left one for a modulus that the section names, or, of a power, for any larger number that
+/// the example prints: with the key 221, `219^2 = 4`.
+pub(crate) fn may_be_remainder(
+    text: &str,
+    left: &[Token],
+    values: Option<&(SideValue, SideValue)>,
+    place: Span,
+) -> bool {
+    let numbers = values.and_then(|(left, right)| left.number().ok().zip(right.number().ok()));
+    let Some((value, remainder)) = numbers.map(|(left, right)| (left.point, right.point)) else { return false };
+    let fits = |modulus: f64| {
+        remainder.abs() < modulus && value.abs() >= modulus && are_multiples(&[value - remainder], modulus)
+    };
+    if value.fract() != 0.0 || remainder.fract() != 0.0 || value.abs() < LEAST_FAR {
+        return false;
+    }
+    let end = (place.start as usize).min(text.len());
+    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
+    effort::count_steps(section.len() / 32);
+    let mut named = named_moduli(section);
+    named.extend(moduli_in_words(section));
+    if named.into_iter().any(|modulus| modulus >= LEAST_FAR && fits(modulus)) {
+        return true;
+    }
+    let is_power = matches!(without_space(left).as_slice(), [base, Token { kind: TokenKind::Power(_), .. }] if base.number().is_some());
+    let example = surroundings::text_before(text, place);
+    let numbers = example.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(parse_decimal);
+    is_power && { numbers }.any(|number| number >= LEAST_UNCALLED && fits(number))
+}
+
+/// Whether an asterisk in a side is an operation that the example defines: `a * b = 2^{ab}`, or that it names by itself, `$*$`.
+pub(crate) fn has_own_operation(text: &str, side: Span) -> bool {
+    let has_sign = |source: &str| source.contains('*') || source.contains("\\ast");
+    if !text.get(side.range()).is_some_and(has_sign) {
+        return false;
+    }
+    let before = surroundings::text_before(text, side).replace("\\ast", "*");
+    let solid: String = before.chars().filter(|c| !c.is_whitespace()).collect();
+    let named = ["$*$", "\\(*\\)", "<m>*</m>", "(*)"].iter().any(|sign| solid.contains(sign));
+    // With its letters on the right side, too, unlike a product with numbers put in.
+    let defined = solid.match_indices('=').take(surroundings::MOST_CALLS).any(|(at, _)| {
+        let mut signs = solid[..at].chars().rev();
+        let [other, sign, one, before] = [signs.next(), signs.next(), signs.next(), signs.next()];
+        let letters = [one, other].map(|letter| letter.filter(char::is_ascii_alphabetic));
+        let [Some(one), Some(other)] = letters else { return false };
+        let behind = solid[at + 1..].split(['$', '=', '<']).next().unwrap_or_default();
+        sign == Some('*')
+            && !before.is_some_and(|before| before.is_ascii_alphabetic() || before == '*')
+            && behind.contains(one)
+            && behind.contains(other)
+    });
+    named || defined
 }
 
 /// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of

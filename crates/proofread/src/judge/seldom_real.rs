@@ -8,7 +8,7 @@ use crate::judge::doubt::PlacedPair;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
 use crate::judge::verdict::PairJudgement;
-use crate::token::{MathFunction, Token, TokenKind, any};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
 
 /// How far two numbers are apart that differ in nothing but their sign, relative to them.
 const EXACT: f64 = 0.01;
@@ -43,7 +43,31 @@ impl PlacedPair<'_> {
                 letters.len() == 2 && matches!(letters[0].kind, TokenKind::Name(_)) && is_square(&letters)
             });
         let called = |words: &[&str]| surroundings::speaks_before(self.text, self.left.span, words);
-        is_squared || (is_difference && called(&["difference", "distance", "apart"])) || called(&["elasticity"])
+        let is_size = surroundings::speaks_around(self.text, self.right.span, &["absolute value", "in magnitude"]);
+        let is_named = is_difference && called(&["difference", "distance", "apart"]);
+        is_squared || is_named || is_size || called(&["elasticity"])
+    }
+
+    /// Whether a determinant has entries in colour or struck out, so that a part of it may be meant: the minor of an entry.
+    pub(crate) fn is_minor(&self) -> bool {
+        const MARKS: [&str; 4] = ["\\color", "\\textcolor", "cancel{", "\\sout"];
+        let is_determinant = |kind: &TokenKind| matches!(kind, TokenKind::Call(NamedOperation::Determinant, _));
+        [self.left, self.right].into_iter().filter(|side| any(&side.tokens, &is_determinant)).any(|side| {
+            let source = self.text.get(side.span.range()).unwrap_or_default();
+            MARKS.iter().any(|mark| source.contains(mark))
+        })
+    }
+
+    /// Whether a small angle takes the place of its sine or tangent: `sin 0.5 ≈ 0.5`.
+    fn is_small_angle(&self) -> bool {
+        let solid = |side: &ChainSide| -> Vec<TokenKind> {
+            let printed = side.tokens.iter().filter(|token| !token.is_space() && !token.is_one_of("()"));
+            printed.map(|token| token.kind.clone()).collect()
+        };
+        match solid(self.left).as_slice() {
+            [TokenKind::Function(MathFunction::Sin | MathFunction::Tan), angle @ ..] => angle == solid(self.right),
+            _ => false,
+        }
     }
 
     /// Whether a factor of a hundred only changes a number to per cent: `.8 = .8 · 100 = 80%`.
@@ -64,7 +88,7 @@ impl PlacedPair<'_> {
         }
     }
 
-    /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1.
+    /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1, sin 33 ≈ 33.
     pub(crate) fn is_coarse_approximation(&self) -> bool {
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         let is_computed = |kind: &TokenKind| {
@@ -74,7 +98,8 @@ impl PlacedPair<'_> {
             )
         };
         let right = &self.right.tokens;
-        self.right.relation == Some(Relation::Approximate) && any(right, &is_computed) && !any(right, &is_decimal)
+        let is_exact = any(right, &is_computed) && !any(right, &is_decimal);
+        self.right.relation == Some(Relation::Approximate) && (is_exact || self.is_small_angle())
     }
 
     /// Whether the left side is computed from rounded estimates: a power of e with a decimal exponent where the text speaks of them, or the

@@ -404,6 +404,15 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
     counted(rest) || (unit(word).is_some() && counted(before_word))
 }
 
+/// Whether the word *and* joins what stands at a place to a number with its noun: 7 shillings and 85 cents.
+pub(crate) fn is_second_amount(text: &str, span: Span) -> bool {
+    let Some(before) = words_before(text, span).strip_suffix("and") else { return false };
+    let before = before.trim_end();
+    let noun = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    let count = before[..before.len() - noun.len()].trim_end_matches([' ', '~', '\u{a0}']);
+    noun.chars().count() > 1 && count.ends_with(|c: char| c.is_ascii_digit())
+}
+
 /// Whether a word behind a place joins it to another number: `24 = 2 by 12`.
 pub(crate) fn goes_on_in_words(text: &str, span: Span) -> bool {
     const JOINTS: [&str; 10] =

@@ -33,7 +33,12 @@ const GAP: u8 = 4;
 /// Whether a sign or a gap parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let is_gap = |token: &Token| matches!(token.kind, TokenKind::Space(GAP..=8));
-    let gaps = sides[1].iter().enumerate().filter(|(_, token)| is_gap(token)).map(|(at, _)| at).take(4);
+    // Behind a blank, a function may begin the second one: cos 60° = 0.5  sin 60° = 0.866.
+    let begins = |at: usize| {
+        let next = sides[1][at..].iter().find(|token| !token.is_space());
+        at > 0 && sides[1][at].is_space() && next.is_some_and(|next| matches!(next.kind, TokenKind::Function(_)))
+    };
+    let gaps = (0..sides[1].len()).filter(|at| is_gap(&sides[1][*at]) || begins(*at)).take(4);
     let parted = |at: usize| {
         let holds = |left: &[Token], right: &[Token]| {
             judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated

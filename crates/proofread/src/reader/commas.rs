@@ -238,11 +238,11 @@ fn count_comma(tokens: &[Token], at: usize, text: &str, is_argument: bool, seen:
     }
     let of_macro = |token: &Token| matches!(&token.kind, TokenKind::Unknown(name) if name.starts_with('\\'));
     let signed = usize::from(at > 2 && tokens[at - 2].is_one_of("-+"));
-    let opens = at > 1 + signed && {
-        let open = &tokens[at - 2 - signed];
-        open.is_one_of("([{⟨") || of_macro(open)
-    };
-    let closes = tokens.get(at + 2).is_some_and(|token| token.is_one_of(")]}⟩") || of_macro(token));
+    // Space ends the name of a macro for a bracket.
+    let solid = |token: &&Token| !token.is_space();
+    let before = tokens.get(..(at - 1).saturating_sub(signed)).unwrap_or_default();
+    let opens = before.iter().rev().find(solid).is_some_and(|open| open.is_one_of("([{⟨") || of_macro(open));
+    let closes = tokens[at + 2..].iter().find(solid).is_some_and(|close| close.is_one_of(")]}⟩") || of_macro(close));
     // A pair in brackets may be a point of the plane.
     if !(opens && closes || is_pair(tokens, at)) {
         let is_sure = !is_loose || is_decimal_for_sure(tokens, at, [whole, decimals], is_argument);

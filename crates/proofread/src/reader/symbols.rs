@@ -85,6 +85,14 @@ pub(crate) fn symbol(name: &str) -> TokenKind {
     })
 }
 
+/// The sign with a number in the package pifont, of which only the two crosses are known.
+pub(crate) fn pifont_sign(number: &str) -> TokenKind {
+    match number {
+        "55" | "56" => TokenKind::Operator('✗'),
+        _ => TokenKind::Unknown("\\ding".to_owned()),
+    }
+}
+
 /// Upright letters, each read by itself, as words.
 pub(crate) fn merge_letters(tokens: Vec<Token>, out: &mut Vec<Token>) {
     let mut joined = false;

@@ -3,7 +3,7 @@
 use super::definitions::Macros;
 use super::formatting::{self, with_over_fractions};
 use super::siunitx;
-use super::symbols::{attach_script, merge_letters, symbol};
+use super::symbols::{attach_script, merge_letters, pifont_sign, symbol};
 use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
 use crate::token::{
@@ -365,7 +365,6 @@ impl Tex<'_> {
                 let length = self.length();
                 push(out, TokenKind::Space(formatting::space_width(&length).max(2)));
             }
-            "hfill" | "hfil" => push(out, TokenKind::Space(20)),
             // The number of an equation.
             "eqno" | "leqno" => while self.stack.pop().is_some() {},
             "genfrac" => {
@@ -460,14 +459,13 @@ impl Tex<'_> {
                 push(out, TokenKind::Fraction(above, below));
             }
             "quad" => push(out, TokenKind::Space(10)),
-            "qquad" => push(out, TokenKind::Space(20)),
+            "qquad" | "hfill" | "hfil" => push(out, TokenKind::Space(20)),
             "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => {
                 push(out, TokenKind::Space(2))
             }
-            "!" => {}
             "%" | "$" => push(out, TokenKind::Word(name)),
             "{" | "}" | "|" | "#" | "_" => push(out, TokenKind::Operator(name.chars().next().unwrap_or('|'))),
-            "&" => {}
+            "&" | "!" => {}
             "amp" => push(out, TokenKind::Cell),
             "\\" | "newline" | "cr" | "tabularnewline" => {
                 self.row_space();
@@ -476,6 +474,10 @@ impl Tex<'_> {
             "begin" | "end" => self.environment(&name, span, depth, out),
             "square" | "Box" if !self.ends() => push(out, TokenKind::Unknown("a box to fill in".to_owned())),
             "checkmark" | "square" | "Box" | "blacksquare" | "qed" => push(out, TokenKind::Space(2)),
+            "ding" => {
+                let number: String = self.raw_group().iter().map(|sign| sign.c).collect();
+                push(out, pifont_sign(number.trim()));
+            }
             "pmod" => push(out, TokenKind::Unknown(name)),
             "bmod" | "mod" => push(out, TokenKind::Word("mod".to_owned())),
             "binom" | "dbinom" | "tbinom" => {

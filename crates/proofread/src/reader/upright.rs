@@ -8,7 +8,8 @@ use crate::token::{MathFunction, SourceChar, Token, TokenKind};
 impl Tex<'_> {
     /// Upright text: a function, units, or words.
     pub(super) fn read_upright(&mut self, command: &str, depth: usize, out: &mut Vec<Token>) {
-        let raw = self.raw_group();
+        self.skip_space();
+        let raw = self.raw_group_or_digits();
         let text: String = raw.iter().map(|sign| sign.c).collect();
         // A remark in brackets stands apart.
         if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
@@ -39,6 +40,17 @@ impl Tex<'_> {
                 self.read_words(command, piece, depth, out);
             }
         }
+    }
+
+    /// The characters of a group, or all digits that follow: without braces the argument is the first one alone, and the others are printed
+    /// close behind it.
+    fn raw_group_or_digits(&mut self) -> Vec<SourceChar> {
+        let mut digits = Vec::new();
+        while let Some(digit) = self.peek().filter(|next| next.c.is_ascii_digit()) {
+            digits.push(digit);
+            self.stack.pop();
+        }
+        if digits.is_empty() { self.raw_group() } else { digits }
     }
 
     /// Whether what follows may be the argument of a function: a bracket, an exponent, a letter or a number, or a command for one of them.

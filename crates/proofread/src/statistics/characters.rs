@@ -97,6 +97,10 @@ impl PlainCharacters {
                 return at + 3;
             }
             '{' | '}' => {}
+            '^' => match end_of_marks(signs, at + 1) {
+                Some(end) => return end,
+                None => self.push('^', one),
+            },
             '*' => {
                 let is_product = |c: char| c == ' ' || c.is_ascii_digit();
                 if is_product(before) && is_product(sign(at + 1)) && format != TextFormat::Latex {
@@ -186,6 +190,28 @@ impl PlainCharacters {
         }
         end
     }
+}
+
+/// The end of a raised mark of significance or of a note, such as `{***}`, from its place behind `^`; none if something else is raised.
+fn end_of_marks(signs: &[(usize, char)], at: usize) -> Option<usize> {
+    const COMMANDS: [&str; 4] = ["ast", "star", "dagger", "ddagger"];
+    let sign = |index: usize| signs.get(index).map_or('\n', |(_, c)| *c);
+    let opens = usize::from(matches!(sign(at), '{' | '('));
+    let mut end = at + opens;
+    loop {
+        let name: String = (end + 1..).map(sign).take_while(char::is_ascii_alphabetic).take(8).collect();
+        match sign(end) {
+            '*' | '∗' | '⋆' | '†' | '‡' | '§' => end += 1,
+            '\\' if COMMANDS.contains(&name.as_str()) => end += 1 + name.len(),
+            _ => break,
+        }
+        // One without a brace.
+        if opens == 0 && sign(end) != '*' {
+            break;
+        }
+    }
+    let closes = usize::from(opens == 1 && matches!(sign(end), '}' | ')'));
+    (end > at + opens && closes == opens).then_some(end + closes)
 }
 
 fn is_narrow(c: char) -> bool {

@@ -351,7 +351,8 @@ fn printed_p(here: &mut Scanner<'_>, start: usize) -> Option<PrintedP> {
     // A computation, a unit or per cent.
     let mut behind = *here;
     behind.skip_space();
-    let goes_on = "×+-±/%=^(".contains(behind.peek()) && behind.peek() != '(' || here.peek().is_alphanumeric();
+    // Digits behind a blank may belong to it: those of an exponent's base stand apart in a formula of an office file.
+    let goes_on = "×+-±/%=^".contains(behind.peek()) || behind.peek().is_ascii_digit() || here.peek().is_alphanumeric();
     let is_probability = number.value >= 0.0 && !goes_on && number.decimals > 0;
     is_probability.then_some(PrintedP { comparison, number, range: start..here.at })
 }

@@ -14,8 +14,8 @@ pub struct CheckTally {
     pub unread: usize,
     /// Chains of equal sides with a number in them.
     pub chains: usize,
-    /// Chains with two sides that are numbers without letters: what arithmetic can check. Commands, environments and functions
-    /// count as numbers, whether the program knows them or not.
+    /// Chains that arithmetic can check: those with two sides that are numbers without letters, and those that were checked though
+    /// they have letters. Commands, environments and functions count as numbers, whether the program knows them or not.
     pub checkable: usize,
     /// Chains of which at least one pair of sides was compared.
     pub checked: usize,
