@@ -281,7 +281,7 @@ fn messages_name_what_was_typed_and_what_to_do() {
         ),
         (
             &["quick-return", "--ground", "1", "--crank", "1e-20", "--lever-angle", "24", "--rpm", "1"],
-            "between −5.72957e-19°",
+            "between −5.729e-19°",
         ),
         (&["preprocess"], "standard input is not a book of mdBook 0.5 (Unable to parse the input: EOF"),
         (

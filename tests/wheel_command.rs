@@ -116,7 +116,7 @@ fn keys_are_always_there_and_null_without_what_they_need() {
         assert!(found.keys().eq(needs.keys()), "{options:?}");
         for (key, value) in found {
             assert_eq!(value.is_null(), !needs[&*key].are_met_by(given), "{key} with {options:?}");
-            let kind = ["type", "at", "warnings"].contains(&&*key);
+            let kind = ["type", "at", "holes", "warnings"].contains(&&*key);
             assert!(kind || value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
         }
     }

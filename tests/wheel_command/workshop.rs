@@ -42,7 +42,7 @@ fn the_files_are_those_of_the_workshop() {
     assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&bare(&chosen()), PartLayout::Apart));
     // A tenth of the play is what a chord may leave its arc by.
     let tolerance = 0.1 * 0.1;
-    let model = scad(&sizes(), 4.0, tolerance, &Mounting::default()).expect("a model");
+    let model = scad(&sizes(), 4.0, tolerance, &Mounting::default(), 0.0).expect("a model");
     assert_eq!(file(&["--format", "scad", "--thickness", "4"]), model);
     assert_eq!(file(&["--format", "stl", "--thickness", "4"]), stl(&bare(&sizes()), tolerance).expect("solids"));
     let tight = [&WHEEL[..7], &["--play", "0", "--format", "stl", "--thickness", "4"]].concat();

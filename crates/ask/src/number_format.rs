@@ -6,14 +6,14 @@ pub fn as_typed(value: f64) -> String {
     written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
 }
 
-/// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
+/// A computed limit in a message, to four significant digits: never below it, so that what is said of it holds.
 pub fn rounded_up(limit: f64) -> String {
-    as_typed(to_one_side(limit, 1.0, 6))
+    as_typed(to_one_side(limit, 1.0, DIGITS))
 }
 
-/// A computed limit in a message, to six significant digits: never above it, so that a number up to it is accepted.
+/// A computed limit in a message, to four significant digits: never above it, so that a number up to it is accepted.
 pub fn rounded_down(limit: f64) -> String {
-    as_typed(to_one_side(limit, -1.0, 6))
+    as_typed(to_one_side(limit, -1.0, DIGITS))
 }
 
 /// The greatest number of so many significant digits, one or more, that is no greater than `limit`, up to what is lost in
@@ -127,9 +127,9 @@ mod tests {
         assert_eq!([as_typed(-0.0), as_typed(-0.5)], ["0", "-0.5"]);
         assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
         let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
-        assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
+        assert_eq!(limits, ["0.425", "0.425", "2", "1.6e-16", "1"]);
         let limits = [19.471_220_634_490_69, 25.714_285_714_285_715, 90.0, 13.846_153_846_153_847].map(rounded_down);
-        assert_eq!(limits, ["19.4712", "25.7142", "90", "13.8461"]);
+        assert_eq!(limits, ["19.47", "25.71", "90", "13.84"]);
         // On a sheet with two digits; what is lost in computing is no part of a limit.
         let limits =
             [0.034_99, 0.035_01, 0.04 * (1.0 - 1e-13), 0.04 * (1.0 - 1e-11), 127.0].map(|limit| no_greater(limit, 2));

@@ -29,7 +29,7 @@ pub enum TypedNumber {
     Length,
 }
 
-/// A length as it is typed, without its unit, and the millimetres of that unit: `2.5in`, `2.5"`, `1/8in`, `1-1/2 inch`, `8mm`, `0.8cm`,
+/// A length as it is typed, without its unit, and the millimetres of that unit: `2.5in`, `2.5"`, `1/8in`, `½in`, `1-1/2 inch`, `8mm`, `0.8cm`,
 /// `0.008m` or `8`. A fraction of an inch becomes a decimal number; one of another unit, or without one, is left as it is, and is no
 /// number.
 ///
@@ -49,8 +49,31 @@ pub fn in_millimetres(text: &str) -> (Cow<'_, str>, f64) {
     (value.map_or(number.into(), |value| value.to_string().into()), size)
 }
 
-/// The value of `1/8`, `1-1/2` or `1 1/2`, with a sign or without; none of anything else.
+/// Fractions that are one character.
+const ONE_CHARACTER: [(char, &str); 10] = [
+    ('½', " 1/2"),
+    ('¼', " 1/4"),
+    ('¾', " 3/4"),
+    ('⅛', " 1/8"),
+    ('⅜', " 3/8"),
+    ('⅝', " 5/8"),
+    ('⅞', " 7/8"),
+    ('⅓', " 1/3"),
+    ('⅔', " 2/3"),
+    ('⁄', "/"),
+];
+
+/// A text whose fractions are written with digits and a stroke.
+fn with_stroke(text: &str) -> String {
+    let spelled = ONE_CHARACTER.iter().fold(text.to_owned(), |text, (one, spelled)| text.replace(*one, spelled));
+    let (sign, size) = spelled.strip_prefix(['-', '−']).map_or(("", spelled.as_str()), |size| ("-", size));
+    format!("{sign}{}", size.trim())
+}
+
+/// The value of `1/8`, `1-1/2`, `1 1/2` or `1½`, with a sign or without; none of anything else.
 fn fraction(text: &str) -> Option<f64> {
+    let spelled = with_stroke(text);
+    let text = spelled.as_str();
     let (sign, size) = match text.strip_prefix(['-', '−']) {
         Some(size) => (-1.0, size),
         None => (1.0, text),
@@ -110,7 +133,11 @@ pub fn advice(text: &str, what: TypedNumber) -> Option<String> {
             (false, false) => None,
         };
     }
-    if what == TypedNumber::Length && number.contains('/') {
+    let parted = |mark: char| mark.is_whitespace() || matches!(mark, '\'' | '’' | '_');
+    if is_short && number.contains(parted) && read(&number.replace(parted, "")).is_some() {
+        return Some(format!("give {}, without a mark between the digits", text.replace(parted, "")));
+    }
+    if what == TypedNumber::Length && with_stroke(&number).contains('/') {
         let in_inches = format!("{number}in");
         let is_fraction = is_short && read(&in_millimetres(&in_inches).0).is_some();
         return is_fraction.then(|| format!("only inches have fractions; give {in_inches}, or a decimal number"));
@@ -144,6 +171,10 @@ mod tests {
             ("1/8in", 0.125 * 25.4),
             ("1-1/2in", 1.5 * 25.4),
             ("1 1/2 in", 1.5 * 25.4),
+            ("½in", 0.5 * 25.4),
+            ("1½ in", 1.5 * 25.4),
+            ("1 ⅜\"", 1.375 * 25.4),
+            ("-1⁄4in", -0.25 * 25.4),
             ("-3/64\"", -0.046_875 * 25.4),
             ("−1/4″", -0.25 * 25.4),
             ("8mm", 8.0),
@@ -174,6 +205,9 @@ mod tests {
             ("1,250.5", "give 1250.5, without commas"),
             ("1,250,000", "give 1250000, without commas"),
             ("1/8", "only inches have fractions; give 1/8in, or a decimal number"),
+            ("½", "only inches have fractions; give ½in, or a decimal number"),
+            ("1 000", "give 1000, without a mark between the digits"),
+            ("1'000.5mm", "give 1000.5mm, without a mark between the digits"),
         ] {
             assert_eq!(advice(text, TypedNumber::Length).as_deref(), Some(said));
             let words = said.split("give ").nth(1).and_then(|rest| rest.split(", ").next()).expect("a number");

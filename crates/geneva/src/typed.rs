@@ -51,9 +51,10 @@ pub(crate) fn millimetres_or_zero(text: &str) -> Result<f64, String> {
 /// A length in millimetres of either sign, or with its unit.
 pub(crate) fn signed_millimetres(text: &str) -> Result<f64, String> {
     length(text, |typed| {
-        let most = COMPUTABLE.end();
         let size = read(typed, || {
-            format!("not a number; give a {LENGTH} from −{most:e} to {most:e}, with a decimal point, not a comma")
+            format!(
+                "not a number; give a {LENGTH} of either sign, such as 0.5 or -0.5, with a decimal point, not a comma"
+            )
         })?;
         if size == 0.0 { Ok(size) } else { computable(typed, size) }
     })
@@ -76,13 +77,12 @@ const LENGTH: &str = "length in millimetres";
 
 /// A number that is zero or more.
 pub(crate) fn zero_or_more(text: &str) -> Result<f64, String> {
-    let most = COMPUTABLE.end();
     let value = read(text, || {
-        format!("not a number; give zero, or a number up to {most:e}, with a decimal point, not a comma")
+        "not a number; give zero, or a number above it such as 0.5, with a decimal point, not a comma".to_owned()
     })?;
     if value < 0.0 || value.is_nan() {
         return Err(format!(
-            "{} is not zero or more; give zero, or a number up to {most:e}",
+            "{} is not zero or more; give zero, or a number above it such as 0.5",
             escape_and_shorten(text.trim())
         ));
     }
@@ -101,14 +101,11 @@ pub(crate) fn radians_a_second(text: &str) -> Result<f64, String> {
 
 /// A speed of a crank in this unit, in either sense.
 fn turning(text: &str, unit: &str) -> Result<f64, String> {
-    let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
-    let value = read(text, || {
-        format!("not a speed; give {least:e} to {most:e} {unit}, or below zero, with a decimal point, not a comma")
-    })?;
+    let value =
+        read(text, || format!("not a speed; give {unit}, such as 60 or -60, with a decimal point, not a comma"))?;
     if value == 0.0 || value.is_nan() {
         return Err(format!(
-            "the crank must turn, or nothing moves; give {least:e} to {most:e} {unit} for counter-clockwise, or below zero for \
-             clockwise"
+            "the crank must turn, or nothing moves; give {unit} above zero for counter-clockwise, such as 60, or below zero for clockwise"
         ));
     }
     computable(text, value)
@@ -118,7 +115,7 @@ fn turning(text: &str, unit: &str) -> Result<f64, String> {
 pub(crate) fn degrees(text: &str) -> Result<f64, String> {
     read(text, || {
         format!(
-            "not an angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}, with a decimal point, not a comma"
+            "not an angle; give degrees between −{MOST_DEGREES} and {MOST_DEGREES}, with a decimal point, not a comma"
         )
     })
 }
@@ -130,7 +127,7 @@ pub(crate) fn finite_degrees(text: &str) -> Result<f64, String> {
         Ok(value)
     } else {
         Err(format!(
-            "{} is not a usable angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
+            "{} is not a usable angle; give degrees between −{MOST_DEGREES} and {MOST_DEGREES}",
             escape_and_shorten(text.trim())
         ))
     }
@@ -190,14 +187,16 @@ pub(crate) fn value_named<T: Copy + Send + Sync + 'static>(
 
 /// The number that was typed, if it is above zero and can be computed with; `what` it is.
 fn above_zero(text: &str, what: &str) -> Result<f64, String> {
-    let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     let value = read(text, || {
-        format!("not a number; give a {what} above zero, from {least:e} to {most:e}, with a decimal point, not a comma")
+        format!("not a number; give a {what} above zero, such as 25 or 0.5, with a decimal point, not a comma")
     })?;
     if value > 0.0 {
         computable(text, value)
     } else {
-        Err(format!("{} is not above zero; give a {what} from {least:e} to {most:e}", escape_and_shorten(text.trim())))
+        Err(format!(
+            "{} is not above zero; give a {what} above zero, such as 25 or 0.5",
+            escape_and_shorten(text.trim())
+        ))
     }
 }
 
@@ -348,7 +347,7 @@ mod tests {
     type Parser<T> = fn(&str) -> Result<T, String>;
 
     #[test]
-    fn every_number_that_is_none_is_refused_with_a_range() {
+    fn every_number_that_is_none_is_refused_with_numbers_that_can_be_given() {
         let parsers: [Parser<f64>; 7] =
             [positive, radians_a_second, millimetres, zero_or_more, turns_a_minute, degrees, finite_degrees];
         let counts: [Parser<u32>; 4] = [slots, stations, pins, holes];
@@ -392,11 +391,11 @@ mod tests {
             (positive("nan"), "nan is not above zero"),
             (positive("1e309"), "1e309 is too large or too small"),
             (zero_or_more("1E309"), "1E309 is too large or too small"),
-            (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
+            (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number above it such as 0.5"),
             (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
-            (millimetres("x"), "millimetres above zero, from 1e-30 to 1e30, with a decimal point"),
-            (radians_a_second("0"), "radians per second for counter-clockwise"),
+            (millimetres("x"), "millimetres above zero, such as 25 or 0.5, with a decimal point"),
+            (radians_a_second("0"), "radians per second above zero for counter-clockwise"),
             (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),
             (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),

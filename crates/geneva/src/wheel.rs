@@ -179,10 +179,8 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
         };
     }
     if let Some(folder) = &wanted.out {
-        if question.process.is_none() {
-            reject_any(&question, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
-        }
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
+        reject_without_effect(&design.question, CommandFormat::Text)?;
         return write_all(&design, folder, wanted.unit.unit, layout);
     }
     let recommends_size = question.process.is_some();
@@ -262,6 +260,9 @@ fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextL
     if !missing.is_empty() {
         let why = match design.wheel.kind() {
             WheelKind::Spherical => "because the parts of a spherical wheel are not worked out",
+            _ if design.crank_radius.is_some() => {
+                "because with so little play, meshes would have more corners than a printer has use for: give a larger --play"
+            }
             WheelKind::External | WheelKind::Internal => "because they need a size: add --crank-radius MM",
         };
         written += &format!("Not written, {why}:\n");
@@ -358,10 +359,10 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
         reject_any(wanted, acts_on(ActsOn::Size), why)?;
     }
-    if !is_shape(format) {
-        let why = format!("on --format {}, which has numbers only; add --out DIR for all files", format.name());
+    if format == CommandFormat::Csv {
+        let why = "on --format csv, which has the cycle only; add --out DIR for all files, or choose --format text";
         let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
-        reject_any(wanted, is_of_files, &why)?;
+        reject_any(wanted, is_of_files, why)?;
     }
     if wanted.process.is_none() {
         reject_any(wanted, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
@@ -465,5 +466,80 @@ mod tests {
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
         let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
         assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
+    }
+
+    /// What the command says to these words, with and without a folder for all files, if it refuses.
+    fn refusals(words: &str, folder: &Path) -> [Option<String>; 2] {
+        let command = WheelArguments::augment_args(Command::new("wheel"));
+        let line = ["wheel"].into_iter().chain(words.split_whitespace());
+        let mut asked = WheelArguments::from_arg_matches(&command.get_matches_from(line)).expect("options");
+        let sheet = page(&asked, TextLayout::default()).err().map(|error| error.to_string());
+        asked.out = Some(folder.to_owned());
+        [sheet, page(&asked, TextLayout::default()).err().map(|error| error.to_string())]
+    }
+
+    #[test]
+    fn the_sheet_refuses_just_what_all_files_refuse_in_the_same_words() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut random = fastrand::Rng::with_seed(7);
+        const KINDS: &[&str] =
+            &["--type external", "--type external", "--type internal --thickness 6", "--type spherical"];
+        const CHOICES: &[&str] = &[
+            "--wheel-shaft 5",
+            "--driver-shaft 5",
+            "--plate-shaft 6",
+            "--wheel-flat 4.5",
+            "--wheel-flat 6",
+            "--driver-flat 5.5",
+            "--wheel-bore-shape key",
+            "--driver-bore-shape key",
+            "--pin-diameter 3",
+            "--pin-screw M4",
+            "--pin-screw-hole nut-trap",
+            "--pin-mount dowel",
+            "--hub-screw M3",
+            "--hub-screw-hole nut-trap",
+            "--hub-dowel 2",
+            "--hub-holes 5",
+            "--wheel-hub-circle 16",
+            "--driver-hub-circle 24",
+            "--disc-dowel 2",
+            "--disc-dowel-circle 20",
+            "--disc-dowels 3",
+            "--base-thickness 5",
+            "--base-screw M4",
+            "--shoulder-diameter 9",
+            "--shoulder-depth 5",
+            "--kerf 0.2",
+            "--kerf 9",
+            "--thickness 2",
+            "--mouth-chamfer 2",
+            "--measured-play 0.3",
+            "--driver-pieces one-piece",
+            "--drive-torque 1",
+            "--disc-friction 0.1",
+            "--density 1000",
+        ];
+        let (mut refused, mut accepted) = (0, 0);
+        for case in 0..30 {
+            let stations = random.u32(3..9);
+            let mut words = format!("{} --stations {stations} --crank-radius 25", KINDS[random.usize(..KINDS.len())]);
+            let mut left: Vec<&str> = CHOICES.to_vec();
+            for _ in 0..random.usize(0..6) {
+                let chosen = left.swap_remove(random.usize(..left.len()));
+                let name = chosen.split(' ').next().expect("a name");
+                if !words.contains(name) {
+                    words += &format!(" {chosen}");
+                }
+            }
+            // Few with a process, whose assemblies take long.
+            if case % 15 == 0 {
+                words += [" --process laser", " --process fdm"][random.usize(..2)];
+            }
+            let [sheet, files] = refusals(&words, folder.path());
+            assert_eq!(sheet, files, "{words}");
+            *(if sheet.is_some() { &mut refused } else { &mut accepted }) += 1;
+        }
+        assert!(refused > 15 && accepted > 3, "{refused} {accepted}");
     }
 }

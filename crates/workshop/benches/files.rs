@@ -40,6 +40,6 @@ fn all(bencher: Bencher, stations: u32) {
         let tolerance = 0.1 * sizes.play.slot;
         let flat = (dxf(&list, PartLayout::Apart), svg_parts(&list, 0.1));
         let solid = (stl(&list, tolerance), three_mf(&list, tolerance), step(&list));
-        (flat, solid, scad(&sizes, 5.0, tolerance, &Mounting::default()))
+        (flat, solid, scad(&sizes, 5.0, tolerance, &Mounting::default(), 0.0))
     });
 }

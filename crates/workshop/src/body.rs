@@ -59,22 +59,23 @@ struct Slab {
 ///
 /// [`MountingError::TooDeep`] for a pocket that leaves nothing below it.
 pub(crate) fn bodies(parts: &[Part]) -> Result<Vec<Body>, MountingError> {
+    validate_pockets(parts)?;
     let joined: Vec<&Part> = parts.iter().filter(|part| part.is_joined).collect();
     let alone = parts.iter().filter(|part| !part.is_joined);
-    alone.map(|part| Body::new(part, if part.layer == Layer::Plate { &joined } else { &[] })).collect()
+    Ok(alone.map(|part| Body::new(part, if part.layer == Layer::Plate { &joined } else { &[] })).collect())
 }
 
 impl Body {
-    fn new(part: &Part, joined: &[&Part]) -> Result<Self, MountingError> {
+    fn new(part: &Part, joined: &[&Part]) -> Self {
         let mut lines = Vec::new();
         let mut slabs = Vec::new();
         let has_pins = joined.iter().any(|of| of.layer == Layer::Pins);
         let place = part.places.first().copied().unwrap_or(Place { turn: 0.0, at: Point::zeros(), bottom: 0.0 });
-        slab(part, has_pins, 0.0, (0.0, Point::zeros()), &mut lines, &mut slabs)?;
+        slab(part, has_pins, 0.0, (0.0, Point::zeros()), &mut lines, &mut slabs);
         for above in joined {
             for its in &above.places {
                 let by = turned(its.at - place.at, -place.turn);
-                slab(above, false, part.thickness, (its.turn - place.turn, by), &mut lines, &mut slabs)?;
+                slab(above, false, part.thickness, (its.turn - place.turn, by), &mut lines, &mut slabs);
             }
         }
         let mut heights: Vec<f64> = slabs.iter().flat_map(|slab| [slab.bottom, slab.top]).collect();
@@ -104,8 +105,40 @@ impl Body {
         }
         let name = if joined.is_empty() { part.words() } else { "driver" };
         let extent = crate::drawing::extent(part);
-        Ok(Self { name, lines, walls, caps, places: part.places.clone(), extent })
+        Self { name, lines, walls, caps, places: part.places.clone(), extent }
     }
+}
+
+/// Refuses pockets and shoulders that are as deep as their part is thick, which no file of solids has.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+/// use geneva_workshop::{Mounting, PinMount, ScrewHole, Thread, parts, validate_pockets};
+///
+/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(60.0), &Choices::default())?; // mm
+/// let mounting = Mounting { pins: PinMount::Screw(Thread::M6, ScrewHole::NutTrap), ..Mounting::default() };
+/// let with = |thickness| parts(&sizes, thickness, &mounting).and_then(|list| validate_pockets(&list.parts));
+/// assert!(with(6.0).is_ok() && with(5.0).is_err()); // the nut is 5.2 mm high
+/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`MountingError::TooDeep`] for the first of them.
+pub fn validate_pockets(parts: &[Part]) -> Result<(), MountingError> {
+    for part in parts {
+        for hole in &part.holes {
+            let Some(wide) = hole.widening.as_ref().filter(|wide| wide.depth >= part.thickness) else { continue };
+            return Err(MountingError::TooDeep {
+                part: part.layer.words(),
+                hole: hole.purpose.words(),
+                depth: wide.depth,
+                thickness: part.thickness,
+                remedy: remedy(hole.purpose),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The lines of a part, turned and moved, in slabs from a height on.
@@ -116,21 +149,12 @@ fn slab(
     (turn, by): (f64, Point),
     lines: &mut Vec<Loop>,
     slabs: &mut Vec<Slab>,
-) -> Result<(), MountingError> {
+) {
     let top = bottom + part.thickness;
     let mut heights = vec![bottom, top];
     let holes: Vec<_> = part.holes.iter().filter(|hole| !(without_pins && hole.purpose == HolePurpose::Pin)).collect();
     for hole in &holes {
         let Some(wide) = &hole.widening else { continue };
-        if wide.depth >= part.thickness {
-            return Err(MountingError::TooDeep {
-                part: part.layer.words(),
-                hole: hole.purpose.words(),
-                depth: wide.depth,
-                thickness: part.thickness,
-                remedy: remedy(hole.purpose),
-            });
-        }
         heights.push(if wide.is_from_below { bottom + wide.depth } else { top - wide.depth });
     }
     heights.sort_by(f64::total_cmp);
@@ -155,7 +179,6 @@ fn slab(
         }
         slabs.push(Slab { bottom: from, top: to, lines: its });
     }
-    Ok(())
 }
 
 /// A loop whose whole circles are two halves each.

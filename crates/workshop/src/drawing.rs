@@ -37,16 +37,59 @@ pub(crate) fn side_by_side(parts: &[Part]) -> Vec<(&Part, Point)> {
     places
 }
 
+/// Width over height of a sheet that lies on its side (ISO 216).
+const SHEET: f64 = std::f64::consts::SQRT_2;
+
+/// Where parts that are cut from one sheet have their axes: in rows, the first at the origin, so that all together have about the shape
+/// of a sheet and need a small one. Those in which nothing is cut have none.
+pub(crate) fn in_rows(parts: &[Part]) -> Vec<(&Part, Point)> {
+    let cut: Vec<&Part> = parts.iter().filter(|part| part.is_cut()).collect();
+    let in_columns = (1..=cut.len()).map(|count| rows_of(&cut, count));
+    // The least sheet in which all lie; of equal ones that with the longest rows.
+    let found = in_columns.min_by(|one, other| one.1.total_cmp(&other.1));
+    cut.into_iter().zip(found.map(|(places, _)| places).unwrap_or_default()).collect()
+}
+
+/// The places of parts in rows that are as wide as the first so many are side by side, or the widest is, and the width in millimetres of
+/// the sheet that they need.
+fn rows_of(parts: &[&Part], count: usize) -> (Vec<Point>, f64) {
+    let [across, along] = [0, 1].map(|axis| parts.iter().map(|part| reach(part, axis)).collect::<Vec<_>>());
+    let width = |of: &[f64; 2]| of[1] - of[0];
+    let space = across.first().map_or(0.0, |first| SPACE * width(first));
+    let together = across.iter().take(count).map(|of| width(of) + space).sum::<f64>() - space;
+    let row = across.iter().map(width).fold(together, f64::max) * (1.0 + 1e-9);
+    let (mut places, mut right, mut top, mut bottom, mut widest) = (Vec::new(), 0.0, 0.0, 0.0_f64, 0.0_f64);
+    for (across, along) in across.iter().zip(&along) {
+        if right > 0.0 && right + space + width(across) > row {
+            (right, top) = (0.0, bottom - space);
+        }
+        let left = if right > 0.0 { right + space } else { 0.0 };
+        places.push(Point::new(left - across[0], top - along[1]));
+        right = left + width(across);
+        bottom = bottom.min(top - width(along));
+        widest = widest.max(right);
+    }
+    let first = places.first().copied().unwrap_or_default();
+    (places.into_iter().map(|at| at - first).collect(), widest.max(-bottom * SHEET))
+}
+
 /// How far a part reaches along the first axis, in millimetres.
 pub(crate) fn extent(part: &Part) -> [f64; 2] {
+    reach(part, 0)
+}
+
+/// How far a part reaches along an axis, 0 or 1, in millimetres.
+pub(crate) fn reach(part: &Part, axis: usize) -> [f64; 2] {
     let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
     for edge in &part.outer.edges {
         let (from, to) = match *edge {
-            Edge::Line { from, to } => (from.x.min(to.x), from.x.max(to.x)),
+            Edge::Line { from, to } => (from[axis].min(to[axis]), from[axis].max(to[axis])),
             // No less than the arc reaches.
-            Edge::Arc { centre, radius, .. } if centre.norm() <= radius => (centre.x - radius, centre.x + radius),
+            Edge::Arc { centre, radius, .. } if centre.norm() <= radius => {
+                (centre[axis] - radius, centre[axis] + radius)
+            }
             Edge::Arc { .. } => {
-                let (a, b) = (edge.start_point().x, edge.end_point().x);
+                let (a, b) = (edge.start_point()[axis], edge.end_point()[axis]);
                 (a.min(b), a.max(b))
             }
         };

@@ -24,6 +24,7 @@ mod stl;
 mod svg;
 mod three_mf;
 
+pub use body::validate_pockets;
 pub use drawing::PartLayout;
 pub use drawn_wheel::{DrawnWheel, LayerNames};
 pub use dxf::dxf;

@@ -19,14 +19,15 @@ use std::fmt::Write;
 /// The model of both parts in place, moving with OpenSCAD's `$t`; lengths in millimetres.
 ///
 /// OpenSCAD's circles are polygons: solid ones have their corners on the circle and hollow ones their sides, so that chords
-/// take nothing of the play. Their number comes from the tolerance, the greatest distance of a chord from its arc.
+/// take nothing of the play. Their number comes from the tolerance, the greatest distance of a chord from its arc. Holes are drawn wider
+/// by the allowance, in millimetres, as by [`Part::with_wider_holes`]; the file has it as the variable `hole_allowance`.
 ///
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
 /// use geneva_workshop::{Mounting, scad};
 ///
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
-/// let text = scad(&sizes, 5.0, 0.01, &Mounting::default()).expect("a model");
+/// let text = scad(&sizes, 5.0, 0.01, &Mounting::default(), 0.0).expect("a model");
 /// assert!(text.contains("crank_radius = 50;"));
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
@@ -34,7 +35,13 @@ use std::fmt::Write;
 /// # Errors
 ///
 /// As for [`parts()`], and [`MountingError::Kinematics`] for a tolerance that is not positive and finite.
-pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) -> Result<String, MountingError> {
+pub fn scad(
+    sizes: &Sizes,
+    thickness: f64,
+    tolerance: f64,
+    mounting: &Mounting,
+    hole_allowance: f64,
+) -> Result<String, MountingError> {
     let list = parts(sizes, thickness, mounting)?.parts;
     validate(&list, tolerance)?;
     let of = |layer: Layer| list.iter().find(|part| part.layer == layer);
@@ -73,6 +80,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
                 ("wheel_bore", sizes.wheel_bore(), "diameter; 0 for none"),
                 ("driver_bore", sizes.driver_bore(), "diameter in the locking disc; 0 for none"),
                 ("plate_bore", sizes.plate_bore(), "diameter in the plate; 0 for none"),
+                allowance(hole_allowance),
                 pin.of_plate(),
                 pin.of_bush(),
                 pin.nut_width(),
@@ -114,7 +122,7 @@ pub fn scad(sizes: &Sizes, thickness: f64, tolerance: f64, mounting: &Mounting) 
 /// use geneva_workshop::{Mounting, internal_scad};
 ///
 /// let sizes = InternalSizes::new(InternalWheel::new(6)?, 50.0, &Choices::default())?; // mm
-/// let text = internal_scad(&sizes, 5.0, 0.01, &Mounting::default()).expect("a model");
+/// let text = internal_scad(&sizes, 5.0, 0.01, &Mounting::default(), 0.0).expect("a model");
 /// assert!(text.contains("crank_radius = 50;") && text.contains("ring_outline"));
 /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
 /// ```
@@ -127,6 +135,7 @@ pub fn internal_scad(
     thickness: f64,
     tolerance: f64,
     mounting: &Mounting,
+    hole_allowance: f64,
 ) -> Result<String, MountingError> {
     let list = internal_parts(sizes, thickness, mounting)?.parts;
     validate(&list, tolerance)?;
@@ -165,6 +174,7 @@ pub fn internal_scad(
             &[
                 ("wheel_bore", sizes.bore(sizes.wheel_shaft), "diameter in the ring plate; 0 for none"),
                 ("plate_bore", sizes.bore(sizes.plate_shaft), "diameter in the plate; 0 for none"),
+                allowance(hole_allowance),
                 pin.of_plate(),
                 pin.nut_width(),
                 pin.nut_depth(),
@@ -185,7 +195,16 @@ fn validate(list: &[Part], tolerance: f64) -> Result<(), MountingError> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(KinematicsError::Size { name: "chord tolerance in mm", asked: tolerance }.into());
     }
-    crate::body::bodies(list).map(|_| ())
+    crate::body::validate_pockets(list)
+}
+
+/// How much wider holes are drawn than they should become, in millimetres.
+fn allowance(hole_allowance: f64) -> Variable {
+    (
+        "hole_allowance",
+        hole_allowance,
+        "added to the width of every hole but the slots, since the machine makes holes narrower by so much; 0 for true sizes",
+    )
 }
 
 /// What is in the plate at a pin, in millimetres; zero for what there is not.

@@ -28,11 +28,17 @@ use std::fmt::Write;
 ///
 /// [`MountingError::TooDeep`] for a pocket that leaves nothing below it.
 pub fn step(parts: &[Part]) -> Result<String, MountingError> {
-    let mut file = File { text: String::from(HEADER), next: FIRST };
+    let header = HEADER.replace("'Geneva wheel and driver'", &format!("'Geneva wheel and driver'{}", allowance(parts)));
+    let mut file = File { text: header, next: FIRST };
     for body in bodies(parts)? {
         file.product(&body);
     }
     Ok(file.text + "ENDSEC;\nEND-ISO-10303-21;\n")
+}
+
+/// The description's further entry where holes are wider than they should become.
+fn allowance(parts: &[Part]) -> String {
+    crate::parts::allowance_words(parts).map_or_else(String::new, |words| format!(",'{words}'"))
 }
 
 /// Header, and what all products have in common: the entities 1 to 11.

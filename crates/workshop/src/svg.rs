@@ -1,6 +1,6 @@
-//! The parts side by side as an SVG file to cut: true to scale, a colour for each operation.
+//! The parts in rows as an SVG file to cut: true to scale, a colour for each operation.
 
-use crate::drawing::{extent, marks, side_by_side};
+use crate::drawing::{in_rows, marks, reach};
 use crate::geometry::{Point, point_along};
 use crate::offset::offset;
 use crate::parts::{MountingError, Part};
@@ -15,7 +15,7 @@ const LINE: f64 = 0.1;
 /// Around the drawing, in millimetres.
 const MARGIN: f64 = 2.0;
 
-/// The parts to be cut from sheets, side by side, in millimetres. Each part is a group whose id is its name; what is engraved
+/// The parts to be cut from sheets, in rows that have about the shape of a sheet, in millimetres. Each part is a group whose id is its name; what is engraved
 /// comes first and the outer line last, so that no part is loose before its holes are cut.
 ///
 /// Red lines are cut, blue ones are engraved: centre marks and the outlines of pockets. The lines to cut are moved into the waste
@@ -39,34 +39,32 @@ pub fn svg_parts(parts: &[Part], kerf: f64) -> Result<String, MountingError> {
     if !(kerf >= 0.0 && kerf.is_finite()) {
         return Err(MountingError::Kerf { kerf, part: None });
     }
-    let placed = side_by_side(parts);
-    let height = |part: &Part| {
-        // A part about its axis is as high as it is wide, but for the base plate.
-        let points = part.outer.edges.iter().flat_map(|edge| match *edge {
-            Edge::Line { from, to } => [from.y.abs(), to.y.abs()],
-            Edge::Arc { centre, radius, .. } if centre.norm() <= radius => [radius; 2],
-            Edge::Arc { .. } => [edge.start_point().y.abs(), edge.end_point().y.abs()],
-        });
-        points.fold(0.0, f64::max)
+    let placed = in_rows(parts);
+    let [[left, right], [bottom, top]] = [0, 1].map(|axis| {
+        let ends = placed.iter().map(|(part, at)| reach(part, axis).map(|x| x + at[axis]));
+        ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [from, to]| [a.min(from), b.max(to)])
+    });
+    let (left, top) = (left - MARGIN, top + MARGIN);
+    let (width, height) = (right - left + MARGIN, top - bottom + MARGIN);
+    let moved = if kerf == 0.0 {
+        String::new()
+    } else {
+        format!(", moved into the waste by half of the cut's width of {} mm", number(kerf))
     };
-    let half = placed.iter().map(|(part, _)| height(part)).fold(0.0, f64::max) + MARGIN;
-    let reach = placed.iter().map(|(part, at)| extent(part).map(|x| x + at.x));
-    let [left, right] = reach.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [from, to]| [a.min(from), b.max(to)]);
-    let (left, width) = (left - MARGIN, right - left + 2.0 * MARGIN);
     let size = reach_of(&placed);
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"{left} {top} {width} \
-         {height}\">\n<title>Parts to cut, in millimetres: red is cut, blue is engraved. All red lines together \
+         {height}\">\n<title>Parts to cut, in millimetres: red is cut{moved}, blue is engraved. All red lines together \
          are {across:.1} mm wide and {up:.1} mm high</title>",
         across = size.x + kerf,
         up = size.y + kerf,
         width = number(width),
-        height = number(2.0 * half),
+        height = number(height),
         left = number(left),
-        top = number(-half),
+        top = number(-top),
     );
     for (part, at) in placed {
         let words = part.words();
@@ -230,7 +228,19 @@ mod tests {
         assert!(text.contains(&said), "{said}");
         let names: Vec<_> = groups.iter().filter_map(|group| group.attribute("id")).collect();
         assert_eq!(names, ["wheel", "locking-disc", "driver-plate", "base-plate"]);
-        let placed = side_by_side(&list);
+        let [width, height] = [0, 1].map(|k| sizes[k].parse::<f64>().unwrap());
+        assert!((0.7..2.9).contains(&(width / height)), "{width} by {height} mm is no sheet");
+        // No two parts overlap.
+        for (k, (part, at)) in in_rows(&list).into_iter().enumerate() {
+            for (other, its) in in_rows(&list).into_iter().skip(k + 1) {
+                let is_apart = |axis: usize| {
+                    let ([a, b], [c, d]) = (reach(part, axis), reach(other, axis));
+                    b + at[axis] < c + its[axis] || d + its[axis] < a + at[axis]
+                };
+                assert!(is_apart(0) || is_apart(1), "{} {}", part.words(), other.words());
+            }
+        }
+        let placed = in_rows(&list);
         for (group, (part, at)) in groups.into_iter().zip(placed) {
             let paths = |colour: &str| -> Vec<Vec<Edge>> {
                 let of_colour = group.children().filter(|node| node.attribute("stroke") == Some(colour));
@@ -246,7 +256,8 @@ mod tests {
                 for p in read.iter().flat_map(|edge| [0.0, 0.3, 0.7].map(|part| point_along(edge, part))) {
                     let far = ours.edges.iter().map(|edge| crate::geometry::distance(edge, p - at));
                     assert!(far.fold(f64::INFINITY, f64::min) < 2e-6);
-                    assert!(p.x > view[0].parse().unwrap() && p.y.abs() < -view[1].parse::<f64>().unwrap());
+                    let [left, top, width, height] = [0, 1, 2, 3].map(|k| view[k].parse::<f64>().unwrap());
+                    assert!(p.x > left && p.x < left + width && -p.y > top && -p.y < top + height);
                 }
                 let whole = crate::geometry::area(&Loop { edges: read.clone() });
                 approx::assert_relative_eq!(whole, crate::geometry::area(ours), max_relative = 1e-6);

@@ -4,7 +4,7 @@
 //! the build says where each stands on the printer's bed.
 
 use crate::mesh::{Mesh, meshes};
-use crate::parts::{MountingError, Part};
+use crate::parts::{MountingError, Part, allowance_words};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
@@ -41,7 +41,7 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 ///
 /// As for [`meshes`], and [`MountingError::Archive`] for more than an archive can hold.
 pub fn three_mf(parts: &[Part], tolerance: f64) -> Result<Vec<u8>, MountingError> {
-    let model = model(&meshes(parts, tolerance)?);
+    let model = model(&meshes(parts, tolerance)?, allowance_words(parts).as_deref());
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     // Without a date, so that the same parts give the same file.
     let options = SimpleFileOptions::default()
@@ -55,18 +55,22 @@ pub fn three_mf(parts: &[Part], tolerance: f64) -> Result<Vec<u8>, MountingError
     Ok(file.into_inner())
 }
 
-/// The model: an object for each solid, and where it is built.
-fn model(solids: &[(&'static str, Mesh)]) -> String {
+/// The model: what is said of it, an object for each solid, and where it is built.
+fn model(solids: &[(&'static str, Mesh)], description: Option<&str>) -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-GB\" \
-         xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources>\n",
+         xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n",
     );
+    if let Some(words) = description {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "<metadata name=\"Description\">{words}</metadata>");
+    }
+    text += "<resources>\n";
     for (id, (name, mesh)) in (1..).zip(solids) {
         object(&mut text, id, name, mesh);
     }
     text += "</resources>\n<build>\n";
     for (id, _) in (1..).zip(solids) {
-        // Writing to a string cannot fail.
         let _ = writeln!(text, "<item objectid=\"{id}\"/>");
     }
     text + "</build>\n</model>\n"

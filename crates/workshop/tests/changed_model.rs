@@ -3,9 +3,9 @@
 
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::internal_wheel::InternalWheel;
-use geneva_kinematics::wheel::{Choices, Edge, Mouth, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{Choices, Edge, Face, Mouth, Scale, Sizes, Wheel};
 use geneva_workshop::{
-    Drawing, Fastener, Layer, Mounting, PartLayout, Pattern, PinMount, ScrewHole, ShaftFit, Thread, dxf,
+    Drawing, Fastener, HolePurpose, Layer, Mounting, PartLayout, Pattern, PinMount, ScrewHole, ShaftFit, Thread, dxf,
     internal_parts, internal_scad, scad,
 };
 use nalgebra::Vector2;
@@ -102,7 +102,7 @@ fn a_model_that_is_not_changed_runs_and_has_the_crescent_of_the_sizes() {
     }
     for (stations, pins) in [(3, 1), (4, 1), (4, 4), (5, 2), (6, 1), (8, 2), (12, 1), (24, 1), (60, 1)] {
         let sizes = sizes(stations, pins, &Choices::default());
-        let bare = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        let bare = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default(), 0.0).unwrap();
         let text =
             bare.clone() + "\necho(cut = [crescent_centre, crescent_radius, locking_disc_radius, plate_radius]);\n";
         assert_eq!(overlap("unchanged", &bare, &[]), Said::Runs, "{stations} stations, {pins} pins");
@@ -125,7 +125,7 @@ fn a_model_with_mouths_runs_too() {
     }
     for mouth in [Mouth::Chamfer { width: 2.0, angle: 0.4 }, Mouth::Round { radius: 2.0 }] {
         let sizes = sizes(6, 1, &Choices { mouth, ..Choices::default() });
-        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default(), 0.0).unwrap();
         assert_eq!(overlap("mouths", &text, &[]), Said::Runs, "{mouth:?}");
         let (is_done, said, result) = run("mouths", &text, &[], "wheel", "part.stl");
         assert!(is_done, "{said}");
@@ -167,7 +167,7 @@ fn a_model_with_a_changed_variable_refuses_itself_or_runs() {
     }
     let counts = [(4, 1), (6, 2)].map(|(stations, pins)| {
         let sizes = sizes(stations, pins, &shafts());
-        change_each("changed", &scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes)).unwrap())
+        change_each("changed", &scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting(&sizes), 0.0).unwrap())
     });
     let [runs, refuses] = [0, 1].map(|k| counts[0][k] + counts[1][k]);
     assert!(runs > 40 && refuses > 0, "{runs} run, {refuses} refuse themselves");
@@ -199,7 +199,7 @@ fn an_internal_model_runs_and_with_a_changed_variable_it_refuses_itself_or_runs_
     }
     for stations in [3, 4, 5, 8, 24] {
         let sizes = internal(stations, &Choices::default());
-        let text = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+        let text = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default(), 0.0).unwrap();
         assert_eq!(overlap("internal", &text, &[]), Said::Runs, "{stations} stations");
         // A segment a little too thick is found.
         let wrong = text.replace("solid(segment_outer)", "solid(segment_outer + locking_play)");
@@ -207,9 +207,9 @@ fn an_internal_model_runs_and_with_a_changed_variable_it_refuses_itself_or_runs_
         assert!(matches!(overlap("internal-wrong", &wrong, &[]), Said::Overlaps(_)), "{stations} stations");
     }
     let bare = internal(4, &Choices::default());
-    let bare = internal_scad(&bare, 6.0, 0.1 * bare.play.slot, &Mounting::default()).unwrap();
+    let bare = internal_scad(&bare, 6.0, 0.1 * bare.play.slot, &Mounting::default(), 0.0).unwrap();
     let (sizes, mounting) = mounted_internal();
-    let mounted = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting).unwrap();
+    let mounted = internal_scad(&sizes, 6.0, 0.1 * sizes.play.slot, &mounting, 0.0).unwrap();
     let counts = [change_each("internal-bare", &bare), change_each("internal-mounted", &mounted)];
     let [runs, refuses] = [0, 1].map(|k| counts[0][k] + counts[1][k]);
     assert!(runs > 30 && refuses > 0, "{runs} run, {refuses} refuse themselves");
@@ -269,7 +269,7 @@ fn the_outlines_of_an_internal_model_are_those_of_the_dxf() {
         let sizes = if stations == 6 { mounted_internal().0 } else { internal(stations, &Choices::default()) };
         let list = internal_parts(&sizes, 6.0, &mounting).unwrap().parts;
         let drawing = Drawing::read(&dxf(&list, PartLayout::Assembled)).unwrap();
-        let text = internal_scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let text = internal_scad(&sizes, 6.0, 0.002, &mounting, 0.0).unwrap();
         let at_driver = "translate([centre_distance, 0]) rotate(180)";
         for (layer, line) in [
             (Layer::Wheel, "rotate(turn(180)) ring_outline();".to_owned()),
@@ -308,7 +308,7 @@ fn the_solids_of_an_internal_model_are_as_large_as_the_parts() {
     }
     let (sizes, mounting) = mounted_internal();
     for (sizes, mounting) in [(sizes, mounting), (internal(4, &Choices::default()), Mounting::default())] {
-        let text = internal_scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let text = internal_scad(&sizes, 6.0, 0.002, &mounting, 0.0).unwrap();
         let list = internal_parts(&sizes, 6.0, &mounting).unwrap().parts;
         let volume_of = |layer| list.iter().find(|part| part.layer == layer).unwrap().volume();
         let pin = volume_of(Layer::Pins);
@@ -332,7 +332,7 @@ fn an_overlap_would_be_found() {
         return;
     }
     let sizes = sizes(8, 1, &Choices::default());
-    let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default()).unwrap();
+    let text = scad(&sizes, 6.0, 0.1 * sizes.play.slot, &Mounting::default(), 0.0).unwrap();
     // A crescent a little too shallow.
     let wrong = text.replace("crescent_centre = has_dwell ? ", "crescent_centre = has_dwell ? 1.2 * ");
     assert_ne!(wrong, text);
@@ -364,7 +364,7 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
     for (stations, pins) in [(4, 1), (6, 2)] {
         let sizes = sizes(stations, pins, &shafts());
         let mounting = mounting(&sizes);
-        let text = scad(&sizes, 6.0, 0.002, &mounting).unwrap();
+        let text = scad(&sizes, 6.0, 0.002, &mounting, 0.0).unwrap();
         let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
         let (bushes, driver): (Vec<_>, Vec<_>) = list[1..].iter().partition(|part| part.is_bush());
         let driver: f64 = driver.iter().map(|part| part.volume()).sum();
@@ -374,6 +374,43 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
             let (is_done, said, result) = run("solids", &text, &[], show, "part.stl");
             assert!(is_done, "{said}");
             approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
+        }
+    }
+}
+
+/// A bore with a keyway, a flat, or neither, and the hole and the pocket of a nut are as the parts have them, with and without an allowance
+/// for a machine that makes holes too narrow.
+#[test]
+fn the_holes_of_a_model_are_as_large_as_those_of_the_parts_with_and_without_an_allowance() {
+    if !has_openscad() {
+        return;
+    }
+    let sizes = sizes(6, 2, &shafts());
+    let mounting = mounting(&sizes);
+    let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
+    let text = scad(&sizes, 6.0, 0.0005, &mounting, 0.2).unwrap();
+    assert!(text.contains("\nhole_allowance = 0.2; // "));
+    let hole_of = |layer: Layer, purpose: HolePurpose, by: f64| {
+        let part = list.iter().find(|part| part.layer == layer).unwrap().clone().with_wider_holes(by);
+        part.holes.into_iter().find(|hole| hole.purpose == purpose).unwrap()
+    };
+    for (layer, purpose, line) in [
+        (Layer::Wheel, HolePurpose::Bore, "bore(wheel_bore, wheel_key, wheel_flat, wheel_key_direction);"),
+        (Layer::Plate, HolePurpose::Bore, "bore(plate_bore, driver_key, driver_flat, driver_key_direction);"),
+        (Layer::Wheel, HolePurpose::Hub, "hole(wheel_holes[0][2]);"),
+        (Layer::Wheel, HolePurpose::Hub, "projection() nut_pocket(wheel_holes[0][3], 1);"),
+        (Layer::Plate, HolePurpose::PinScrew, "hole(pin_hole);"),
+    ] {
+        for by in [0.0, 0.2] {
+            let hole = hole_of(layer, purpose, by);
+            let outline = hole.widening.filter(|_| line.contains("pocket")).map_or(hole.outline, |wide| wide.outline);
+            let face = Face { outer: outline, holes: Vec::new() };
+            let modules = text.split("\nif (part == ").next().unwrap();
+            let model = format!("{modules}\n{line}\n");
+            let (is_done, said, result) = run("holes", &model, &[("hole_allowance", by)], "none", "outline.svg");
+            assert!(is_done, "{said}");
+            let (_, area, length) = corners_and_area(&result.unwrap());
+            assert!((area - face.area().abs()).abs() < 0.001 * length, "{line} {by}: {area} and {}", face.area());
         }
     }
 }
@@ -389,7 +426,7 @@ fn a_model_has_the_mouths_of_the_outline() {
         let wheel = Wheel::new(6).expect("possible");
         let sizes =
             Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices { mouth, ..Choices::default() }).expect("fits");
-        let text = scad(&sizes, 6.0, 0.001, &Mounting::default()).expect("a model");
+        let text = scad(&sizes, 6.0, 0.001, &Mounting::default(), 0.0).expect("a model");
         let list = text.lines().find_map(|line| line.strip_prefix("mouth = [")?.strip_suffix("];")).expect("a mouth");
         let points: Vec<[f64; 2]> = list
             .trim_matches(['[', ']'])
@@ -410,5 +447,5 @@ fn a_model_has_the_mouths_of_the_outline() {
         }
     }
     let sharp = sizes(6, 1, &Choices::default());
-    assert!(scad(&sharp, 6.0, 0.01, &Mounting::default()).expect("a model").contains("\nmouth = [];\n"));
+    assert!(scad(&sharp, 6.0, 0.01, &Mounting::default(), 0.0).expect("a model").contains("\nmouth = [];\n"));
 }

@@ -96,7 +96,7 @@ fn meshes_and_models_have_the_volume_of_the_outline() {
         let folder = std::env::temp_dir().join(format!("geneva-mouth-{}-{right:.3}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder");
         let [model, solid] = ["wheel.scad", "wheel.stl"].map(|name| folder.join(name));
-        std::fs::write(&model, scad(&sizes, THICKNESS, TOLERANCE, &Mounting::default()).expect("a model"))
+        std::fs::write(&model, scad(&sizes, THICKNESS, TOLERANCE, &Mounting::default(), 0.0).expect("a model"))
             .expect("written");
         let run = Command::new("openscad").arg("-o").arg(&solid).args(["-D", "part=\"wheel\""]).arg(&model).output();
         match run {

@@ -272,7 +272,10 @@ impl WheelDesign {
 
 /// Whether the wheel of a question can be run. How it is mounted is looked at where its parts are listed.
 fn can_be_run(question: &WheelQuestion) -> bool {
-    WheelDesign::new(question.clone()).is_ok_and(|design| design.loads(design.wheel.indexing()).is_ok())
+    WheelDesign::new(question.clone()).is_ok_and(|design| {
+        let is_placed = design.sizes.as_ref().is_none_or(|sizes| design.refused_centre_error(sizes).is_none());
+        is_placed && design.loads(design.wheel.indexing()).is_ok()
+    })
 }
 
 /// Of a limit that is refused itself, what is told, dimensionless.

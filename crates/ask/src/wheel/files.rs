@@ -2,8 +2,6 @@
 
 use super::design::WheelDesign;
 use super::kind::WheelKind;
-use super::mounting_error::{with_arguments, with_remedies_of_mounting};
-use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
@@ -45,6 +43,8 @@ pub enum MadeOf {
     Any,
     /// Of external and internal wheels with a size, whose parts are known.
     Parts,
+    /// Of those, unless their play is so small that meshes would have more corners than a printer has use for.
+    Meshes,
 }
 
 /// All files from which a wheel is made: what the command writes to a folder and the page offers.
@@ -88,13 +88,13 @@ pub const SHAPE_FILES: &[ShapeFile] = &[
     ShapeFile {
         name: "wheel.3mf",
         label: "Meshes with names and units (3MF)",
-        of: MadeOf::Parts,
+        of: MadeOf::Meshes,
         make: |design| design.three_mf(),
     },
     ShapeFile {
         name: "wheel.stl",
         label: "Meshes for a printer (STL)",
-        of: MadeOf::Parts,
+        of: MadeOf::Meshes,
         make: |design| design.stl().map(String::into_bytes),
     },
     ShapeFile {
@@ -122,8 +122,20 @@ impl WheelDesign {
     pub fn can_make(&self, file: &ShapeFile) -> bool {
         match file.of {
             MadeOf::Any => true,
-            MadeOf::Parts => self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some()),
+            MadeOf::Parts => self.has_parts(),
+            MadeOf::Meshes => self.has_parts() && !self.mesh_is_too_fine(),
         }
+    }
+
+    /// Whether the play is so small that meshes of the parts would have more corners than are written.
+    fn mesh_is_too_fine(&self) -> bool {
+        let made = self.solid_parts("stl").ok().zip(self.made_sizes("stl").ok());
+        made.is_some_and(|(parts, sizes)| corners(&parts, sizes.chords()) > MOST_CORNERS)
+    }
+
+    /// Whether it has parts in millimetres.
+    fn has_parts(&self) -> bool {
+        self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some())
     }
 
     fn is_internal(&self) -> bool {
@@ -164,7 +176,7 @@ impl WheelDesign {
                 internal_sheets(&sizes, thickness, &mounting, &SheetLimits { shared, process, yield_share }, &text)
             }
         };
-        drawn.map_err(|error| with_arguments(error, &self.question))
+        drawn.map_err(|error| self.refused_mounting(error))
     }
 
     /// The [drawings](Self::drawings) one below the other, true to scale.
@@ -199,9 +211,8 @@ impl WheelDesign {
     ///
     /// As for [`dxf`](Self::dxf), and a kerf that is too wide for a hole.
     pub fn svg_parts(&self) -> Result<String, Error> {
-        let (parts, kerf, internal) = (self.listed("svg-parts")?.parts, self.kerf()?, self.internal_sizes()?);
-        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
-        svg_parts(&parts, kerf).map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
+        let (parts, kerf) = (self.listed("svg-parts")?.parts, self.kerf()?);
+        svg_parts(&parts, kerf).map_err(|error| self.refused_mounting(error))
     }
 
     /// A moving model for OpenSCAD, in millimetres.
@@ -213,10 +224,10 @@ impl WheelDesign {
         let sizes = self.made_sizes("scad")?;
         let (thickness, mounting, chords) = (self.thickness("scad")?, self.mounting()?, sizes.chords());
         let model = match sizes {
-            MadeSizes::External(sizes) => scad(sizes, thickness, chords, &mounting),
-            MadeSizes::Internal(sizes) => internal_scad(&sizes, thickness, chords, &mounting),
+            MadeSizes::External(sizes) => scad(sizes, thickness, chords, &mounting, self.hole_allowance()?),
+            MadeSizes::Internal(sizes) => internal_scad(&sizes, thickness, chords, &mounting, self.hole_allowance()?),
         };
-        model.map_err(|error| with_arguments(error, &self.question))
+        model.map_err(|error| self.refused_mounting(error))
     }
 
     /// Meshes of the parts, in millimetres.
@@ -227,7 +238,7 @@ impl WheelDesign {
     /// mounted as it is asked for.
     pub fn stl(&self) -> Result<String, Error> {
         let (parts, tolerance) = self.printed("stl")?;
-        stl(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+        stl(&parts, tolerance).map_err(|error| self.refused_mounting(error))
     }
 
     /// Meshes of the parts with names and units, as an archive for a printer.
@@ -237,7 +248,7 @@ impl WheelDesign {
     /// As for [`stl`](Self::stl).
     pub fn three_mf(&self) -> Result<Vec<u8>, Error> {
         let (parts, tolerance) = self.printed("3mf")?;
-        three_mf(&parts, tolerance).map_err(|error| with_arguments(error, &self.question))
+        three_mf(&parts, tolerance).map_err(|error| self.refused_mounting(error))
     }
 
     /// Solids of all parts in place, with true planes and cylinders.
@@ -246,9 +257,8 @@ impl WheelDesign {
     ///
     /// As for [`scad`](Self::scad).
     pub fn step(&self) -> Result<String, Error> {
-        let list = self.listed("step")?;
-        self.thickness("step")?;
-        step(&list.parts).map_err(|error| with_arguments(error, &self.question))
+        let parts = self.solid_parts("step")?;
+        step(&parts).map_err(|error| self.refused_mounting(error))
     }
 
     /// A ladder of slots and pins of the wheel's diameter and thickness: the least play at which the pin runs is measured on it.
@@ -263,7 +273,7 @@ impl WheelDesign {
     ///
     /// A spherical wheel, one that has no size, and a kerf that is too wide.
     pub fn test_piece_svg(&self) -> Result<String, Error> {
-        svg_parts(&self.test_piece()?, self.kerf()?).map_err(|error| with_arguments(error, &self.question))
+        svg_parts(&self.test_piece()?, self.kerf()?).map_err(|error| self.refused_mounting(error))
     }
 
     /// The test piece as meshes for a printer; the narrowest slot is at the left.
@@ -273,7 +283,7 @@ impl WheelDesign {
     /// A spherical wheel, or one without a size.
     pub fn test_piece_stl(&self) -> Result<String, Error> {
         let chords = self.made_sizes("test-piece")?.chords();
-        stl(&self.test_piece()?, chords).map_err(|error| with_arguments(error, &self.question))
+        stl(&self.test_piece()?, chords).map_err(|error| self.refused_mounting(error))
     }
 
     /// The parts for a file with this ending.
@@ -282,16 +292,23 @@ impl WheelDesign {
         self.part_list()?.ok_or_else(|| without_size(ending))
     }
 
-    /// How much wider holes become than drawn in the process, in millimetres; below zero narrower.
-    fn hole_growth(&self) -> Result<f64, Error> {
-        Ok(self.process_numbers()?.map_or(0.0, |numbers| numbers.hole_growth.value))
+    /// How much wider the files of solids have holes than they should become, in millimetres, since the process makes them narrower by
+    /// so much; below zero narrower.
+    fn hole_allowance(&self) -> Result<f64, Error> {
+        Ok(self.process_numbers()?.map_or(0.0, |numbers| 0.0 - numbers.hole_growth.value))
     }
 
-    /// The parts for a file of meshes, with holes as wide as the process wants them drawn, and how far its chords leave their arcs.
-    fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
-        let wider = -self.hole_growth()?;
-        let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect::<Vec<_>>();
+    /// The parts for a file of solids, with holes as wide as the process wants them drawn.
+    fn solid_parts(&self, ending: &str) -> Result<Vec<Part>, Error> {
+        let wider = self.hole_allowance()?;
+        let parts = self.listed(ending)?.parts.into_iter().map(|part| part.with_wider_holes(wider)).collect();
         self.thickness(ending)?;
+        Ok(parts)
+    }
+
+    /// The parts for a file of meshes, and how far its chords leave their arcs.
+    fn printed(&self, ending: &str) -> Result<(Vec<Part>, f64), Error> {
+        let parts = self.solid_parts(ending)?;
         let sizes = self.made_sizes(ending)?;
         let (play, tolerance) = (sizes.slot_play(), sizes.chords());
         let corners = corners(&parts, tolerance);
@@ -396,7 +413,7 @@ fn tolerance(play: f64, centre_distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wheel::{ArgumentSlot, arguments};
+    use crate::wheel::{ArgumentSlot, WheelQuestion, arguments};
     use geneva_kinematics::wheel::as_built::Process;
 
     #[test]
@@ -451,7 +468,7 @@ mod tests {
             WheelDesign::new(WheelQuestion::parse(&text).expect("a question")).expect("a wheel").step().map(|_| ())
         };
         let said = with_pin("--pin-diameter 6 --pin-screw M3").expect_err("no room").to_string();
-        assert!(said.contains("choose a pin of 3 mm, which is then the screw itself, or a dowel"), "{said}");
+        assert!(said.contains("give --pin-diameter 3, which is then the screw itself, or --pin-mount dowel"), "{said}");
         for right in ["--pin-diameter 3 --pin-screw M3", "--pin-diameter 6 --pin-mount dowel"] {
             assert_eq!(with_pin(right), Ok(()), "{right}");
         }

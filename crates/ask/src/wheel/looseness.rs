@@ -1,12 +1,16 @@
 //! How loosely parts are held on their shafts and by their screws, and what that does to wheel and table.
 
 use super::design::WheelDesign;
+use crate::number_format::rounded_down;
 use crate::{Needs, ReportField};
+use geneva_kinematics::bisection::bisect_times;
 use geneva_kinematics::wheel::Sizes;
-use geneva_workshop::{Mounting, ShaftFit};
+use geneva_workshop::{Keyway, Mounting, ShaftFit};
 
 /// A wheel or a driver that turns on its shaft by more than this to either side, in degrees, gets a warning: our choice.
 const MUCH: f64 = 1.0;
+/// Halvings of the play with which it turns by just as much.
+const HALVINGS: u32 = 40;
 
 /// How loosely the parts of a design are held.
 struct Looseness {
@@ -41,13 +45,20 @@ impl WheelDesign {
     /// What a maker should know about parts that are loose.
     pub(super) fn loose_parts(&self) -> Vec<String> {
         let Some((sizes, loose)) = self.looseness() else { return Vec::new() };
-        let names = ["wheel", "driver"].into_iter().zip(loose.on_flat);
-        let much =
-            names.filter_map(|(part, angle)| Some((part, angle?.to_degrees()))).filter(|(_, angle)| *angle > MUCH);
-        let turns = much.map(|(part, angle)| {
+        let shafts = [("wheel", sizes.wheel_shaft), ("driver", sizes.plate_shaft)].into_iter().zip(loose.on_flat);
+        let much = shafts.filter_map(|(of, angle)| Some((of, angle?.to_degrees()))).filter(|(_, angle)| *angle > MUCH);
+        let fits = self.mounting().map(|mounting| [mounting.wheel_fit, mounting.driver_fit]).unwrap_or_default();
+        let turns = much.map(|((part, shaft), angle)| {
+            let fit = fits[usize::from(part == "driver")];
+            let is_little = |play: f64| fit.turning_play(shaft, play).is_some_and(|angle| angle.to_degrees() <= MUCH);
+            let [play, _] = bisect_times(HALVINGS, [0.0, sizes.play.bore], is_little);
+            let key = Keyway::of_shaft(shaft).map_or_else(String::new, |_| {
+                format!(", or choose --{part}-bore-shape key instead of --{part}-flat")
+            });
             format!(
-                "the {part} turns by {angle:.1}° to either side on the flat of its shaft: give less --bore-play, clamp it, or choose \
-                 a keyway"
+                "the {part} turns by {angle:.1}° to either side on the flat of its shaft: give --bore-play up to {} mm and fit the \
+                 bore by hand, or clamp the {part} with a screw{key}",
+                rounded_down(play)
             )
         });
         let rim = sizes.locking_disc.map(|disc| disc.radius * libm::sin(loose.disc.min(std::f64::consts::FRAC_PI_2)));
@@ -138,8 +149,17 @@ mod tests {
         assert!((table - dwell - turn).abs() < 1e-9);
         let warnings = design(&flat).warnings().expect("warnings").join("\n");
         assert!(warnings.contains("the wheel turns by 20.6° to either side on the flat of its shaft"), "{warnings}");
-        let tight = design(&format!("{flat} --bore-play 0.01")).warnings().expect("warnings").join("\n");
+        // The value that the warning names is one with which there is none.
+        let (_, play) = warnings.split_once("--bore-play up to ").expect(&warnings);
+        let (play, _) = play.split_once(' ').expect("a unit");
+        let tight = design(&format!("{flat} --bore-play {play}")).warnings().expect("warnings").join("\n");
         assert!(!tight.contains("flat"), "{tight}");
+        let much: f64 = play.parse().expect("a number");
+        let loose = design(&format!("{flat} --bore-play {}", 1.01 * much)).warnings().expect("warnings").join("\n");
+        assert!(
+            loose.contains("flat") && !warnings.contains("bore-shape"),
+            "no key is made for a shaft of 5 mm: {warnings}"
+        );
     }
 
     #[test]

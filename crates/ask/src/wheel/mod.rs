@@ -15,6 +15,7 @@ mod drive;
 mod files;
 mod fitting;
 mod friction;
+mod hole_rows;
 mod instant;
 mod kind;
 mod loads;
@@ -40,6 +41,7 @@ mod speeds;
 mod times;
 mod typed_question;
 mod warnings;
+mod yield_cause;
 
 pub use arguments::{ActsOn, Argument, ArgumentGroup, ArgumentSlot, GROUPS, Knob, NamedChoice, WRONG_SIZES, arguments};
 pub use check::{CheckQuestion, UNCERTAINTY};

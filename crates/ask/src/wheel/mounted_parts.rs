@@ -14,7 +14,7 @@ use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::Process;
-use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts};
+use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts, validate_pockets};
 
 impl WheelDesign {
     /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
@@ -25,9 +25,36 @@ impl WheelDesign {
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
         self.refuse_mounting_out_of_range()?;
         let internal = self.internal_sizes()?;
-        let fits = |other: &WheelQuestion| self.mounted_fit(internal.as_ref(), other);
         let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
-        found.map_err(|error| with_remedies_of_mounting(error, &self.question, fits))
+        found.map_err(|error| self.refused_mounting(error))
+    }
+
+    /// The parts as all files have them, of which none is then refused; none as of [`part_list`](Self::part_list), and of an internal wheel
+    /// whose usual parts don't fit while nothing of them is chosen.
+    ///
+    /// # Errors
+    ///
+    /// What any of the files refuses: what can't be mounted or cut as it is asked for, or is deeper than its part is thick.
+    pub(super) fn makeable_parts(&self) -> Result<Option<PartList>, Error> {
+        if self.sizes.is_none() && self.reported_internal_sizes()?.is_none() {
+            return self.mounting().map(|_| None);
+        }
+        let list = self.part_list()?;
+        if let (Some(list), Some(_)) = (&list, self.made_thickness()) {
+            validate_pockets(&list.parts).map_err(|error| self.refused_mounting(error))?;
+            // Without a kerf nothing is moved.
+            if self.kerf()? != 0.0 {
+                self.svg_parts()?;
+                self.test_piece_svg()?;
+            }
+        }
+        Ok(list)
+    }
+
+    /// The error about parts that can't be mounted, with the arguments that mend it.
+    pub(super) fn refused_mounting(&self, error: MountingError) -> Error {
+        let internal = self.internal_sizes().ok().flatten();
+        with_remedies_of_mounting(error, &self.question, |other| self.mounted_fit(internal.as_ref(), other))
     }
 
     /// Refuses numbers of the mounting that make no sense, with values with which these parts can be mounted.
@@ -45,7 +72,8 @@ impl WheelDesign {
         let asked = &other.mounting;
         let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
         let list = mounting.ok().and_then(|mounting| self.listed_with(internal, &mounting)?.ok());
-        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()));
+        let is_deep = |list: &PartList| self.made_thickness().is_some() && validate_pockets(&list.parts).is_err();
+        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()) && !is_deep(list));
         list.map_or(Fit::Not, |list| Fit::of(list.thin_walls.is_empty()))
     }
 

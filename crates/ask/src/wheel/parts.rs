@@ -223,15 +223,12 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 ///
 /// # Errors
 ///
-/// A distance of the axes at which the parts can't work together.
+/// A distance of the axes at which the parts can't work together, and what can't be made.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let mut found = design.warnings()?;
-    if design.sizes.is_some() {
-        design.refuse_mounting_out_of_range()?;
-    }
     found.extend(droop_warning(design)?);
-    // What can't be mounted is refused where the files are made.
-    let thin = design.part_list().ok().flatten().map(|list| list.thin_walls).unwrap_or_default();
+    found.extend(design.yield_cause()?);
+    let thin = design.makeable_parts()?.map(|list| list.thin_walls).unwrap_or_default();
     found.extend(thin.iter().map(ThinWall::to_string));
     let said = found.join("; ");
     let texts: Vec<FieldValue> = found.into_iter().map(FieldValue::Text).collect();

@@ -9,9 +9,9 @@ use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, Pro
 /// How many assemblies are drawn.
 pub const ASSEMBLIES: u64 = 1000;
 /// The share of assemblies below which more play is advised: our choice.
-const ENOUGH: f64 = 0.9;
+pub(super) const ENOUGH: f64 = 0.9;
 /// The seed under which they are drawn: any will do, and the same gives the same assemblies.
-const SEED: u64 = 1;
+pub(super) const SEED: u64 = 1;
 
 impl WheelDesign {
     /// Counts further assemblies that turn, made by the process that is named, with wheel, driver and screwed pins as loose as their holes
@@ -98,12 +98,40 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         mm("process_bore_play_mm", "bore play", |numbers| numbers.bore_play),
         mm("process_axial_play_mm", "axial play", |numbers| numbers.axial_play),
         mm("process_corner_radius_mm", "inner corners", |numbers| numbers.corner_radius),
-        mm("process_hole_growth_mm", "growth of holes", |numbers| numbers.hole_growth),
-        mm("process_kerf_mm", "kerf", |numbers| numbers.kerf),
+        hole_growth(numbers.as_ref()),
+        kerf(design, numbers.as_ref()),
     ];
     fields.extend(yield_fields(found, design.wheel.kind()));
     fields.push(tight);
     Ok(ReportField::all_needing(fields, Needs::SIZE.union(Needs::PROCESS)))
+}
+
+/// How much wider holes become than drawn, and which files have them drawn otherwise for that.
+fn hole_growth(numbers: Option<&ProcessNumbers>) -> ReportField {
+    let growth = numbers.map(|numbers| numbers.hole_growth);
+    let files = match growth {
+        Some(growth) if growth.value != 0.0 => {
+            "; STL, 3MF, STEP and OpenSCAD have all holes but the slots drawn so much the other way; drawings, DXF and parts.svg have the \
+             sizes that the holes should become"
+        }
+        _ => "",
+    };
+    let field = ReportField::in_unit("process_hole_growth_mm", growth.map(|growth| growth.value), "mm");
+    field.line("growth of holes", growth.map_or_else(String::new, |growth| format!("{}{files}", growth.source)))
+}
+
+/// The width of the cut: what is given, or that of the process, and which files allow for it.
+fn kerf(design: &WheelDesign, numbers: Option<&ProcessNumbers>) -> ReportField {
+    let given = design.question.mounting.kerf;
+    let width = numbers.map(|numbers| given.unwrap_or(numbers.kerf.value));
+    let source = numbers.map_or("", |numbers| if given.is_some() { "as given" } else { numbers.kerf.source });
+    let files = match width {
+        Some(width) if width != 0.0 => {
+            "; parts.svg has its lines moved by half of it, DXF and drawings have the true sizes: set it at the machine"
+        }
+        _ => "",
+    };
+    ReportField::in_unit("process_kerf_mm", width, "mm").line("kerf", format!("{source}{files}"))
 }
 
 /// The share of assemblies of such a wheel that turn, with the interval in which it is: of all of them, as
@@ -114,7 +142,7 @@ pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
     let few = match found {
         // Of a lower bound it is not known whether it is too low.
         Some(found) if found.share() < ENOUGH && is_internal => ": with more play, more do",
-        Some(found) if found.share() < ENOUGH => ": too few turn, choose more play",
+        Some(found) if found.share() < ENOUGH => ": too few turn, choose more play or tighter bores",
         _ => "",
     };
     let interval = found.map(|found| found.interval());

@@ -6,7 +6,7 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, loads, parts, pin_load, process, ring_rows};
+use super::{drive, hole_rows, loads, parts, pin_load, process, ring_rows};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -17,13 +17,20 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// Speeds, inertias and angles that no wheel has, and numbers that are too large or too small to compute with.
+    /// What the files from which it is made refuse; speeds, inertias and angles that no wheel has; and numbers that are too large or too
+    /// small to compute with.
     pub fn answer(&self) -> Result<MechanismReport, Error> {
+        // What no file can be made of is refused before anything is computed that takes long.
+        self.makeable_parts()?;
         let wheel = self.wheel.indexing();
         let sections = vec![
             ("Given", given(self)),
             ("Geometry", geometry(self, wheel)),
-            ("Parts", ring_rows::merged(parts::parts(self), ring_rows::parts(self)?)),
+            ("Parts", {
+                let mut fields = ring_rows::merged(parts::parts(self), ring_rows::parts(self)?);
+                fields.push(hole_rows::holes(self));
+                fields
+            }),
             (
                 "Play and tolerances of the parts",
                 ring_rows::merged(parts::tolerances(self)?, ring_rows::looseness(self)?),

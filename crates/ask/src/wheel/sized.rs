@@ -9,6 +9,7 @@ use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::ProcessNumbers;
 use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, Sizes, SizesError, Wheel};
+use geneva_workshop::Thread;
 
 /// Moment of inertia of the wheel alone, in kg m², if size and thickness are given.
 pub(super) fn own_inertia(sizes: Option<&Sizes>, thickness: Option<f64>, density: f64) -> Result<Option<f64>, Error> {
@@ -46,9 +47,28 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
     let usual = |choices: &Choices| {
         Sizes::new(wheel, scale, choices).map(|sizes| (sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    let mut sizes = Sizes::new(wheel, scale, &with_plays(question, usual)?)?;
+    let of = |question: &WheelQuestion| Sizes::new(wheel, scale, &with_plays(question, usual)?);
+    let mut sizes = of(question)?;
+    // A bush with a wall that can be made, or the screw itself.
+    for pin in pins_for_screw(question, sizes.pin_diameter, |thread| vec![thread.least_bush(), thread.diameter()]) {
+        let other = of(&WheelQuestion { pin_diameter: Some(pin), ..question.clone() });
+        if let Some(other) = other.ok().filter(Sizes::has_sound_walls) {
+            sizes = other;
+            break;
+        }
+    }
     sizes.play.pin = pin_shift(question, sizes.pin_diameter);
     Ok(sizes)
+}
+
+/// The pin diameters in millimetres to try with the screw that is asked for; none where a diameter is given, too, and where the usual one
+/// will do.
+fn pins_for_screw(question: &WheelQuestion, usual: f64, pins: impl Fn(Thread) -> Vec<f64>) -> Vec<f64> {
+    let screw = question.mounting.pin_screw.filter(|_| question.pin_diameter.is_none());
+    screw
+        .map(pins)
+        .filter(|pins| !pins.contains(&usual) && screw.is_some_and(|screw| !screw.holds_pin(usual) || pins.len() == 1))
+        .unwrap_or_default()
 }
 
 /// How far a pin of this diameter may be off its place as it is mounted, in millimetres; zero where its mounting contradicts itself,
@@ -68,7 +88,13 @@ pub(super) fn internal_sizes(
         Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
     let sizes = |question: &WheelQuestion| -> Result<InternalSizes, SizesError> {
-        let mut sizes = InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?)?;
+        let of = |question: &WheelQuestion| InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?);
+        let mut sizes = of(question)?;
+        // The ring plate leaves no room for the head of a bush's screw.
+        for pin in pins_for_screw(question, sizes.pin_diameter, |thread| vec![thread.diameter()]) {
+            let other = of(&WheelQuestion { pin_diameter: Some(pin), ..question.clone() });
+            sizes = other.ok().filter(InternalSizes::has_sound_walls).unwrap_or(sizes);
+        }
         sizes.play.pin = pin_shift(question, sizes.pin_diameter);
         Ok(sizes)
     };

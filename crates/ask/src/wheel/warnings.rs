@@ -4,11 +4,15 @@ use super::design::WheelDesign;
 use super::kind::AnyWheel;
 use super::pin_load::weaknesses;
 use crate::Error;
-use crate::number_format::{as_typed, rounded_down};
+use crate::number_format::{as_typed, number, rounded_down};
+use crate::worked::DriverSpeed;
 use geneva_kinematics::wheel::{Sizes, Warning};
 
 /// Stations up to which parts can be made: the same as are proposed for times.
 const MOST_MADE: u32 = 60;
+/// Millimetres of a metre, and pascals of a megapascal.
+const MILLIMETRES: f64 = 1000.0;
+const MEGA: f64 = 1e6;
 
 impl WheelDesign {
     /// What a maker should know about sizes that do fit: what is wrong with them, with the place of the axes, and with the play
@@ -37,8 +41,46 @@ impl WheelDesign {
             AnyWheel::External(wheel) => weaknesses(self, wheel)?,
             AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
         };
-        Ok(placed.into_iter().chain(of_sizes).chain(self.loose_parts()).chain(weak).chain(many).collect())
+        let shape = self.thick_wheel(sizes).into_iter().chain(self.fast_rim(sizes));
+        Ok(placed.into_iter().chain(of_sizes).chain(self.loose_parts()).chain(weak).chain(shape).chain(many).collect())
     }
+
+    /// What is odd about the thickness; none of a wheel that is a disc.
+    fn thick_wheel(&self, sizes: &Sizes) -> Option<String> {
+        let (thickness, across) = (self.thickness?, 2.0 * sizes.tip_radius);
+        (thickness > across).then(|| {
+            format!(
+                "--thickness {}: the wheel would be thicker than the {} mm that it is wide; give how thick its disc is",
+                as_typed(thickness),
+                number(across)
+            )
+        })
+    }
+
+    /// The stress from spinning alone, where it is more than the wheel's material bears. A thin ring has density times rim speed squared;
+    /// a disc with a bore has at most that, too, at its rim speed.
+    fn fast_rim(&self, sizes: &Sizes) -> Option<String> {
+        let speed = self.speed()?.abs();
+        let wheel = self.wheel.indexing().peak_velocity() * sizes.tip_radius;
+        let (part, reach) =
+            if wheel > sizes.plate_radius { ("wheel", wheel) } else { ("driver's plate", sizes.plate_radius) };
+        let material = self.materials[1];
+        let rim = speed * reach / MILLIMETRES;
+        let stress = self.density * rim * rim;
+        (stress > material.strength).then(|| {
+            let most = DriverSpeed::RadiansPerSecond(speed * (material.strength / stress).sqrt()).rpm();
+            format!(
+                "the rim of the {part} runs at {} m/s, which alone stresses it with up to {} MPa, more than the {} MPa that the material \
+                 {} bears: stay below {} turns per minute, or make it smaller",
+                number(rim),
+                number(stress / MEGA),
+                number(material.strength / MEGA),
+                material.name,
+                rounded_down(most)
+            )
+        })
+    }
+
     /// What is wrong with the place of the axes; none where it is within its limits.
     fn misplacement(&self, sizes: &Sizes) -> Result<Option<String>, Error> {
         let error = self.centre_error();
@@ -84,6 +126,19 @@ mod tests {
                 .join("\n"),
             other => panic!("{other:?}"),
         }
+    }
+
+    #[test]
+    fn a_wheel_that_would_burst_or_is_thicker_than_wide_is_warned_of_with_a_limit_that_helps() {
+        let fast = warnings("wheel --stations 6 --crank-radius 50 --rpm 120000");
+        let (_, most) = fast.split_once("stay below ").expect(&fast);
+        let (most, _) = most.split_once(' ').expect("a unit");
+        let slower = warnings(&format!("wheel --stations 6 --crank-radius 50 --rpm {most}"));
+        assert!(!slower.contains("stay below"), "{slower}");
+        assert!(!warnings("wheel --stations 6 --crank-radius 50 --rpm 1000").contains("stay below"));
+        let thick = warnings("wheel --stations 6 --crank-radius 25 --thickness 500");
+        assert!(thick.contains("--thickness 500: the wheel would be thicker than"), "{thick}");
+        assert!(!warnings("wheel --stations 6 --crank-radius 25 --thickness 50").contains("--thickness"));
     }
 
     #[test]

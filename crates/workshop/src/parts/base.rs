@@ -63,6 +63,7 @@ pub(super) fn base_plate(sizes: &Sizes, base: BasePlate, thickness: f64, top: f6
         places: vec![Place { turn: 0.0, at: Point::zeros(), bottom: top - thickness }],
         engraved: Vec::new(),
         is_joined: false,
+        hole_allowance: 0.0,
     })
 }
 

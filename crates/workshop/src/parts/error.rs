@@ -150,7 +150,9 @@ pub enum MountingError {
         remedy: &'static str,
     },
     /// A pocket or a shoulder that is as deep as its part is thick.
-    #[error("{part}: a pocket of {depth} mm in {hole} needs a part that is thicker than {thickness} mm; {remedy}")]
+    #[error(
+        "{part}: {hole} has a pocket of {depth} mm, but the part is only {thickness} mm thick; {remedy}, or a thicker part"
+    )]
     TooDeep {
         /// Which part.
         part: &'static str,

@@ -36,7 +36,7 @@ impl HolePurpose {
             Self::Pin => "the pin's hole",
             Self::PinScrew => "the hole of the pin's screw",
             Self::Hub => "a hole of the hub",
-            Self::DiscDowel => "a hole between disc and plate",
+            Self::DiscDowel => "a dowel's hole",
             Self::Fixing => "a fixing hole",
             Self::TestSlot => "a slot of the test piece",
             Self::Inside => "the inside of the ring",

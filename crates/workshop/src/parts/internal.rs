@@ -56,6 +56,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
         places: vec![place],
         engraved: Vec::new(),
         is_joined: false,
+        hole_allowance: 0.0,
     };
     let is_joined = !mounting.is_stacked;
 
@@ -106,6 +107,7 @@ pub fn internal_parts(sizes: &InternalSizes, thickness: f64, mounting: &Mounting
             marks: Vec::new(),
             engraved: Vec::new(),
             is_joined,
+            hole_allowance: 0.0,
             ..plain(Layer::Pins, Loop::circle(Point::zeros(), sizes.pin_radius(), false), place)
         });
     }

@@ -63,6 +63,7 @@ pub fn parts(sizes: &Sizes, thickness: f64, mounting: &Mounting) -> Result<PartL
         places,
         engraved: Vec::new(),
         is_joined: false,
+        hole_allowance: 0.0,
     };
 
     let mut wheel =
@@ -151,6 +152,7 @@ fn pin(
         places: places.collect(),
         engraved: Vec::new(),
         is_joined,
+        hole_allowance: 0.0,
     }))
 }
 
@@ -162,16 +164,13 @@ pub(super) fn pin_hole(fastener: Fastener) -> HolePurpose {
     }
 }
 
-/// Least thickness of the wall of a bush, in millimetres: our choice.
-const BUSH_WALL: f64 = 0.5;
-
 /// The hole through a pin: that of a bush on a screw, which passes; none where the screw itself is the pin.
 pub(super) fn screw_holes(pin: f64, pins: PinMount) -> Result<Option<Vec<Hole>>, MountingError> {
     let PinMount::Screw(thread, _) = pins else { return Ok(Some(Vec::new())) };
     if (pin - thread.diameter()).abs() < SAME {
         return Ok(None);
     }
-    let (inner, least) = (thread.clearance_hole(), thread.clearance_hole() + 2.0 * BUSH_WALL);
+    let (inner, least) = (thread.clearance_hole(), thread.least_bush());
     if pin < least {
         return Err(MountingError::ThinBush { screw: thread.name(), pin, least });
     }

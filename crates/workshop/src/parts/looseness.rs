@@ -10,7 +10,26 @@ use geneva_kinematics::wheel::{FlattedShaft, Sizes};
 /// A pin and a screw as thick as each other to within this length in millimetres are one.
 pub(super) const SAME: f64 = 1e-9;
 
+/// Least thickness of the wall of a bush, in millimetres: two lines of a printer, or what a lathe turns without a mandrel; our choice.
+const BUSH_WALL: f64 = 1.0;
+
 impl Thread {
+    /// The least diameter of a bush on the screw, in millimetres.
+    ///
+    /// ```
+    /// use geneva_workshop::Thread;
+    ///
+    /// assert_eq!(Thread::M4.least_bush(), 6.5); // mm: a wall of 1 mm around the hole of 4.5 mm
+    /// ```
+    pub fn least_bush(self) -> f64 {
+        self.clearance_hole() + 2.0 * BUSH_WALL
+    }
+
+    /// Whether a pin of this diameter in millimetres can be the screw itself, or a bush on it.
+    pub fn holds_pin(self, diameter: f64) -> bool {
+        (diameter - self.diameter()).abs() < SAME || diameter >= self.least_bush()
+    }
+
     /// How far the screw may be off the middle of its clearance hole, in millimetres.
     fn room(self) -> f64 {
         (self.clearance_hole() - self.diameter()) / 2.0

@@ -18,6 +18,7 @@ pub use internal::internal_parts;
 pub(crate) use list::axial_play;
 pub use list::{PartList, parts};
 pub use mounting::{BasePlate, Fastener, Mounting, Pattern, PinMount, ScrewHole, ShaftFit};
+pub(crate) use part::allowance_words;
 pub use part::{Layer, Part, Place};
 pub use standards::{KEYED_SHAFTS, Keyway, Thread};
 pub use test_piece::test_piece;

@@ -5,6 +5,17 @@ use crate::geometry::{Point, area};
 use crate::offset::widened;
 use geneva_kinematics::wheel::{Edge, Face, Loop};
 
+/// What a file of solids says of holes that are drawn wider or narrower than they should become; none if none is.
+pub(crate) fn allowance_words(parts: &[Part]) -> Option<String> {
+    let by = parts.iter().map(|part| part.hole_allowance).find(|by| *by != 0.0)?;
+    let drawn = if by > 0.0 { "wider" } else { "narrower" };
+    Some(format!(
+        "Holes are drawn {:.3} mm {drawn} than they should become, for the machine makes them so much {}; slots are not",
+        by.abs(),
+        if by > 0.0 { "narrower" } else { "wider" }
+    ))
+}
+
 /// A layer of the drawing; the pieces of one layer are cut from one sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
@@ -108,6 +119,8 @@ pub struct Part {
     pub places: Vec<Place>,
     /// Whether it is in one piece with the plate, where a file has solids.
     pub is_joined: bool,
+    /// How much wider its holes are drawn than they should become, in millimetres; below zero narrower.
+    pub hole_allowance: f64,
 }
 
 impl Part {
@@ -148,6 +161,7 @@ impl Part {
     /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
     /// ```
     pub fn with_wider_holes(mut self, by: f64) -> Self {
+        self.hole_allowance += by;
         let is_hole = |hole: &&mut Hole| !matches!(hole.purpose, HolePurpose::Inside | HolePurpose::TestSlot);
         for hole in self.holes.iter_mut().filter(is_hole) {
             let pocket = hole.widening.as_mut().map(|wide| &mut wide.outline);

@@ -40,6 +40,7 @@ pub fn test_piece(pin_diameter: f64, thickness: f64) -> Result<Vec<Part>, Kinema
         thickness,
         places: vec![still],
         is_joined: false,
+        hole_allowance: 0.0,
     };
     // All pins are alike: the first one, about its own axis, at the places of all.
     let middles: Vec<Point> = pins.iter().filter_map(|pin| Some(middle(pin.outer.edges.first()?))).collect();
@@ -53,6 +54,7 @@ pub fn test_piece(pin_diameter: f64, thickness: f64) -> Result<Vec<Part>, Kinema
         thickness: LENGTH * thickness,
         places: middles.into_iter().map(|at| Place { at, ..still }).collect(),
         is_joined: false,
+        hole_allowance: 0.0,
     };
     Ok(vec![plate, pin])
 }

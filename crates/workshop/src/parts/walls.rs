@@ -125,16 +125,16 @@ pub(super) fn least_wall(part: &Part, hole: &Hole) -> Option<(&'static str, f64)
 /// Thin walls of the holes that were chosen for mounting; those of round bores and pins are among the warnings of the sizes.
 pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
     let mut thin: Vec<ThinWall> = Vec::new();
-    for hole in &part.holes {
+    // A ring's own inside is seen from the holes beside it, which were chosen.
+    for hole in part.holes.iter().filter(|hole| hole.purpose != HolePurpose::Inside) {
         let Some((other, thickness)) = least_wall(part, hole) else { continue };
         let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole.purpose));
         if thickness <= 0.0 {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }
         let is_plain = hole.diameter().is_some() && hole.widening.is_none();
-        let is_of_sizes = is_plain
-            && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin | HolePurpose::PinScrew)
-            || hole.purpose == HolePurpose::Inside;
+        let is_of_sizes =
+            is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin | HolePurpose::PinScrew);
         // A keyway or a flat is as wide as its straight line across.
         let across = hole.outline.edges.iter().filter_map(|edge| match edge {
             Edge::Line { from, to } => Some((to - from).norm()),

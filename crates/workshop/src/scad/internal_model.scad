@@ -60,10 +60,10 @@ module driver() {
         solid(plate_radius);
         bore(plate_bore, driver_key, driver_flat, driver_key_direction);
         holes(plate_holes);
-        if (pin_hole > 0) translate([crank_radius, 0]) hollow(pin_hole / 2);
+        if (pin_hole > 0) translate([crank_radius, 0]) hole(pin_hole);
       }
       pockets(plate_holes);
-      if (nut_width > 0) translate([crank_radius, 0, -1]) cylinder(r = nut_width / 2 / cos(30), h = nut_depth + 1, $fn = 6);
+      translate([crank_radius, 0]) nut_pocket(nut_width, nut_depth);
     }
     translate([0, 0, thickness]) linear_extrude(height = thickness) {
       segment_outline();

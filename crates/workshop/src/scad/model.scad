@@ -53,10 +53,10 @@ module driver() {
         solid(plate_radius);
         bore(plate_bore, driver_key, driver_flat, driver_key_direction);
         holes(plate_holes);
-        if (pin_hole > 0) around() translate([crank_radius, 0]) hollow(pin_hole / 2);
+        if (pin_hole > 0) around() translate([crank_radius, 0]) hole(pin_hole);
       }
       pockets(plate_holes);
-      if (nut_width > 0) around() translate([crank_radius, 0, -1]) cylinder(r = nut_width / 2 / cos(30), h = nut_depth + 1, $fn = 6);
+      around() translate([crank_radius, 0]) nut_pocket(nut_width, nut_depth);
     }
     translate([0, 0, thickness]) linear_extrude(height = thickness + axial_play) {
       disc_outline();
@@ -70,7 +70,7 @@ module pin_pieces() {
   if (pin_hole > 0) translate([0, 0, -axial_play])
     linear_extrude(height = thickness + (bush_hole > 0 ? 2 : 1) * axial_play) difference() {
       pin_outlines();
-      if (bush_hole > 0) around() translate([crank_radius, 0]) hollow(bush_hole / 2);
+      if (bush_hole > 0) around() translate([crank_radius, 0]) hole(bush_hole);
     }
 }
 
@@ -82,12 +82,12 @@ module base() {
     translate([0, 0, -2 * axial_play - thickness - base_thickness]) difference() {
       linear_extrude(height = base_thickness) difference() {
         hull() for (corner = at_corners) translate(corner) solid(base_margin);
-        if (base_hole > 0) for (corner = at_corners) translate(corner) hollow(base_hole / 2);
-        for (axis = axes) if (axis[1] > 0) translate([axis[0], 0]) hollow(axis[1] / 2);
+        if (base_hole > 0) for (corner = at_corners) translate(corner) hole(base_hole);
+        for (axis = axes) if (axis[1] > 0) translate([axis[0], 0]) hole(axis[1]);
       }
       if (shoulder_diameter > 0) for (axis = axes) if (axis[1] > 0)
         translate([axis[0], 0, base_thickness - shoulder_depth])
-          linear_extrude(height = shoulder_depth + 1) hollow(shoulder_diameter / 2);
+          linear_extrude(height = shoulder_depth + 1) hole(shoulder_diameter);
     }
   }
 }

@@ -124,6 +124,11 @@ impl PrintedDimension {
         self
     }
 
+    /// Limits as they are written in one line; none where the general tolerances hold.
+    pub fn limit_text(&self) -> Option<String> {
+        self.limit_words().map(|words| words.unwrap_or_else(|[upper, lower]| format!("{upper}/{lower}")))
+    }
+
     /// Limits as they are written: one text, or an upper and a lower one.
     pub(super) fn limit_words(&self) -> Option<Result<String, [String; 2]>> {
         let [lower, upper] = self.limits?;

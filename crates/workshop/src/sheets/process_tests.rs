@@ -177,9 +177,9 @@ fn a_screw_is_the_pin_itself_or_leaves_a_wall_to_its_bush() {
     let list = |pin: f64| parts(&sizes(6, 1, Some(pin), None), 6.0, &mounting).map(|list| list.parts);
     let has_pin = |list: &[Part]| list.iter().any(|part| part.layer == Layer::Pins);
     assert!(!has_pin(&list(4.0).unwrap()), "a screw is bought");
-    assert!(has_pin(&list(5.5).unwrap()));
-    for pin in [4.1, 5.4] {
-        assert_eq!(list(pin), Err(MountingError::ThinBush { screw: "M4", pin, least: 5.5 }));
+    assert!(has_pin(&list(6.5).unwrap()));
+    for pin in [4.1, 6.4] {
+        assert_eq!(list(pin), Err(MountingError::ThinBush { screw: "M4", pin, least: 6.5 }));
     }
     assert_eq!(list(3.9), Err(MountingError::ThickScrew { screw: "M4", pin: 3.9 }));
 }

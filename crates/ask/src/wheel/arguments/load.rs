@@ -24,7 +24,7 @@ pub(super) const ROWS: &[Argument] = &[
         "Diameter of that table, in millimetres; it counts as a disc of uniform thickness",
     )
     .with_knob(
-        Knob::follows("and its diameter", "mm", [10.0, 1000.0], 10.0, "table_diameter_mm").typed([0.1, 1e6]).on_side(TABLE, 1),
+        Knob::follows("and its diameter", "mm", [10.0, 1000.0], 10.0, "table_diameter_mm").typed([0.1, 20_000.0]).on_side(TABLE, 1),
     ),
     Argument::new(
         "inertia",

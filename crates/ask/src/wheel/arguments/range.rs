@@ -5,10 +5,11 @@ use super::{Argument, ArgumentSlot};
 
 /// Units of arguments with the least number above zero and the greatest that make sense; our choice.
 const RANGES: &[(&str, [f64; 2])] = &[
-    // From a micrometre to a kilometre.
-    ("MM", [0.001, 1e6]),
-    ("R", [1e-6, 1e6]),
-    ("W", [1e-7, 1e5]),
+    // From a micrometre to twenty metres.
+    ("MM", [0.001, 20_000.0]),
+    // Up to what small spindles and turbines do.
+    ("R", [1e-6, 200_000.0]),
+    ("W", [1e-7, 20_000.0]),
     ("S", [1e-6, 1e7]),
     ("DEG", [0.01, 360.0]),
     ("KG", [1e-6, 1e6]),

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum BuiltError {
     /// A length that is not positive and finite.
-    #[error("{name} {asked} mm: it must be positive and finite; measure it again")]
+    #[error("{name} {} mm: it must be positive and finite; measure it again", short(*asked))]
     Length {
         /// Which length.
         name: &'static str,
@@ -29,7 +29,11 @@ pub enum BuiltError {
         most: f64,
     },
     /// A slot as wide as the wheel.
-    #[error("width of a slot {asked} mm: it must be below {most:.4} mm, the wheel's diameter; measure it again")]
+    #[error(
+        "width of a slot {} mm: it must be at most {} mm, just below the wheel's diameter; measure it again",
+        short(*asked),
+        short_below(*most)
+    )]
     TooWide {
         /// The width that was given, in millimetres.
         asked: f64,
@@ -37,13 +41,28 @@ pub enum BuiltError {
         most: f64,
     },
     /// A crank as long as the centre distance.
-    #[error("crank radius {asked} mm: it must be below the centre distance {most} mm; measure both again")]
+    #[error(
+        "crank radius {} mm: it must be at most {} mm, just below the centre distance; measure both again",
+        short(*asked),
+        short_below(*most)
+    )]
     CrankTooLong {
         /// The crank radius that was given, in millimetres.
         asked: f64,
         /// What it must be below, in millimetres.
         most: f64,
     },
+}
+
+/// A length to four significant digits.
+fn short(length: f64) -> f64 {
+    format!("{length:.3e}").parse().unwrap_or(length)
+}
+
+/// The greatest length of four significant digits, or the one before it, that is below another.
+fn short_below(length: f64) -> f64 {
+    let nearest = short(length);
+    if nearest < length { nearest } else { short(length * (1.0 - 1e-3)) }
 }
 
 /// How the errors of a size are spread.
@@ -155,4 +174,19 @@ pub enum MeasuredError {
         "nothing tells how large the wheel is; measure the centre distance, the crank radius or the outside diameter"
     )]
     NoScale,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_has_four_digits_and_is_accepted_as_it_is_told() {
+        let of = |most: f64| BuiltError::CrankTooLong { asked: 61.234_567_89, most }.to_string();
+        assert!(of(50.005_000_01).starts_with("crank radius 61.23 mm: it must be at most 50 mm, just below"));
+        for most in [50.0, 49.999_999, 35.355_339_059_327_38, 1e-7 / 3.0, 1.000_499, 9.999_6e8] {
+            let below = short_below(most);
+            assert!(below < most && below > 0.998 * most, "{most}: {below}");
+        }
+    }
 }
