@@ -1,11 +1,15 @@
 //! Solids of the parts: walls over closed lines, and flat faces between them, at as many heights as a part has.
 //!
 //! A part is a stack of slabs; each has the material between its lines. Where two slabs meet there is a flat face over what
-//! only the lower one has, and one below what only the upper one has. The lines of a solid don't meet one another, so each cell
-//! between them is in a slab or not as a whole, and crossing a line changes that.
+//! only the lower one has, and one below what only the upper one has. Mostly the lines of a solid don't meet one another, so each
+//! cell between them is in a slab or not as a whole, and crossing a line changes that. Where lines of two slabs meet, they are cut
+//! there first.
 
-use crate::geometry::{Point, area, encloses, turned};
+use crate::chords::inner_polygon;
+use crate::crossings::{Cut, Side};
+use crate::geometry::{Point, area, encloses, point_along, turned};
 use crate::parts::{HolePurpose, Layer, MountingError, Part, Place, remedy};
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Edge, Loop};
 use std::f64::consts::PI;
 
@@ -27,8 +31,9 @@ pub(crate) struct Cap {
     pub height: f64,
     /// Whether the material is below it.
     pub is_up: bool,
-    /// Its outer line and its holes: which of the solid's lines.
-    pub lines: Vec<usize>,
+    /// Its outer bound and its holes, as pieces of the solid's lines in the order and sense in which they are seen from above: the
+    /// outer one counter-clockwise, holes clockwise.
+    pub bounds: Vec<Vec<Side>>,
 }
 
 /// A solid, about the axis of its lowest part, which stands on the plane z = 0.
@@ -38,6 +43,8 @@ pub(crate) struct Body {
     pub name: &'static str,
     /// Its lines; no piece of one is a whole circle.
     pub lines: Vec<Loop>,
+    /// Which pieces of its lines are in the same place, or begin there.
+    pub cut: Cut,
     pub walls: Vec<Wall>,
     pub caps: Vec<Cap>,
     /// Where it is in the assembly.
@@ -53,22 +60,62 @@ struct Slab {
     lines: Vec<usize>,
 }
 
+/// A corner that is nearer to another line than this part of the solid's greatest coordinate is on it: in a file of solids, and in a
+/// mesh, whose readers keep single precision.
+const SNAP: [f64; 2] = [1e-8, 1e-6];
+
 /// The solids of these parts: those that are joined to the plate are one with it.
 ///
 /// # Errors
 ///
-/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it.
+/// As of [`validate_solids`].
 pub(crate) fn bodies(parts: &[Part]) -> Result<Vec<Body>, MountingError> {
-    validate_pockets(parts)?;
-    let joined: Vec<&Part> = parts.iter().filter(|part| part.is_joined).collect();
-    let alone = parts.iter().filter(|part| !part.is_joined);
-    Ok(alone.map(|part| Body::new(part, if part.layer == Layer::Plate { &joined } else { &[] })).collect())
+    let solids = stacks(parts)?.into_iter().map(|(part, joined, stack)| Body::new(part, &joined, stack, SNAP[0]));
+    Ok(solids.collect())
 }
 
-impl Body {
+/// The solids of these parts with chords in place of arcs, which leave them by this much at most, in millimetres.
+///
+/// # Errors
+///
+/// As of [`validate_solids`], and [`MountingError::Kinematics`] for a tolerance that is not positive and finite.
+pub(crate) fn bodies_of_chords(parts: &[Part], tolerance: f64) -> Result<Vec<Body>, MountingError> {
+    let with_chords = |of: &Loop| -> Result<Loop, KinematicsError> {
+        let corners = inner_polygon(of, tolerance)?;
+        let next = corners.iter().cycle().skip(1);
+        let edges = corners.iter().zip(next).map(|(from, to)| Edge::Line { from: *from, to: *to });
+        Ok(Loop { edges: edges.collect() })
+    };
+    let solid = |(part, joined, mut stack): (&Part, Vec<&Part>, Stack)| {
+        stack.lines = stack.lines.iter().map(with_chords).collect::<Result<_, _>>()?;
+        Ok(Body::new(part, &joined, stack, SNAP[1]))
+    };
+    stacks(parts)?.into_iter().map(solid).collect()
+}
+
+/// The lines of a solid and its slabs.
+#[derive(Default)]
+struct Stack {
+    lines: Vec<Loop>,
+    slabs: Vec<Slab>,
+}
+
+/// Each part that is none with the plate, with those that are joined to it, and its slabs.
+fn stacks<'p>(parts: &'p [Part]) -> Result<Vec<(&'p Part, Vec<&'p Part>, Stack)>, MountingError> {
+    validate_solids(parts)?;
+    let joined: Vec<&'p Part> = parts.iter().filter(|part| part.is_joined).collect();
+    let alone = parts.iter().filter(|part| !part.is_joined);
+    let with_slabs = |part: &'p Part| {
+        let joined = if part.layer == Layer::Plate { joined.clone() } else { Vec::new() };
+        let stack = Stack::new(part, &joined);
+        (part, joined, stack)
+    };
+    Ok(alone.map(with_slabs).collect())
+}
+
+impl Stack {
     fn new(part: &Part, joined: &[&Part]) -> Self {
-        let mut lines = Vec::new();
-        let mut slabs = Vec::new();
+        let Self { mut lines, mut slabs } = Self::default();
         let has_pins = joined.iter().any(|of| of.layer == Layer::Pins);
         let place = part.places.first().copied().unwrap_or(Place { turn: 0.0, at: Point::zeros(), bottom: 0.0 });
         slab(part, has_pins, 0.0, (0.0, Point::zeros()), &mut lines, &mut slabs);
@@ -78,6 +125,13 @@ impl Body {
                 slab(above, false, part.thickness, (its.turn - place.turn, by), &mut lines, &mut slabs);
             }
         }
+        Self { lines, slabs }
+    }
+}
+
+impl Body {
+    fn new(part: &Part, joined: &[&Part], stack: Stack, snap: f64) -> Self {
+        let Stack { mut lines, slabs } = stack;
         let mut heights: Vec<f64> = slabs.iter().flat_map(|slab| [slab.bottom, slab.top]).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
@@ -87,11 +141,16 @@ impl Body {
             there.flat_map(|slab| slab.lines.iter().copied()).collect()
         };
         let levels: Vec<Vec<usize>> = heights.windows(2).map(|pair| between(pair[0], pair[1])).collect();
+        let groups: Vec<Vec<usize>> = levels.windows(2).map(|pair| pair.concat()).collect();
+        let points = lines.iter().flat_map(|of| &of.edges).map(Edge::start_point);
+        let size = points.map(|p| p.amax()).fold(0.0, f64::max);
+        let cut = Cut::new(&mut lines, &groups, snap * size);
 
         let mut walls: Vec<Wall> = Vec::new();
         for (level, pair) in levels.iter().zip(heights.windows(2)) {
             for line in level {
-                match walls.iter_mut().find(|wall| wall.line == *line && wall.top == pair[0]) {
+                let is_below = |wall: &&mut Wall| wall.line == *line && wall.top == pair[0] && !cut.is_cut(*line);
+                match walls.iter_mut().find(is_below) {
                     Some(wall) => wall.top = pair[1],
                     None => walls.push(Wall { line: *line, bottom: pair[0], top: pair[1] }),
                 }
@@ -101,31 +160,66 @@ impl Body {
         let mut caps = Vec::new();
         for (k, height) in heights.iter().enumerate() {
             let below = k.checked_sub(1).and_then(|k| levels.get(k)).unwrap_or(&none);
-            caps_between(&lines, *height, below, levels.get(k).unwrap_or(&none), &mut caps);
+            let above = levels.get(k).unwrap_or(&none);
+            if cut.has_crossings(&[below.as_slice(), above].concat()) {
+                for (faces, is_up) in cut.faces(&lines, below, above).into_iter().zip([true, false]) {
+                    caps.extend(faces.into_iter().map(|bounds| Cap { height: *height, is_up, bounds }));
+                }
+            } else {
+                caps_between(&lines, *height, below, above, &mut caps);
+            }
         }
         let name = if joined.is_empty() { part.words() } else { "driver" };
         let extent = crate::drawing::extent(part);
-        Self { name, lines, walls, caps, places: part.places.clone(), extent }
+        Self { name, lines, cut, walls, caps, places: part.places.clone(), extent }
     }
 }
 
-/// Refuses pockets and shoulders that are as deep as their part is thick, which no file of solids has.
+/// Refuses what no file of solids has: pockets and shoulders that are as deep as their part is thick, and a locking disc or segment
+/// in one piece with a plate that it touches nowhere.
 ///
 /// ```
 /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-/// use geneva_workshop::{Mounting, PinMount, ScrewHole, Thread, parts, validate_pockets};
+/// use geneva_workshop::{Mounting, PinMount, ScrewHole, Thread, parts, validate_solids};
 ///
-/// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(60.0), &Choices::default())?; // mm
-/// let mounting = Mounting { pins: PinMount::Screw(Thread::M6, ScrewHole::NutTrap), ..Mounting::default() };
-/// let with = |thickness| parts(&sizes, thickness, &mounting).and_then(|list| validate_pockets(&list.parts));
-/// assert!(with(6.0).is_ok() && with(5.0).is_err()); // the nut is 5.2 mm high
-/// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+/// let with = |plate_shaft, thickness, mounting: &Mounting| {
+///     let choices = Choices { plate_shaft: Some(plate_shaft), ..Choices::default() };
+///     let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(60.0), &choices)?; // mm
+///     Ok::<_, Box<dyn std::error::Error>>(validate_solids(&parts(&sizes, thickness, mounting)?.parts))
+/// };
+/// let solid = Mounting::default();
+/// assert!(with(30.0, 6.0, &solid)?.is_ok() && with(90.0, 6.0, &solid)?.is_err()); // the disc would hang over the bore
+/// let nuts = Mounting { pins: PinMount::Screw(Thread::M6, ScrewHole::NutTrap), ..solid };
+/// assert!(with(8.0, 6.0, &nuts)?.is_ok() && with(8.0, 5.0, &nuts)?.is_err()); // the nut is 5.2 mm high
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`MountingError::TooDeep`] for the first of them.
-pub fn validate_pockets(parts: &[Part]) -> Result<(), MountingError> {
+/// [`MountingError::Floating`], and [`MountingError::TooDeep`].
+pub fn validate_solids(parts: &[Part]) -> Result<(), MountingError> {
+    validate_pockets(parts)?;
+    let Some(plate) = parts.iter().find(|part| part.layer == Layer::Plate) else { return Ok(()) };
+    let is_disc = |part: &&Part| matches!(part.layer, Layer::LockingDisc | Layer::LockingSegment);
+    for part in parts.iter().filter(|part| part.is_joined).filter(is_disc) {
+        let (from, to) = (part.places.first(), plate.places.first());
+        let turn = from.zip(to).map_or(0.0, |(from, to)| from.turn - to.turn);
+        let outline = part.outer.transform(turn, Point::zeros());
+        let points = || outline.edges.iter().flat_map(|edge| (0..4).map(|k| point_along(edge, f64::from(k) / 4.0)));
+        for hole in plate.holes.iter().filter(|hole| points().all(|p| encloses(&hole.outline, p))) {
+            let farthest = points().map(|p| p.norm()).fold(0.0, f64::max);
+            return Err(MountingError::Floating {
+                part: part.layer.words(),
+                hole: hole.purpose.words(),
+                width: 2.0 * farthest,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses pockets and shoulders that are as deep as their part is thick, which no file of solids has.
+fn validate_pockets(parts: &[Part]) -> Result<(), MountingError> {
     for part in parts {
         for hole in &part.holes {
             let Some(wide) = hole.widening.as_ref().filter(|wide| wide.depth >= part.thickness) else { continue };
@@ -216,11 +310,22 @@ fn caps_between(lines: &[Loop], height: f64, below: &[usize], above: &[usize], c
     }
     for (k, (line, _, inside)) in cells.iter().enumerate() {
         if inside[0] != inside[1] {
-            let within = cells.iter().filter(|(_, around, _)| *around == Some(k)).map(|(line, ..)| *line);
-            let lines = std::iter::once(*line).chain(within).collect();
-            caps.push(Cap { height, is_up: inside[0], lines });
+            let within = cells.iter().filter(|(_, around, _)| *around == Some(k)).map(|(line, ..)| bound(lines, *line, false));
+            let bounds = std::iter::once(bound(lines, *line, true)).chain(within).collect();
+            caps.push(Cap { height, is_up: inside[0], bounds });
         }
     }
+}
+
+/// A whole line as a bound: counter-clockwise as an outer one, clockwise as a hole.
+fn bound(lines: &[Loop], line: usize, is_outer: bool) -> Vec<Side> {
+    let Some(of) = lines.get(line) else { return Vec::new() };
+    let is_forward = (area(of) > 0.0) == is_outer;
+    let mut sides: Vec<Side> = (0..of.edges.len()).map(|piece| Side { piece: (line, piece), is_forward }).collect();
+    if !is_forward {
+        sides.reverse();
+    }
+    sides
 }
 
 #[cfg(test)]
@@ -232,8 +337,7 @@ mod tests {
     /// Areas of the flat faces times their heights: the volume, by the divergence theorem.
     fn volume(body: &Body) -> f64 {
         let size = |cap: &Cap| {
-            let areas: Vec<f64> = cap.lines.iter().map(|line| area(&body.lines[*line]).abs()).collect();
-            areas[0] - areas[1..].iter().sum::<f64>()
+            cap.bounds.iter().map(|bound| area(&crate::crossings::bound_loop(&body.lines, bound))).sum::<f64>()
         };
         body.caps.iter().map(|cap| size(cap) * cap.height * if cap.is_up { 1.0 } else { -1.0 }).sum()
     }

@@ -9,6 +9,7 @@
 
 mod body;
 mod chords;
+mod crossings;
 mod drawing;
 mod drawn_wheel;
 mod dxf;
@@ -24,7 +25,7 @@ mod stl;
 mod svg;
 mod three_mf;
 
-pub use body::validate_pockets;
+pub use body::validate_solids;
 pub use drawing::PartLayout;
 pub use drawn_wheel::{DrawnWheel, LayerNames};
 pub use dxf::dxf;

@@ -3,11 +3,11 @@
 //! Arcs become chords, within the material everywhere: a mesh has bosses that are a little thinner than the part's and holes that
 //! are a little wider, by the tolerance at most. So chords take nothing of the play.
 
-use crate::body::{Body, bodies};
-use crate::chords::inner_polygon;
+use crate::body::{Body, bodies_of_chords};
+use crate::crossings::Side;
 use crate::parts::{MountingError, Part};
 use earcut::Earcut;
-use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::{Edge, Loop};
 use nalgebra::{Vector2, Vector3};
 
 /// A closed surface; lengths in millimetres.
@@ -108,18 +108,28 @@ fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
 }
 
 impl Body {
-    /// Its surface, whose chords leave their arcs by this much at most, in millimetres.
-    pub(crate) fn mesh(&self, tolerance: f64) -> Result<Mesh, KinematicsError> {
-        let lines = self.lines.iter().map(|of| inner_polygon(of, tolerance)).collect::<Result<Vec<Polygon>, _>>()?;
+    /// The surface of a solid whose lines are all straight.
+    pub(crate) fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         for cap in &self.caps {
-            let loops: Vec<&Polygon> = cap.lines.iter().filter_map(|line| lines.get(*line)).collect();
-            mesh.face(&loops, cap.height, cap.is_up);
+            let loops: Vec<Polygon> = cap.bounds.iter().map(|bound| self.corners(bound)).collect();
+            mesh.face(&loops.iter().collect::<Vec<_>>(), cap.height, cap.is_up);
         }
         for wall in &self.walls {
-            lines.get(wall.line).into_iter().for_each(|of| mesh.wall(of, wall.bottom, wall.top));
+            let corners = |of: &Loop| of.edges.iter().map(Edge::start_point).collect();
+            self.lines.get(wall.line).iter().for_each(|of| mesh.wall(&corners(of), wall.bottom, wall.top));
         }
-        Ok(mesh)
+        mesh
+    }
+
+    /// The corners of a bound; those of a whole line in the line's own order.
+    fn corners(&self, bound: &[Side]) -> Polygon {
+        let edge = |side: &Side| self.lines.get(side.piece.0)?.edges.get(side.piece.1);
+        if bound.iter().all(|side| !side.is_forward) {
+            return bound.iter().rev().filter_map(edge).map(Edge::start_point).collect();
+        }
+        let start = |side: &Side| edge(side).map(|of| if side.is_forward { of.start_point() } else { of.end_point() });
+        bound.iter().filter_map(start).collect()
     }
 }
 
@@ -143,14 +153,14 @@ impl Body {
 ///
 /// # Errors
 ///
-/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it, and [`MountingError::Kinematics`] for a tolerance that
-/// is not positive and finite.
+/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it, [`MountingError::Floating`] for a disc that touches its
+/// plate nowhere, and [`MountingError::Kinematics`] for a tolerance that is not positive and finite.
 pub fn meshes(parts: &[Part], tolerance: f64) -> Result<Vec<(&'static str, Mesh)>, MountingError> {
     let mut right: Option<f64> = None;
     let mut all = Vec::new();
-    for body in bodies(parts)? {
+    for body in bodies_of_chords(parts, tolerance)? {
         let [from, to] = body.extent;
-        let mesh = body.mesh(tolerance)?;
+        let mesh = body.mesh();
         for _ in &body.places {
             let at = right.map_or(0.0, |right| right + SPACE - from);
             right = Some(at + to);

@@ -195,7 +195,7 @@ fn validate(list: &[Part], tolerance: f64) -> Result<(), MountingError> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(KinematicsError::Size { name: "chord tolerance in mm", asked: tolerance }.into());
     }
-    crate::body::validate_pockets(list)
+    crate::body::validate_solids(list)
 }
 
 /// How much wider holes are drawn than they should become, in millimetres.

@@ -4,7 +4,8 @@
 //! senses. The parts are where they are in the assembly, in the middle of a dwell; the wheel's lower face is on the plane z = 0.
 
 use crate::body::{Body, bodies};
-use crate::geometry::{Point, area, turned};
+use crate::crossings::{PieceKey, Side};
+use crate::geometry::{Point, turned};
 use crate::parts::{MountingError, Part, Place};
 use geneva_kinematics::wheel::Edge;
 use std::collections::BTreeMap;
@@ -26,7 +27,8 @@ use std::fmt::Write;
 ///
 /// # Errors
 ///
-/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it.
+/// [`MountingError::TooDeep`] for a pocket that leaves nothing below it, and [`MountingError::Floating`] for a disc that touches its
+/// plate nowhere.
 pub fn step(parts: &[Part]) -> Result<String, MountingError> {
     let header = HEADER.replace("'Geneva wheel and driver'", &format!("'Geneva wheel and driver'{}", allowance(parts)));
     let mut file = File { text: header, next: FIRST };
@@ -140,23 +142,19 @@ impl File {
             .collect();
         let mut faces = Vec::new();
         for cap in &body.caps {
-            let bounds: Vec<Vec<Oriented>> = cap
-                .lines
-                .iter()
-                .enumerate()
-                .filter_map(|(k, line)| {
-                    // Seen from outside the outer line runs counter-clockwise, and the holes clockwise.
-                    let is_forward = (area(body.lines.get(*line)?) > 0.0) == ((k == 0) == cap.is_up);
-                    let pieces = lines.get(*line)?;
-                    let mut bound: Vec<Oriented> = (0..pieces.len())
-                        .map(|piece| (self.around(&mut edges, *line, pieces, piece, cap.height, place), is_forward))
-                        .collect();
-                    if !is_forward {
-                        bound.reverse();
-                    }
-                    Some(bound)
-                })
-                .collect();
+            let mut bounds: Vec<Vec<Oriented>> = Vec::new();
+            for of in &cap.bounds {
+                let mut bound: Vec<Oriented> = Vec::new();
+                for side in of {
+                    let (edge, is_forward) = self.around(&mut edges, body, &lines, side.piece, cap.height, place);
+                    bound.push((edge, is_forward == (side.is_forward == cap.is_up)));
+                }
+                // Seen from outside the outer line runs counter-clockwise, and the holes clockwise.
+                if !cap.is_up {
+                    bound.reverse();
+                }
+                bounds.push(bound);
+            }
             let height = cap.height + place.bottom;
             let axes = self.axes(place.at, height, if cap.is_up { UP } else { DOWN });
             let plane = self.entity(format!("PLANE('',#{axes})"));
@@ -170,7 +168,7 @@ impl File {
                 .enumerate()
                 .map(|(piece, edge)| {
                     let ends = [wall.bottom, wall.top]
-                        .map(|height| self.corner(&mut edges, wall.line, piece, edge.start_point(), height, place));
+                        .map(|height| self.corner(&mut edges, body, &lines, (wall.line, piece), height, place));
                     let at = self.point(edge.start_point(), wall.bottom + place.bottom);
                     let vector = self.entity(format!("VECTOR('',#{UP},1.)"));
                     let line = self.entity(format!("LINE('',#{at},#{vector})"));
@@ -178,10 +176,10 @@ impl File {
                 })
                 .collect();
             for (piece, edge) in pieces.iter().enumerate() {
-                let low = self.around(&mut edges, wall.line, pieces, piece, wall.bottom, place);
-                let high = self.around(&mut edges, wall.line, pieces, piece, wall.top, place);
+                let [low, high] = [wall.bottom, wall.top]
+                    .map(|height| self.around(&mut edges, body, &lines, (wall.line, piece), height, place));
                 let [from, to] = [piece, (piece + 1) % count].map(|k| upright.get(k).copied().unwrap_or_default());
-                let bound = vec![(low, true), (to, true), (high, false), (from, false)];
+                let bound = vec![low, (to, true), (high.0, !high.1), (from, false)];
                 let (surface, is_same) = self.surface(edge, wall.bottom + place.bottom);
                 faces.push(self.face(&[bound], surface, is_same));
             }
@@ -228,35 +226,45 @@ impl File {
     }
 
     /// The corner at the start of a piece of a line, at a height.
-    fn corner(&mut self, edges: &mut Edges, line: usize, piece: usize, at: Point, height: f64, place: Place) -> u32 {
+    fn corner(
+        &mut self,
+        edges: &mut Edges,
+        body: &Body,
+        lines: &[Vec<Edge>],
+        piece: PieceKey,
+        height: f64,
+        place: Place,
+    ) -> u32 {
+        let (line, piece) = body.cut.corner(piece);
         let key = (line, piece, (height + 0.0).to_bits());
         if let Some(id) = edges.corners.get(&key) {
             return *id;
         }
+        let at = lines.get(line).and_then(|of| of.get(piece)).map_or(Point::zeros(), Edge::start_point);
         let at = self.point(at, height + place.bottom);
         let id = self.entity(format!("VERTEX_POINT('',#{at})"));
         edges.corners.insert(key, id);
         id
     }
 
-    /// The edge along a piece of a line, at a height.
+    /// The edge along a piece of a line, at a height, and whether it runs as the piece does.
     fn around(
         &mut self,
         edges: &mut Edges,
-        line: usize,
-        pieces: &[Edge],
-        piece: usize,
+        body: &Body,
+        lines: &[Vec<Edge>],
+        piece: PieceKey,
         height: f64,
         place: Place,
-    ) -> u32 {
+    ) -> Oriented {
+        let Side { piece: (line, piece), is_forward } = body.cut.piece(piece);
         let key = (line, piece, (height + 0.0).to_bits());
         if let Some(id) = edges.around.get(&key) {
-            return *id;
+            return (*id, is_forward);
         }
-        let (Some(edge), next) = (pieces.get(piece), (piece + 1) % pieces.len().max(1)) else { return 0 };
-        let end = pieces.get(next).map_or(edge.end_point(), Edge::start_point);
-        let ends = [(piece, edge.start_point()), (next, end)]
-            .map(|(piece, at)| self.corner(edges, line, piece, at, height, place));
+        let Some((pieces, edge)) = lines.get(line).and_then(|of| Some((of, of.get(piece)?))) else { return (0, true) };
+        let ends = [piece, (piece + 1) % pieces.len()]
+            .map(|piece| self.corner(edges, body, lines, (line, piece), height, place));
         let (curve, is_same) = match *edge {
             Edge::Line { from, to } => {
                 let (at, along) = (self.point(from, height + place.bottom), self.direction((to - from).normalize()));
@@ -270,7 +278,7 @@ impl File {
         };
         let id = self.entity(format!("EDGE_CURVE('',#{},#{},#{curve},{})", ends[0], ends[1], logical(is_same)));
         edges.around.insert(key, id);
-        id
+        (id, is_forward)
     }
 }
 

@@ -73,6 +73,9 @@ impl WheelDesign {
     }
 }
 
+/// The name of the rows of the play on a flat: the first of them has it.
+pub(super) const PLAY_ON_FLAT: &str = "play on the flat";
+
 /// The fields of what is loose; without numbers where nothing is, and with the axes in another place.
 pub(super) fn fields(design: &WheelDesign, in_place: Option<&Sizes>) -> Vec<ReportField> {
     let found = design.looseness();
@@ -96,13 +99,13 @@ pub(super) fn fields(design: &WheelDesign, in_place: Option<&Sizes>) -> Vec<Repo
     };
     vec![
         degrees("wheel_flat_play_deg", wheel)
-            .line("play on the flat", "of the wheel on its shaft, to either side, in a bore with that play")
+            .line(PLAY_ON_FLAT, "of the wheel on its shaft, to either side, in a bore with that play")
             .needing(Needs::SIZE.union(of_wheel)),
         degrees("table_backlash_deg", dwell.zip(wheel).map(|(dwell, wheel)| dwell.middle + wheel))
             .line("", "of what the wheel's shaft turns, with the backlash in the middle of the dwell")
             .needing(Needs::SIZE.union(of_wheel)),
         degrees("driver_flat_play_deg", driver)
-            .line("", "of the driver on its shaft, to either side")
+            .line(if wheel.is_some() { "" } else { PLAY_ON_FLAT }, "of the driver on its shaft, to either side")
             .needing(Needs::SIZE.union(of_driver)),
         turn,
         ReportField::in_unit("pin_shift_mm", shift, "mm")

@@ -14,7 +14,7 @@ use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::Process;
-use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts, validate_pockets};
+use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts, validate_solids};
 
 impl WheelDesign {
     /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
@@ -41,7 +41,7 @@ impl WheelDesign {
         }
         let list = self.part_list()?;
         if let (Some(list), Some(_)) = (&list, self.made_thickness()) {
-            validate_pockets(&list.parts).map_err(|error| self.refused_mounting(error))?;
+            validate_solids(&list.parts).map_err(|error| self.refused_mounting(error))?;
             // Without a kerf nothing is moved.
             if self.kerf()? != 0.0 {
                 self.svg_parts()?;
@@ -72,8 +72,8 @@ impl WheelDesign {
         let asked = &other.mounting;
         let (mounting, kerf) = (self.mounting_of(asked), asked.kerf.map_or_else(|| self.kerf(), Ok));
         let list = mounting.ok().and_then(|mounting| self.listed_with(internal, &mounting)?.ok());
-        let is_deep = |list: &PartList| self.made_thickness().is_some() && validate_pockets(&list.parts).is_err();
-        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()) && !is_deep(list));
+        let is_refused = |list: &PartList| self.made_thickness().is_some() && validate_solids(&list.parts).is_err();
+        let list = list.filter(|list| kerf.is_ok_and(|kerf| svg_parts(&list.parts, kerf).is_ok()) && !is_refused(list));
         list.map_or(Fit::Not, |list| Fit::of(list.thin_walls.is_empty()))
     }
 

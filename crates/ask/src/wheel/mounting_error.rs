@@ -12,6 +12,9 @@ use geneva_workshop::{MountingError, Thread};
 /// The play of a bore over the depth of a flat with which the flat is told to hold: our choice.
 const HALF: f64 = 0.5;
 
+/// The shaft of a plate over the width of the disc on it with which the disc is told to rest on the plate: our choice.
+const LEDGES: [f64; 3] = [0.9, 0.75, 0.5];
+
 /// How many changes are named at most.
 const NAMED: usize = 3;
 
@@ -55,12 +58,14 @@ type Change = (String, WheelQuestion);
 
 /// What can be given instead so that all files can be made, in words: each was tried.
 fn tried_changes(error: &MountingError, question: &WheelQuestion) -> Vec<String> {
-    let can_be_made = |(_, other): &Change| {
-        let tried = WheelDesign::new(WheelQuestion { is_trial: true, ..other.clone() });
-        tried.is_ok_and(|design| design.makeable_parts().is_ok())
-    };
-    let changes = changes(error, question).into_iter().filter(can_be_made);
+    let changes = changes(error, question).into_iter().filter(|(_, other)| can_be_made(other));
     changes.take(NAMED).map(|(words, _)| words).collect()
+}
+
+/// Whether all files of a question can be made.
+fn can_be_made(other: &WheelQuestion) -> bool {
+    let tried = WheelDesign::new(WheelQuestion { is_trial: true, ..other.clone() });
+    tried.is_ok_and(|design| design.makeable_parts().is_ok())
 }
 
 /// What may be given instead where a screw and its pin, a shaft and its key, or a pocket and its part don't go together.
@@ -87,6 +92,17 @@ fn changes(error: &MountingError, question: &WheelQuestion) -> Vec<Change> {
             (dowel.mounting.pin_screw_hole, dowel.mounting.pin_mount) = (None, Some(PinKind::Dowel));
             changes.push(("--pin-mount dowel without --pin-screw".to_owned(), dowel));
             changes
+        }
+        MountingError::Floating { width, .. } => {
+            let thinner = LEDGES.map(|part| {
+                let shaft = rounded_down(part * width);
+                let other = WheelQuestion { plate_shaft: shaft.parse().ok(), ..question.clone() };
+                (format!("--plate-shaft up to {shaft}"), other)
+            });
+            let mut apart = question.clone();
+            apart.mounting.stacked = Some(true);
+            let apart = ("--driver-pieces two-pieces".to_owned(), apart);
+            thinner.into_iter().filter(|(_, other)| can_be_made(other)).take(1).chain([apart]).collect()
         }
         MountingError::Keyed { shaft, least, most, .. } => keyed_changes(question, *shaft, shaft.clamp(*least, *most)),
         MountingError::TooDeep { part, depth, .. } => {

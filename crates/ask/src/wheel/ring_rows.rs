@@ -1,6 +1,7 @@
 //! The parts of an internal wheel in millimetres, as they are reported: under the keys of an external wheel where they mean the same.
 
 use super::design::WheelDesign;
+use super::looseness::PLAY_ON_FLAT;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::SharedTolerance;
@@ -94,8 +95,12 @@ pub(super) fn parts(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
 pub(super) fn looseness(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
     let Some(sizes) = design.reported_internal_sizes()? else { return Ok(Vec::new()) };
     let mounting = design.mounting().ok();
+    let angle = |fit: fn(&Mounting) -> ShaftFit, shaft: f64| {
+        mounting.as_ref().and_then(|mounting| fit(mounting).turning_play(shaft, sizes.play.bore))
+    };
+    let is_on_wheel = angle(|mounting| mounting.wheel_fit, sizes.wheel_shaft).is_some();
     let turning = |key, fit: fn(&Mounting) -> ShaftFit, shaft: f64| {
-        let angle = mounting.as_ref().and_then(|mounting| fit(mounting).turning_play(shaft, sizes.play.bore));
+        let angle = angle(fit, shaft);
         ReportField::in_unit(key, angle.map(f64::to_degrees), "°")
     };
     let (of_wheel, of_driver) =
@@ -103,10 +108,10 @@ pub(super) fn looseness(design: &WheelDesign) -> Result<Vec<ReportField>, Error>
     let shift = design.question.mounting.pin_screw.map(|_| sizes.play.pin);
     Ok(vec![
         turning("wheel_flat_play_deg", |mounting| mounting.wheel_fit, sizes.wheel_shaft)
-            .line("play on the flat", "of the wheel on its shaft, to either side, in a bore with that play")
+            .line(PLAY_ON_FLAT, "of the wheel on its shaft, to either side, in a bore with that play")
             .needing(Needs::SIZE.union(of_wheel)),
         turning("driver_flat_play_deg", |mounting| mounting.driver_fit, sizes.plate_shaft)
-            .line("", "of the driver on its shaft, to either side")
+            .line(if is_on_wheel { "" } else { PLAY_ON_FLAT }, "of the driver on its shaft, to either side")
             .needing(Needs::SIZE.union(of_driver)),
         ReportField::in_unit("pin_shift_mm", shift, "mm")
             .line(

@@ -149,6 +149,19 @@ pub enum MountingError {
         /// What to change.
         remedy: &'static str,
     },
+    /// A locking disc or segment in one piece with a plate that it touches nowhere.
+    #[error(
+        "{part}: {hole} of the plate is wider than the {part}, so the two can't be one piece; choose a thinner shaft of the plate, or two \
+         pieces"
+    )]
+    Floating {
+        /// Which part.
+        part: &'static str,
+        /// Over which hole of the plate it is.
+        hole: &'static str,
+        /// The width of a round hole that the part just covers, in millimetres.
+        width: f64,
+    },
     /// A pocket or a shoulder that is as deep as its part is thick.
     #[error(
         "{part}: {hole} has a pocket of {depth} mm, but the part is only {thickness} mm thick; {remedy}, or a thicker part"
