@@ -45,6 +45,8 @@ pub(crate) struct Body {
     pub lines: Vec<Loop>,
     /// Which pieces of its lines are in the same place, or begin there.
     pub cut: Cut,
+    /// The heights at which lines meet, in millimetres.
+    pub crossed: Vec<f64>,
     pub walls: Vec<Wall>,
     pub caps: Vec<Cap>,
     /// Where it is in the assembly.
@@ -157,11 +159,12 @@ impl Body {
             }
         }
         let none = Vec::new();
-        let mut caps = Vec::new();
+        let (mut caps, mut crossed) = (Vec::new(), Vec::new());
         for (k, height) in heights.iter().enumerate() {
             let below = k.checked_sub(1).and_then(|k| levels.get(k)).unwrap_or(&none);
             let above = levels.get(k).unwrap_or(&none);
             if cut.has_crossings(&[below.as_slice(), above].concat()) {
+                crossed.push(*height);
                 for (faces, is_up) in cut.faces(&lines, below, above).into_iter().zip([true, false]) {
                     caps.extend(faces.into_iter().map(|bounds| Cap { height: *height, is_up, bounds }));
                 }
@@ -171,7 +174,7 @@ impl Body {
         }
         let name = if joined.is_empty() { part.words() } else { "driver" };
         let extent = crate::drawing::extent(part);
-        Self { name, lines, cut, walls, caps, places: part.places.clone(), extent }
+        Self { name, lines, cut, crossed, walls, caps, places: part.places.clone(), extent }
     }
 }
 
@@ -228,7 +231,7 @@ fn validate_pockets(parts: &[Part]) -> Result<(), MountingError> {
                 hole: hole.purpose.words(),
                 depth: wide.depth,
                 thickness: part.thickness,
-                remedy: remedy(hole.purpose),
+                remedy: remedy(hole),
             });
         }
     }

@@ -30,6 +30,8 @@ pub(crate) struct Cut {
     corners: BTreeMap<PieceKey, PieceKey>,
     /// The first piece in the same place, and whether it runs in the same sense.
     pieces: BTreeMap<PieceKey, Side>,
+    /// The pieces that begin in the middle of an edge of the line as it was.
+    inner: BTreeSet<PieceKey>,
 }
 
 impl Cut {
@@ -62,7 +64,10 @@ impl Cut {
         }
         let involved: BTreeSet<usize> = cut.pairs.iter().flat_map(|(one, other)| [*one, *other]).collect();
         for line in &involved {
-            lines[*line] = cut_loop(&lines[*line], &places, snap);
+            let pieces = cut_loop(&lines[*line], &places, snap);
+            let inner = pieces.iter().enumerate().filter(|(_, (_, is_inner))| *is_inner);
+            cut.inner.extend(inner.map(|(piece, _)| (*line, piece)));
+            lines[*line] = Loop { edges: pieces.into_iter().map(|(edge, _)| edge).collect() };
         }
         cut.find_shared(lines, &involved, &places, snap);
         cut
@@ -110,6 +115,11 @@ impl Cut {
     /// The first piece in the place of this one, and whether it runs in the same sense.
     pub(crate) fn piece(&self, key: PieceKey) -> Side {
         self.pieces.get(&key).copied().unwrap_or(Side { piece: key, is_forward: true })
+    }
+
+    /// Whether a piece begins in the middle of an edge of its line as it was, where the line has no corner of its own.
+    pub(crate) fn is_inner(&self, key: PieceKey) -> bool {
+        self.inner.contains(&key)
     }
 
     /// Whether any of these lines meet.
@@ -329,8 +339,8 @@ fn along_chord(middle: Point, along: Point, square: f64) -> [Option<Point>; 2] {
     }
 }
 
-/// The loop with corners at all places that are on it.
-fn cut_loop(of: &Loop, places: &[Point], snap: f64) -> Loop {
+/// The pieces of a loop with corners at all places that are on it, and which of them begin in the middle of an edge.
+fn cut_loop(of: &Loop, places: &[Point], snap: f64) -> Vec<(Edge, bool)> {
     let at_place = |p: Point| places.iter().find(|place| (*place - p).norm() < snap).copied().unwrap_or(p);
     let mut edges = Vec::new();
     for edge in &of.edges {
@@ -345,8 +355,8 @@ fn cut_loop(of: &Loop, places: &[Point], snap: f64) -> Loop {
                 corners.sort_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm()));
                 corners.insert(0, at_place(from));
                 corners.push(at_place(to));
-                let pieces = corners.windows(2).map(|pair| Edge::Line { from: pair[0], to: pair[1] });
-                edges.extend(pieces.filter(|piece| piece.start_point() != piece.end_point()));
+                let pairs = corners.windows(2).filter(|pair| pair[0] != pair[1]).enumerate();
+                edges.extend(pairs.map(|(k, pair)| (Edge::Line { from: pair[0], to: pair[1] }, k > 0)));
             }
             Edge::Arc { centre, radius, start, sweep } => {
                 let turn = |p: &Point| into_arc(start, sweep, libm::atan2(p.y - centre.y, p.x - centre.x));
@@ -355,12 +365,12 @@ fn cut_loop(of: &Loop, places: &[Point], snap: f64) -> Loop {
                 turns.insert(0, 0.0);
                 turns.push(sweep.abs());
                 let sense = sweep.signum();
-                edges.extend(turns.windows(2).map(|pair| {
+                edges.extend(turns.windows(2).enumerate().map(|(k, pair)| {
                     let (start, sweep) = (start + sense * pair[0], sense * (pair[1] - pair[0]));
-                    Edge::Arc { centre, radius, start, sweep }
+                    (Edge::Arc { centre, radius, start, sweep }, k > 0)
                 }));
             }
         }
     }
-    Loop { edges }
+    edges
 }

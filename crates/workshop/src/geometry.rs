@@ -51,6 +51,27 @@ pub(crate) fn distance(edge: &Edge, p: Point) -> f64 {
     }
 }
 
+/// The least distance between two edges that don't cross, in millimetres.
+pub(crate) fn gap(one: &Edge, other: &Edge) -> f64 {
+    gap_from(one, other).min(gap_from(other, one))
+}
+
+/// The least distance from the ends of an edge, and from its points in line with its centre and the other edge, to that edge.
+fn gap_from(one: &Edge, other: &Edge) -> f64 {
+    let ends = distance(other, one.start_point()).min(distance(other, one.end_point()));
+    let Edge::Arc { centre, radius, start, sweep } = *one else { return ends };
+    let towards = match *other {
+        Edge::Arc { centre: its, .. } => its - centre,
+        Edge::Line { from, to } => {
+            let along = to - from;
+            from + along * ((centre - from).dot(&along) / along.norm_squared()) - centre
+        }
+    };
+    let angle = libm::atan2(towards.y, towards.x);
+    let on_arc = [angle, angle + PI].into_iter().filter(|to| into_arc(start, sweep, *to) <= sweep.abs());
+    on_arc.map(|angle| distance(other, centre + direction(angle) * radius)).fold(ends, f64::min)
+}
+
 /// The angle by which the direction from a point turns along an edge, in radians.
 fn seen(edge: &Edge, p: Point) -> f64 {
     let between = |a: Point, b: Point| libm::atan2((a - p).perp(&(b - p)), (a - p).dot(&(b - p)));
@@ -101,6 +122,27 @@ mod tests {
         let is_inside = corners.iter().zip(next.clone()).filter(|(a, b)| crosses(a, b)).count() % 2 == 1;
         let to = |a: &Point, b: &Point| distance(&Edge::Line { from: *a, to: *b }, p);
         (is_inside, corners.iter().zip(next).map(|(a, b)| to(a, b)).fold(f64::INFINITY, f64::min))
+    }
+
+    #[test]
+    fn the_gap_between_edges_is_that_of_many_points_on_both() {
+        let mut edges = vec![
+            Edge::Line { from: Point::new(3.0, -1.0), to: Point::new(4.0, 6.0) },
+            Edge::Line { from: Point::new(-9.0, 2.0), to: Point::new(-3.0, -7.0) },
+        ];
+        for k in 0..8 {
+            let k = f64::from(k);
+            let centre = direction(1.1 * k) * (15.0 + 3.0 * k);
+            edges.push(Edge::Arc { centre, radius: 1.0 + 0.4 * k, start: 0.7 * k, sweep: 4.0 - k });
+        }
+        for (k, one) in edges.iter().enumerate() {
+            for other in &edges[k + 1..] {
+                let far = |part: u32| distance(other, point_along(one, f64::from(part) / 2000.0));
+                let sampled = (0..=2000).map(far).fold(f64::INFINITY, f64::min);
+                let ours = gap(one, other);
+                assert!(ours <= sampled + 1e-12 && ours > sampled - 1e-4, "{one:?} {other:?}: {ours} {sampled}");
+            }
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! are a little wider, by the tolerance at most. So chords take nothing of the play.
 
 use crate::body::{Body, bodies_of_chords};
-use crate::crossings::Side;
+use crate::crossings::{PieceKey, Side};
 use crate::parts::{MountingError, Part};
 use earcut::Earcut;
 use geneva_kinematics::wheel::{Edge, Loop};
@@ -56,13 +56,14 @@ impl Mesh {
         self.triangles.extend(triangles.into_iter().filter_map(solid));
     }
 
-    /// The wall over a loop with the material on its left, from one height to another.
-    fn wall(&mut self, polygon: &Polygon, bottom: f64, top: f64) {
-        for (from, to) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-            let at = |p: &Vector2<f64>, height| Vector3::new(p.x, p.y, height);
-            let [a, b, c, d] = [at(from, bottom), at(to, bottom), at(to, top), at(from, top)];
-            self.triangles.extend([[a, b, c], [a, c, d]]);
-        }
+    /// The wall over a straight line with the material on its left, between its corners below and those above.
+    fn wall(&mut self, [below, above]: [&[Vector2<f64>]; 2], bottom: f64, top: f64) {
+        let at = |p: &Vector2<f64>, height| Vector3::new(p.x, p.y, height);
+        let (Some(first), Some(last)) = (below.first(), above.last()) else { return };
+        let low = below.windows(2).map(|pair| [at(&pair[0], bottom), at(&pair[1], bottom), at(last, top)]);
+        self.triangles.extend(low);
+        let high = above.windows(2).map(|pair| [at(first, bottom), at(&pair[1], top), at(&pair[0], top)]);
+        self.triangles.extend(high);
     }
 }
 
@@ -109,27 +110,57 @@ fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
 
 impl Body {
     /// The surface of a solid whose lines are all straight.
+    ///
+    /// Where lines meet at a height, their walls have a corner there at that height only: elsewhere it would be none of its face.
     pub(crate) fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         for cap in &self.caps {
-            let loops: Vec<Polygon> = cap.bounds.iter().map(|bound| self.corners(bound)).collect();
+            let loops: Vec<Polygon> = cap.bounds.iter().map(|bound| self.corners(bound, cap.height)).collect();
             mesh.face(&loops.iter().collect::<Vec<_>>(), cap.height, cap.is_up);
         }
         for wall in &self.walls {
-            let corners = |of: &Loop| of.edges.iter().map(Edge::start_point).collect();
-            self.lines.get(wall.line).iter().for_each(|of| mesh.wall(&corners(of), wall.bottom, wall.top));
+            let Some(of) = self.lines.get(wall.line) else { continue };
+            let [below, above] = [wall.bottom, wall.top].map(|height| self.straight_sides(wall.line, of, height));
+            for (below, above) in below.iter().zip(&above) {
+                mesh.wall([below, above], wall.bottom, wall.top);
+            }
         }
         mesh
     }
 
-    /// The corners of a bound; those of a whole line in the line's own order.
-    fn corners(&self, bound: &[Side]) -> Polygon {
-        let edge = |side: &Side| self.lines.get(side.piece.0)?.edges.get(side.piece.1);
-        if bound.iter().all(|side| !side.is_forward) {
-            return bound.iter().rev().filter_map(edge).map(Edge::start_point).collect();
+    /// Whether a piece begins at a corner of its line at a height.
+    fn is_corner(&self, piece: PieceKey, height: f64) -> bool {
+        !self.cut.is_inner(piece) || self.crossed.contains(&height)
+    }
+
+    /// The straight sides of a line as it was, each from corner to corner, with the corners in between that it has at a height.
+    fn straight_sides(&self, line: usize, of: &Loop, height: f64) -> Vec<Polygon> {
+        let mut sides: Vec<Polygon> = Vec::new();
+        for (piece, edge) in of.edges.iter().enumerate() {
+            if !self.cut.is_inner((line, piece)) {
+                let start = edge.start_point();
+                sides.last_mut().into_iter().for_each(|side| side.push(start));
+                sides.push(vec![start]);
+            } else if let Some(side) = sides.last_mut().filter(|_| self.is_corner((line, piece), height)) {
+                side.push(edge.start_point());
+            }
         }
-        let start = |side: &Side| edge(side).map(|of| if side.is_forward { of.start_point() } else { of.end_point() });
-        bound.iter().filter_map(start).collect()
+        let start = of.edges.first().map(Edge::start_point);
+        sides.last_mut().into_iter().for_each(|side| side.extend(start));
+        sides
+    }
+
+    /// The corners of a bound at a height; those of a whole line in the line's own order.
+    fn corners(&self, bound: &[Side], height: f64) -> Polygon {
+        let edge = |side: &&Side| Some((**side, *self.lines.get(side.piece.0)?.edges.get(side.piece.1)?));
+        if bound.iter().all(|side| !side.is_forward) {
+            let has_corner = |side: &&Side| self.is_corner(side.piece, height);
+            return bound.iter().rev().filter(has_corner).filter_map(|side| edge(&side)).map(|of| of.1.start_point()).collect();
+        }
+        let start = |(side, of): (Side, Edge)| if side.is_forward { of.start_point() } else { of.end_point() };
+        let is_whole = bound.iter().all(|side| side.is_forward);
+        let has_corner = |side: &&Side| !is_whole || self.is_corner(side.piece, height);
+        bound.iter().filter(has_corner).filter_map(|side| edge(&side)).map(start).collect()
     }
 }
 

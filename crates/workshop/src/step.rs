@@ -145,12 +145,15 @@ impl File {
             let mut bounds: Vec<Vec<Oriented>> = Vec::new();
             for of in &cap.bounds {
                 let mut bound: Vec<Oriented> = Vec::new();
-                for side in of {
+                // The entities of a line are in its own order.
+                let is_backward = of.iter().all(|side| !side.is_forward);
+                let sides: Vec<&Side> = if is_backward { of.iter().rev().collect() } else { of.iter().collect() };
+                for side in sides {
                     let (edge, is_forward) = self.around(&mut edges, body, &lines, side.piece, cap.height, place);
                     bound.push((edge, is_forward == (side.is_forward == cap.is_up)));
                 }
                 // Seen from outside the outer line runs counter-clockwise, and the holes clockwise.
-                if !cap.is_up {
+                if cap.is_up == is_backward {
                     bound.reverse();
                 }
                 bounds.push(bound);

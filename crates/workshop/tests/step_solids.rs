@@ -427,6 +427,31 @@ fn solids_of_an_internal_wheel_are_closed_too() {
 }
 
 #[test]
+fn solids_whose_plate_bore_crosses_the_disc_or_its_bore_are_closed_too() {
+    let shafts = |driver: f64, plate: f64| Choices {
+        driver_shaft: Some(driver).filter(|driver| *driver > 0.0),
+        plate_shaft: Some(plate),
+        ..Choices::default()
+    };
+    let with = |driver_fit| Mounting { driver_fit, ..Mounting::default() };
+    for (stations, pins, choices, fit) in [
+        (6, 1, shafts(0.0, 30.0), ShaftFit::Round),
+        (12, 1, shafts(0.0, 15.0), ShaftFit::Round),
+        (4, 2, shafts(0.0, 45.0), ShaftFit::Round),
+        (3, 1, shafts(0.0, 70.0), ShaftFit::Round),
+        (6, 1, shafts(8.0, 8.4), ShaftFit::Flat { across: 7.5 }),
+        (6, 1, shafts(8.0, 9.0), ShaftFit::Key),
+        (6, 1, shafts(10.0, 11.0), ShaftFit::Key),
+    ] {
+        let (sizes, list) = list(stations, pins, &choices, &with(fit));
+        let found = volumes(&step(&list).unwrap());
+        let all: f64 = found.iter().map(|(_, volume)| volume).sum();
+        assert_eq!(found.len(), 2);
+        approx::assert_relative_eq!(all, expected(&sizes, &list), max_relative = 1e-9);
+    }
+}
+
+#[test]
 fn a_reader_that_finds_a_hole_in_a_shell_says_so() {
     let (_, list) = list(6, 1, &Choices::default(), &Mounting::default());
     let text = step(&list).unwrap();

@@ -100,17 +100,11 @@ impl WheelDesign {
             AnyWheel::Internal(wheel) => own_inertia_of_internal(*wheel, crank_radius, density, &question)?,
             _ => own_inertia(sizes.as_ref(), thickness, density)?,
         };
-        let inertia = match (question.total_inertia, table_inertia, wheel_inertia) {
-            // A thickness that the program chose is no reason to refuse what was given.
-            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| question.thickness.is_some()))?),
-            (None, None, None) => None,
-            (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
-        };
         let [pin, wall] = &materials;
         let contact = sizes
             .zip(thickness)
             .map(|(sizes, thickness)| LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, pin, wall));
-        Ok(Self {
+        let mut design = Self {
             question,
             wheel,
             crank_radius,
@@ -118,7 +112,7 @@ impl WheelDesign {
             thickness,
             density,
             materials,
-            inertia,
+            inertia: None,
             wheel_inertia,
             table_inertia,
             contact: contact.transpose()?,
@@ -126,7 +120,17 @@ impl WheelDesign {
             centre_tolerance: OnceLock::new(),
             turning: OnceLock::new(),
             shared_tolerance: OnceLock::new(),
-        })
+        };
+        design.wheel_inertia = design.inertia_with_holes().or(wheel_inertia);
+        design.inertia = match (design.question.total_inertia, table_inertia, design.wheel_inertia) {
+            // A thickness that the program chose is no reason to refuse what was given.
+            (Some(all), _, own) => {
+                Some(holds_the_wheel(all, own.filter(|_| design.question.thickness.is_some()))?)
+            }
+            (None, None, None) => None,
+            (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
+        };
+        Ok(design)
     }
 
     /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
@@ -158,12 +162,21 @@ impl WheelDesign {
     /// A speed, an inertia or a friction that no wheel has.
     pub fn loads<'w, W: Indexing + ?Sized>(&self, wheel: &'w W) -> Result<Option<WheelLoads<'w, W>>, Error> {
         let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
-        let rubbing = |question: &WheelQuestion| friction(question, self.crank_radius, self.sizes.as_ref());
+        let pin = self.pin_radius();
+        let rubbing = |question: &WheelQuestion| friction(question, self.crank_radius, pin, self.sizes.as_ref());
         let loads = |friction| WheelLoads::with_friction(wheel, inertia, friction, speed);
         let turns = |other: &WheelQuestion| rubbing(other).is_ok_and(|friction| loads(friction).is_ok());
         let holds = "friction of pin and wheel's bearing holds the wheel against any force of the pin";
         let found = loads(rubbing(&self.question)?);
         found.map(Some).map_err(|error| locked(error, holds, &self.question, turns))
+    }
+
+    /// Radius of the pins in millimetres, of an external wheel with a size or an internal one whose parts have sizes.
+    fn pin_radius(&self) -> Option<f64> {
+        // It counts where the pin rubs.
+        let rubs = self.question.pin_friction.is_some_and(|friction| friction > 0.0);
+        let of_internal = || self.internal_sizes().ok().flatten().filter(|_| rubs).map(|sizes| sizes.pin_radius());
+        self.sizes.map(|sizes| sizes.pin_radius()).or_else(of_internal)
     }
 
     /// The force in N of a moment over the crank radius, if that is given.

@@ -12,7 +12,7 @@ use geneva_kinematics::wheel::Sizes;
 /// Millimetres of a metre.
 const MILLI: f64 = 1000.0;
 
-/// All friction of the question. That of bearings and disc needs a size.
+/// All friction of the question, with a pin of this radius in millimetres, if it has one. That of bearings and disc needs a size.
 ///
 /// # Errors
 ///
@@ -20,6 +20,7 @@ const MILLI: f64 = 1000.0;
 pub(super) fn friction(
     question: &WheelQuestion,
     crank_radius: Option<f64>,
+    pin_radius: Option<f64>,
     sizes: Option<&Sizes>,
 ) -> Result<Friction, Error> {
     // Without a size the force on the bearings is unknown.
@@ -35,7 +36,7 @@ pub(super) fn friction(
     Ok(Friction {
         wheel_torque: question.friction_torque.unwrap_or(0.0),
         pin: question.pin_friction.unwrap_or(0.0),
-        pin_radius: sizes.map_or(0.0, |sizes| ratio(sizes.pin_radius())),
+        pin_radius: pin_radius.map_or(0.0, ratio),
         wheel_bearing: ratio(wheel_bearing),
         driver_bearing: ratio(driver_bearing),
         driver_torque: question.driver_friction.unwrap_or(0.0),

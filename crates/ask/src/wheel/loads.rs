@@ -62,7 +62,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .line("moment of inertia", of_what)
             .needing(Needs::INERTIA),
         ReportField::in_unit("wheel_inertia_kgm2", design.wheel_inertia, "kg m²")
-            .line("", "part of the wheel itself, from its outline, thickness and density")
+            .line("", "part of the wheel itself, from its outline and holes, thickness and density")
             .needing(Needs::SIZE),
         ReportField::in_unit("table_inertia_kgm2", design.table_inertia, "kg m²")
             .line("", "part of the table and all else that turns with the wheel, as given")

@@ -34,6 +34,8 @@ mod process;
 mod question;
 mod ranges;
 mod recommended;
+#[cfg(test)]
+mod recomputed_tests;
 mod report;
 mod ring_rows;
 mod sized;

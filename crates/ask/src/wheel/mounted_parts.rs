@@ -14,7 +14,9 @@ use crate::Error;
 use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::Process;
-use geneva_workshop::{Mounting, MountingError, PartList, internal_parts, parts, svg_parts, validate_solids};
+use geneva_workshop::{
+    Layer, Mounting, MountingError, Part, PartList, ShaftFit, internal_parts, parts, svg_parts, validate_solids,
+};
 
 impl WheelDesign {
     /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
@@ -90,6 +92,33 @@ impl WheelDesign {
             (None, Some(sizes)) => Some(internal_parts(sizes, thickness(sizes.pin_diameter), mounting)),
             (None, None) => None,
         }
+    }
+
+    /// The moment of inertia in kg m² of the wheel, of an internal one with the plate that closes it, with all their holes; none where
+    /// they have no hole but round bores, whose outlines say the same, or can't be mounted as it is asked for.
+    pub(super) fn inertia_with_holes(&self) -> Option<f64> {
+        self.wheel_inertia?;
+        let mounting = self.mounting().ok()?;
+        let dowels = mounting.disc_dowels.filter(|_| self.sizes.is_none());
+        let is_round = mounting.wheel_fit == ShaftFit::Round;
+        if is_round && mounting.wheel_hub.is_none() && dowels.is_none() {
+            return None;
+        }
+        let internal = self.internal_sizes().ok()?;
+        let list = self.listed_with(internal.as_ref(), &mounting)?.ok()?.parts;
+        let turns = |part: &&Part| matches!(part.layer, Layer::Wheel | Layer::RingPlate);
+        Some(list.iter().filter(turns).map(|part| part.moment_of_inertia(self.density)).sum())
+    }
+
+    /// Least thickness of an external wheel around its bore with its keyway or flat, in millimetres; none without a bore, and where the
+    /// wheel can't be mounted as it is asked for.
+    pub(super) fn bore_web(&self) -> Option<f64> {
+        let sizes = self.sizes.filter(|sizes| sizes.wheel_bore() > 0.0)?;
+        let mounting = Mounting { wheel_fit: self.mounting().ok()?.wheel_fit, ..Mounting::default() };
+        if mounting.wheel_fit == ShaftFit::Round {
+            return Some(sizes.bore_web());
+        }
+        self.listed_with(None, &mounting)?.ok()?.parts.iter().find(|part| part.layer == Layer::Wheel)?.bore_web()
     }
 
     /// The mounting of these parts.

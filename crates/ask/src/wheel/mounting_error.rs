@@ -245,14 +245,18 @@ mod tests {
                 "--disc-dowel 30 --disc-dowel-circle 150",
                 "",
             ),
+            ("--stations 6 --crank-radius 40", "--plate-shaft 60", ""),
+            ("--stations 6 --crank-radius 40", "--plate-shaft 60 --driver-shaft 8", "--driver-shaft 8"),
+            ("--stations 6 --type internal --crank-radius 40 --thickness 6", "--plate-shaft 70", ""),
         ] {
             let said = made(&format!("{wheel} {wrong}")).expect_err(wrong).to_string();
             let (_, change) = said.split_once("; give ").expect(&said);
             let change = change.split(", or ").next().and_then(|first| first.split(", which").next()).expect(&said);
             let words: Vec<&str> =
-                change.split(' ').filter(|word| !matches!(*word, "with" | "from" | "or" | "more")).collect();
+                change.split(' ').filter(|word| !matches!(*word, "with" | "from" | "or" | "more" | "up")).collect();
             // Of a range, the least value.
-            let change: String = words.split(|word| *word == "to").next().map(|words| words.join(" ")).expect(&said);
+            let [from, until] = ["from", "up"].map(|word| change.contains(&format!(" {word} ")));
+            let change: String = if until && !from { words.iter().filter(|word| **word != "to").copied().collect::<Vec<_>>().join(" ") } else { words.split(|word| *word == "to").next().map(|words| words.join(" ")).expect(&said) };
             assert!(made(&format!("{wheel} {kept} {change}")).is_ok(), "{said}: {change}");
             assert!(!said.contains("thinner pin"), "{said}");
         }

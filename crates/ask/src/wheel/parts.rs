@@ -58,9 +58,9 @@ pub(super) fn parts(design: &WheelDesign) -> Vec<ReportField> {
             .line("horn thickness", "least thickness between a slot and a locking arc"),
         mm("slot_web_mm", of(|sizes| sizes.web))
             .line("web between slots", "least thickness between the ends of two slots"),
-        mm("bore_web_mm", sizes.filter(|sizes| sizes.wheel_bore() > 0.0).map(Sizes::bore_web))
+        mm("bore_web_mm", design.bore_web())
             .needing(of_wheel)
-            .line("web at the bore", "least thickness between a slot's end and the bore"),
+            .line("web at the bore", "least thickness of the wheel around the bore, its keyway or flat"),
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
         mm("locking_radius_mm", disc.map(|disc| disc.radius))

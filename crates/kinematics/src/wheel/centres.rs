@@ -29,7 +29,8 @@ use crate::indexing::Indexing;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CentreTolerance {
-    /// How much nearer, in millimetres: zero or more.
+    /// How much nearer, in millimetres: zero or more. It is a bound for which the parts are proven to keep clear, so it is below the
+    /// distance of first touching: in 51 designs by one to three millionths of the centre distance.
     pub nearer: f64,
     /// How much farther, in millimetres: zero or more.
     pub farther: f64,

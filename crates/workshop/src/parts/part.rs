@@ -1,7 +1,7 @@
 //! A part: a plate with holes, and where it is in the assembly.
 
 use super::holes::{Hole, HolePurpose};
-use crate::geometry::{Point, area};
+use crate::geometry::{Point, area, gap};
 use crate::offset::widened;
 use geneva_kinematics::wheel::{Edge, Face, Loop};
 
@@ -181,6 +181,39 @@ impl Part {
             Some((area(&wide.outline) - area(&hole.outline)).abs() * wide.depth)
         };
         self.face().area() * self.thickness - self.holes.iter().filter_map(pocket).sum::<f64>()
+    }
+
+    /// Its moment of inertia about its own axis in kg m², with all holes and pockets, of a density in kg/m³.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    /// use geneva_workshop::{Mounting, ShaftFit, parts};
+    ///
+    /// let choices = Choices { wheel_shaft: Some(12.0), ..Choices::default() }; // mm
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &choices)?;
+    /// let of = |wheel_fit| {
+    ///     let list = parts(&sizes, 5.0, &Mounting { wheel_fit, ..Mounting::default() }).expect("they fit");
+    ///     list.parts[0].moment_of_inertia(7800.0)
+    /// };
+    /// assert!(of(ShaftFit::Key) < of(ShaftFit::Round) && of(ShaftFit::Round) < of(ShaftFit::Flat { across: 10.0 }));
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn moment_of_inertia(&self, density: f64) -> f64 {
+        let second_moment = |outer: &Loop| Face { outer: outer.clone(), holes: Vec::new() }.second_moment();
+        let pocket = |hole: &Hole| {
+            let wide = hole.widening.as_ref()?;
+            Some((second_moment(&wide.outline) - second_moment(&hole.outline)).abs() * wide.depth)
+        };
+        let pockets = self.holes.iter().filter_map(pocket).sum::<f64>();
+        // From mm⁵ to m⁵.
+        (self.face().second_moment() * self.thickness - pockets) * density * 1e-15
+    }
+
+    /// The least distance between its bore, with a keyway or a flat, and its outer line in millimetres; none without a bore.
+    pub fn bore_web(&self) -> Option<f64> {
+        let bore = self.holes.iter().find(|hole| hole.purpose == HolePurpose::Bore)?;
+        let pairs = bore.outline.edges.iter().flat_map(|one| self.outer.edges.iter().map(move |other| gap(one, other)));
+        Some(pairs.fold(f64::INFINITY, f64::min))
     }
 
     /// Whether it is cut out of a sheet.

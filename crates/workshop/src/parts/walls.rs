@@ -19,18 +19,20 @@ pub struct ThinWall {
     pub other: &'static str,
     /// Its thickness, in millimetres.
     pub thickness: f64,
-    /// What it should be at least, in millimetres.
+    /// What it should be at least, in millimetres: half of a width.
     pub least: f64,
+    /// Which width that is of.
+    pub width_of: &'static str,
     /// What to change.
     pub remedy: &'static str,
 }
 
 impl fmt::Display for ThinWall {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { part, hole, other, thickness, least, remedy } = self;
+        let Self { part, hole, other, thickness, least, width_of, remedy } = self;
         write!(
             f,
-            "{part}: only {thickness:.3} mm are left between {hole} and {other}, less than {least:.3} mm, half of the hole's \
+            "{part}: only {thickness:.3} mm are left between {hole} and {other}, less than {least:.3} mm, half of the {width_of}'s \
              width: {remedy}"
         )
     }
@@ -40,15 +42,42 @@ impl fmt::Display for ThinWall {
 const OF_HOLE: f64 = 0.5;
 
 /// What to change of a hole.
-pub(crate) fn remedy(purpose: HolePurpose) -> &'static str {
-    match purpose {
-        HolePurpose::Bore => "choose a thinner shaft, or one without keyway",
+pub(crate) fn remedy(hole: &Hole) -> &'static str {
+    match hole.purpose {
+        HolePurpose::Bore if is_keyed(hole) => "choose a thinner shaft, or one without keyway",
+        HolePurpose::Bore => "choose a thinner shaft",
         HolePurpose::Pin | HolePurpose::PinScrew => "choose a thinner screw for the pin, or one without a nut",
         HolePurpose::Hub => "choose another circle for the hub, fewer or thinner screws or dowels",
         HolePurpose::DiscDowel => "choose another circle for the dowels, fewer or thinner ones",
         HolePurpose::Fixing => "choose thinner screws for the base plate",
         HolePurpose::Inside | HolePurpose::TestSlot => "choose a thinner pin",
     }
+}
+
+/// Whether a bore has a keyway: three lines, where one with a flat has one.
+fn is_keyed(hole: &Hole) -> bool {
+    hole.outline.edges.iter().filter(|edge| matches!(edge, Edge::Line { .. })).count() > 1
+}
+
+/// The width of a hole in millimetres, and what is so wide. A keyway has the width of its bottom, and a bore with a flat is measured from
+/// the flat to its opposite side.
+fn width(hole: &Hole) -> (f64, &'static str) {
+    if let Some(diameter) = hole.diameter() {
+        return (diameter, "hole");
+    }
+    let lines = hole.outline.edges.iter().filter_map(|edge| match edge {
+        Edge::Line { from, to } => Some((to - from).norm()),
+        Edge::Arc { .. } => None,
+    });
+    let arcs = hole.outline.edges.iter().filter_map(|edge| match edge {
+        Edge::Arc { radius, .. } => Some(*radius),
+        Edge::Line { .. } => None,
+    });
+    let (line, radius) = (lines.fold(0.0, f64::max), arcs.fold(0.0, f64::max));
+    if is_keyed(hole) {
+        return (line, "keyway");
+    }
+    (radius + (radius * radius - line * line / 4.0).max(0.0).sqrt(), "hole")
 }
 
 /// Points on an edge at which a wall is looked for, its end left out.
@@ -128,22 +157,17 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
     // A ring's own inside is seen from the holes beside it, which were chosen.
     for hole in part.holes.iter().filter(|hole| hole.purpose != HolePurpose::Inside) {
         let Some((other, thickness)) = least_wall(part, hole) else { continue };
-        let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole.purpose));
+        let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole));
         if thickness <= 0.0 {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }
         let is_plain = hole.diameter().is_some() && hole.widening.is_none();
         let is_of_sizes =
             is_plain && matches!(hole.purpose, HolePurpose::Bore | HolePurpose::Pin | HolePurpose::PinScrew);
-        // A keyway or a flat is as wide as its straight line across.
-        let across = hole.outline.edges.iter().filter_map(|edge| match edge {
-            Edge::Line { from, to } => Some((to - from).norm()),
-            Edge::Arc { .. } => None,
-        });
-        let width = hole.diameter().unwrap_or_else(|| across.fold(0.0, f64::max));
+        let (width, width_of) = width(hole);
         let least = OF_HOLE * width;
         if thickness < least && !is_of_sizes {
-            let wall = ThinWall { part: name, hole: words, other, thickness, least, remedy };
+            let wall = ThinWall { part: name, hole: words, other, thickness, least, width_of, remedy };
             // Of walls between the same two kinds of holes the thinnest is told.
             let is_like = |known: &&mut ThinWall| {
                 [(known.hole, known.other), (known.other, known.hole)].contains(&(wall.hole, wall.other))
