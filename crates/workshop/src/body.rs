@@ -313,7 +313,8 @@ fn caps_between(lines: &[Loop], height: f64, below: &[usize], above: &[usize], c
     }
     for (k, (line, _, inside)) in cells.iter().enumerate() {
         if inside[0] != inside[1] {
-            let within = cells.iter().filter(|(_, around, _)| *around == Some(k)).map(|(line, ..)| bound(lines, *line, false));
+            let within =
+                cells.iter().filter(|(_, around, _)| *around == Some(k)).map(|(line, ..)| bound(lines, *line, false));
             let bounds = std::iter::once(bound(lines, *line, true)).chain(within).collect();
             caps.push(Cap { height, is_up: inside[0], bounds });
         }

@@ -93,9 +93,8 @@ impl Cut {
                 let [from, to] = self.ends(lines, key);
                 let known = between.entry([from.min(to), from.max(to)]).or_default();
                 let middle = point_along(edge, 0.5);
-                let is_same = |other: &&PieceKey| {
-                    (point_along(&lines[other.0].edges[other.1], 0.5) - middle).norm() < 3.0 * snap
-                };
+                let is_same =
+                    |other: &&PieceKey| (point_along(&lines[other.0].edges[other.1], 0.5) - middle).norm() < 3.0 * snap;
                 match known.iter().find(is_same) {
                     Some(other) => {
                         let is_forward = self.ends(lines, *other)[0] == from;
@@ -165,7 +164,9 @@ impl Cut {
                     known = [None; 2];
                 }
                 let Some(of) = sides.get_mut(&(*line, piece)) else { continue };
-                for (level, its) in levels.iter().enumerate().filter(|(level, _)| of[*level][0].is_none()).collect::<Vec<_>>() {
+                for (level, its) in
+                    levels.iter().enumerate().filter(|(level, _)| of[*level][0].is_none()).collect::<Vec<_>>()
+                {
                     let middle = point_along(&lines[*line].edges[piece], 0.5);
                     let around = || its.iter().filter(|other| encloses(&lines[**other], middle)).count();
                     let is_material = *known[level].get_or_insert_with(|| around() % 2 == 1);
@@ -237,7 +238,8 @@ fn heading(lines: &[Loop], side: &Side, is_at_end: bool) -> f64 {
 
 /// The bounds by their faces: each outer one, followed by the holes in it.
 fn group(lines: &[Loop], bounds: Vec<Vec<Side>>) -> Vec<Vec<Vec<Side>>> {
-    let loops: Vec<(Vec<Side>, Loop)> = bounds.into_iter().map(|bound| (bound.clone(), bound_loop(lines, &bound))).collect();
+    let loops: Vec<(Vec<Side>, Loop)> =
+        bounds.into_iter().map(|bound| (bound.clone(), bound_loop(lines, &bound))).collect();
     let (outer, holes): (Vec<_>, Vec<_>) = loops.into_iter().partition(|(_, of)| crate::geometry::area(of) > 0.0);
     let mut faces: Vec<(Loop, f64, Vec<Vec<Side>>)> =
         outer.into_iter().map(|(bound, of)| (of.clone(), crate::geometry::area(&of), vec![bound])).collect();
@@ -295,7 +297,8 @@ fn loops_meet(one: &Loop, other: &Loop, snap: f64) -> Vec<Point> {
     for (edge, its) in ones.iter().filter(|(_, its)| boxes_meet(its, &whole, snap)) {
         for (against, _) in others.iter().filter(|(_, other)| boxes_meet(its, other, snap)) {
             corners.extend([edge.start_point(), edge.end_point()].into_iter().filter(|p| distance(against, *p) < snap));
-            corners.extend([against.start_point(), against.end_point()].into_iter().filter(|p| distance(edge, *p) < snap));
+            corners
+                .extend([against.start_point(), against.end_point()].into_iter().filter(|p| distance(edge, *p) < snap));
             let is_on_both = |p: &Point| distance(edge, *p) < snap && distance(against, *p) < snap;
             crossings.extend(carriers_meet(edge, against).into_iter().flatten().filter(is_on_both));
         }
@@ -345,9 +348,8 @@ fn cut_loop(of: &Loop, places: &[Point], snap: f64) -> Vec<(Edge, bool)> {
     let mut edges = Vec::new();
     for edge in &of.edges {
         let (start, end) = (edge.start_point(), edge.end_point());
-        let is_within = |p: &&Point| {
-            (*p - start).norm() >= snap && (*p - end).norm() >= snap && distance(edge, **p) < snap
-        };
+        let is_within =
+            |p: &&Point| (*p - start).norm() >= snap && (*p - end).norm() >= snap && distance(edge, **p) < snap;
         let within: Vec<Point> = places.iter().filter(is_within).copied().collect();
         match *edge {
             Edge::Line { from, to } => {

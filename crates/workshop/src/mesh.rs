@@ -155,7 +155,13 @@ impl Body {
         let edge = |side: &&Side| Some((**side, *self.lines.get(side.piece.0)?.edges.get(side.piece.1)?));
         if bound.iter().all(|side| !side.is_forward) {
             let has_corner = |side: &&Side| self.is_corner(side.piece, height);
-            return bound.iter().rev().filter(has_corner).filter_map(|side| edge(&side)).map(|of| of.1.start_point()).collect();
+            return bound
+                .iter()
+                .rev()
+                .filter(has_corner)
+                .filter_map(|side| edge(&side))
+                .map(|of| of.1.start_point())
+                .collect();
         }
         let start = |(side, of): (Side, Edge)| if side.is_forward { of.start_point() } else { of.end_point() };
         let is_whole = bound.iter().all(|side| side.is_forward);

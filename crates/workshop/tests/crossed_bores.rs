@@ -5,7 +5,9 @@ use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::SplitMix64;
 use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
-use geneva_workshop::{Layer, Mesh, Mounting, MountingError, Part, ShaftFit, internal_parts, meshes, parts, stl, validate_solids};
+use geneva_workshop::{
+    Layer, Mesh, Mounting, MountingError, Part, ShaftFit, internal_parts, meshes, parts, stl, validate_solids,
+};
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::PI;
 
@@ -57,14 +59,21 @@ fn check(list: &[Part], pin_radius: f64, name: &str) {
         assert_eq!(pieces(mesh, &format!("{name}: {of}")), 1, "{name}: {of}");
         volume += mesh.volume();
     }
-    let pins = list.iter().filter(|part| part.layer == Layer::Pins && part.is_joined).map(Part::quantity).sum::<usize>();
+    let pins =
+        list.iter().filter(|part| part.layer == Layer::Pins && part.is_joined).map(Part::quantity).sum::<usize>();
     let drawn: f64 = list.iter().map(|part| part.volume() * part.quantity() as f64).sum();
     let drawn = drawn + PI * pin_radius * pin_radius * THICKNESS * pins as f64;
     approx::assert_relative_eq!(volume, drawn, max_relative = 4e-3);
     assert!(stl(list, 0.02).is_ok());
 }
 
-fn external(stations: u32, pins: u32, crank: f64, [wheel, driver, plate]: [f64; 3], mounting: &Mounting) -> Option<(Vec<Part>, f64)> {
+fn external(
+    stations: u32,
+    pins: u32,
+    crank: f64,
+    [wheel, driver, plate]: [f64; 3],
+    mounting: &Mounting,
+) -> Option<(Vec<Part>, f64)> {
     let given = |shaft: f64| Some(shaft).filter(|shaft| *shaft > 0.0);
     let choices = Choices {
         wheel_shaft: given(wheel),
@@ -139,7 +148,9 @@ fn bores_of_all_kinds_leave_closed_solids_in_one_piece_or_are_refused() {
             }
             Err(other) => panic!("{name}: {other}"),
         }
-        *found.entry(if is_internal { "internal" } else { ["without", "key", "flat", "round"][kind as usize] }).or_default() += 1;
+        *found
+            .entry(if is_internal { "internal" } else { ["without", "key", "flat", "round"][kind as usize] })
+            .or_default() += 1;
     }
     assert!(found.len() == 6 && found.values().all(|count| *count > 1), "{found:?}");
 }

@@ -124,9 +124,7 @@ impl WheelDesign {
         design.wheel_inertia = design.inertia_with_holes().or(wheel_inertia);
         design.inertia = match (design.question.total_inertia, table_inertia, design.wheel_inertia) {
             // A thickness that the program chose is no reason to refuse what was given.
-            (Some(all), _, own) => {
-                Some(holds_the_wheel(all, own.filter(|_| design.question.thickness.is_some()))?)
-            }
+            (Some(all), _, own) => Some(holds_the_wheel(all, own.filter(|_| design.question.thickness.is_some()))?),
             (None, None, None) => None,
             (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };

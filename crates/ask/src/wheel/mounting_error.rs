@@ -256,7 +256,11 @@ mod tests {
                 change.split(' ').filter(|word| !matches!(*word, "with" | "from" | "or" | "more" | "up")).collect();
             // Of a range, the least value.
             let [from, until] = ["from", "up"].map(|word| change.contains(&format!(" {word} ")));
-            let change: String = if until && !from { words.iter().filter(|word| **word != "to").copied().collect::<Vec<_>>().join(" ") } else { words.split(|word| *word == "to").next().map(|words| words.join(" ")).expect(&said) };
+            let change: String = if until && !from {
+                words.iter().filter(|word| **word != "to").copied().collect::<Vec<_>>().join(" ")
+            } else {
+                words.split(|word| *word == "to").next().map(|words| words.join(" ")).expect(&said)
+            };
             assert!(made(&format!("{wheel} {kept} {change}")).is_ok(), "{said}: {change}");
             assert!(!said.contains("thinner pin"), "{said}");
         }

@@ -53,7 +53,10 @@ fn the_web_at_the_bore_is_the_least_around_keyway_and_flat() {
 #[test]
 fn the_wheels_own_inertia_is_that_of_its_mesh_with_all_holes() {
     for (question, pieces) in [
-        ("--stations 4 --crank-radius 25 --process fdm --pin-screw M3 --wheel-hub-circle 20 --hub-holes 4 --hub-screw M3", 1),
+        (
+            "--stations 4 --crank-radius 25 --process fdm --pin-screw M3 --wheel-hub-circle 20 --hub-holes 4 --hub-screw M3",
+            1,
+        ),
         ("--stations 5 --crank-radius 30 --process router --wheel-shaft 12 --wheel-bore-shape key", 1),
         ("--stations 6 --crank-radius 25 --wheel-shaft 24 --wheel-flat 16", 1),
         (
@@ -72,7 +75,11 @@ fn the_wheels_own_inertia_is_that_of_its_mesh_with_all_holes() {
         for (_, mesh) in meshes(&list, 2e-3).expect(question).into_iter().take(pieces) {
             let xs = || mesh.triangles.iter().flatten().map(|p| p.x);
             // Round, or of a polygon that has a corner at either end.
-            let middle = if pieces == 1 { 0.0 } else { f64::midpoint(xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max)) };
+            let middle = if pieces == 1 {
+                0.0
+            } else {
+                f64::midpoint(xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max))
+            };
             for corners in &mesh.triangles {
                 let [a, b, c] = corners.map(|mut p| {
                     p.x -= middle;
@@ -110,7 +117,7 @@ fn a_wall_beside_a_flat_is_compared_with_the_bore_and_no_keyway_is_named() {
     );
     assert!(of_flat.contains("less than 5.265 mm, half of the hole's width: choose a thinner shaft"), "{of_flat}");
     assert!(!of_flat.contains("keyway"), "{of_flat}");
-    let of_key = warned("--stations 5 --crank-radius 40 --wheel-shaft 34 --wheel-bore-shape key");
+    let of_key = warned("--stations 5 --crank-radius 40 --driver-shaft 20 --driver-bore-shape key");
     assert!(of_key.contains("half of the keyway's width: choose a thinner shaft, or one without keyway"), "{of_key}");
 }
 
