@@ -56,6 +56,7 @@ pub(crate) struct Body {
 }
 
 /// Lines between two heights.
+#[derive(Clone)]
 struct Slab {
     bottom: f64,
     top: f64,
@@ -76,27 +77,43 @@ pub(crate) fn bodies(parts: &[Part]) -> Result<Vec<Body>, MountingError> {
     Ok(solids.collect())
 }
 
-/// The solids of these parts with chords in place of arcs, which leave them by this much at most, in millimetres.
+/// How often chords are made finer where they meet across a wall that is thinner than they leave their arcs, and by how much.
+const FINER: i32 = 6;
+const BY: f64 = 0.25;
+
+/// The solids of these parts with chords in place of arcs, which leave them by this much at most, in millimetres, and by less where a
+/// wall between two lines is thinner than that.
 ///
 /// # Errors
 ///
 /// As of [`validate_solids`], and [`MountingError::Kinematics`] for a tolerance that is not positive and finite.
 pub(crate) fn bodies_of_chords(parts: &[Part], tolerance: f64) -> Result<Vec<Body>, MountingError> {
-    let with_chords = |of: &Loop| -> Result<Loop, KinematicsError> {
+    let with_chords = |of: &Loop, tolerance: f64| -> Result<Loop, KinematicsError> {
         let corners = inner_polygon(of, tolerance)?;
         let next = corners.iter().cycle().skip(1);
         let edges = corners.iter().zip(next).map(|(from, to)| Edge::Line { from: *from, to: *to });
         Ok(Loop { edges: edges.collect() })
     };
-    let solid = |(part, joined, mut stack): (&Part, Vec<&Part>, Stack)| {
-        stack.lines = stack.lines.iter().map(with_chords).collect::<Result<_, _>>()?;
-        Ok(Body::new(part, &joined, stack, SNAP[1]))
+    let solid = |(part, joined, stack): (&Part, Vec<&Part>, Stack)| {
+        let chords = |tolerance: f64| -> Result<Body, KinematicsError> {
+            let lines = stack.lines.iter().map(|of| with_chords(of, tolerance)).collect::<Result<_, _>>()?;
+            Ok(Body::new(part, &joined, Stack { lines, slabs: stack.slabs.clone() }, SNAP[1]))
+        };
+        let mut body = chords(tolerance)?;
+        let arcs = Body::new(part, &joined, stack.clone(), SNAP[0]);
+        for finer in 1..=FINER {
+            if body.cut.meets_only_as(&arcs.cut) {
+                break;
+            }
+            body = chords(tolerance * BY.powi(finer))?;
+        }
+        Ok(body)
     };
     stacks(parts)?.into_iter().map(solid).collect()
 }
 
 /// The lines of a solid and its slabs.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Stack {
     lines: Vec<Loop>,
     slabs: Vec<Slab>,
@@ -143,7 +160,7 @@ impl Body {
             there.flat_map(|slab| slab.lines.iter().copied()).collect()
         };
         let levels: Vec<Vec<usize>> = heights.windows(2).map(|pair| between(pair[0], pair[1])).collect();
-        let groups: Vec<Vec<usize>> = levels.windows(2).map(|pair| pair.concat()).collect();
+        let groups: Vec<Vec<usize>> = levels.windows(levels.len().clamp(1, 2)).map(|pair| pair.concat()).collect();
         let points = lines.iter().flat_map(|of| &of.edges).map(Edge::start_point);
         let size = points.map(|p| p.amax()).fold(0.0, f64::max);
         let cut = Cut::new(&mut lines, &groups, snap * size);

@@ -126,6 +126,11 @@ impl Cut {
         self.pairs.iter().any(|(one, other)| of.contains(one) && of.contains(other))
     }
 
+    /// Whether no lines meet here that don't meet in another cut of them.
+    pub(crate) fn meets_only_as(&self, other: &Self) -> bool {
+        self.pairs.is_subset(&other.pairs)
+    }
+
     /// Whether a line meets another one.
     pub(crate) fn is_cut(&self, line: usize) -> bool {
         self.pairs.iter().any(|(one, other)| *one == line || *other == line)
