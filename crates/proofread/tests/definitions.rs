@@ -169,6 +169,12 @@ fn macros_of_a_text_in_markdown_hold_wherever_they_are_defined() {
         assert_eq!(verdicts_in(&notebook, TextFormat::Notebook), ["consistent", "inconsistent"], "{notebook}");
     }
     assert_eq!(verdicts_in(chains, TextFormat::Markdown), [""; 0]);
+    let page = |macros: &str| {
+        format!("<p style=\"width: 100%\">\\({macros}\\)</p><p>\\(3 \\ee{{2}} = 300\\) and \\(3 \\ee{{2}} = 340\\)</p>")
+    };
+    let macros = "\\newcommand{\\ee}[1]{\\cdot 10^{#1}}";
+    assert_eq!(verdicts_in(&page(macros), TextFormat::Html), ["consistent", "inconsistent"]);
+    assert_eq!(verdicts_in(&page(""), TextFormat::Html), [""; 0]);
 }
 
 #[test]
