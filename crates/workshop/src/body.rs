@@ -6,7 +6,7 @@
 //! there first.
 
 use crate::chords::inner_polygon;
-use crate::crossings::{Cut, Side};
+use crate::crossings::{BoundPiece, CutLines};
 use crate::geometry::{Point, area, encloses, point_along, turned};
 use crate::parts::{HolePurpose, Layer, MountingError, Part, Place, remedy};
 use geneva_kinematics::KinematicsError;
@@ -33,7 +33,7 @@ pub(crate) struct Cap {
     pub is_up: bool,
     /// Its outer bound and its holes, as pieces of the solid's lines in the order and sense in which they are seen from above: the
     /// outer one counter-clockwise, holes clockwise.
-    pub bounds: Vec<Vec<Side>>,
+    pub bounds: Vec<Vec<BoundPiece>>,
 }
 
 /// A solid, about the axis of its lowest part, which stands on the plane z = 0.
@@ -44,7 +44,7 @@ pub(crate) struct Body {
     /// Its lines; no piece of one is a whole circle.
     pub lines: Vec<Loop>,
     /// Which pieces of its lines are in the same place, or begin there.
-    pub cut: Cut,
+    pub cut: CutLines,
     /// The heights at which lines meet, in millimetres.
     pub crossed: Vec<f64>,
     pub walls: Vec<Wall>,
@@ -73,8 +73,7 @@ const SNAP: [f64; 2] = [1e-8, 1e-6];
 ///
 /// As of [`validate_solids`].
 pub(crate) fn bodies(parts: &[Part]) -> Result<Vec<Body>, MountingError> {
-    let solids = stacks(parts)?.into_iter().map(|(part, joined, stack)| Body::new(part, &joined, stack, SNAP[0]));
-    Ok(solids.collect())
+    Ok(stacks(parts)?.into_iter().map(|stack| Body::new(stack, SNAP[0])).collect())
 }
 
 /// How often chords are made finer where they meet across a wall that is thinner than they leave their arcs, and by how much.
@@ -94,13 +93,13 @@ pub(crate) fn bodies_of_chords(parts: &[Part], tolerance: f64) -> Result<Vec<Bod
         let edges = corners.iter().zip(next).map(|(from, to)| Edge::Line { from: *from, to: *to });
         Ok(Loop { edges: edges.collect() })
     };
-    let solid = |(part, joined, stack): (&Part, Vec<&Part>, Stack)| {
+    let solid = |stack: Stack<'_>| {
         let chords = |tolerance: f64| -> Result<Body, KinematicsError> {
             let lines = stack.lines.iter().map(|of| with_chords(of, tolerance)).collect::<Result<_, _>>()?;
-            Ok(Body::new(part, &joined, Stack { lines, slabs: stack.slabs.clone() }, SNAP[1]))
+            Ok(Body::new(Stack { lines, ..stack.clone() }, SNAP[1]))
         };
         let mut body = chords(tolerance)?;
-        let arcs = Body::new(part, &joined, stack.clone(), SNAP[0]);
+        let arcs = Body::new(stack.clone(), SNAP[0]);
         for finer in 1..=FINER {
             if body.cut.meets_only_as(&arcs.cut) {
                 break;
@@ -112,45 +111,43 @@ pub(crate) fn bodies_of_chords(parts: &[Part], tolerance: f64) -> Result<Vec<Bod
     stacks(parts)?.into_iter().map(solid).collect()
 }
 
-/// The lines of a solid and its slabs.
-#[derive(Clone, Default)]
-struct Stack {
+/// A part, those that are one piece with it, and the lines and slabs of the solid.
+#[derive(Clone)]
+struct Stack<'p> {
+    part: &'p Part,
+    joined: Vec<&'p Part>,
     lines: Vec<Loop>,
     slabs: Vec<Slab>,
 }
 
 /// Each part that is none with the plate, with those that are joined to it, and its slabs.
-fn stacks<'p>(parts: &'p [Part]) -> Result<Vec<(&'p Part, Vec<&'p Part>, Stack)>, MountingError> {
+fn stacks(parts: &[Part]) -> Result<Vec<Stack<'_>>, MountingError> {
     validate_solids(parts)?;
-    let joined: Vec<&'p Part> = parts.iter().filter(|part| part.is_joined).collect();
+    let joined: Vec<&Part> = parts.iter().filter(|part| part.is_joined).collect();
     let alone = parts.iter().filter(|part| !part.is_joined);
-    let with_slabs = |part: &'p Part| {
-        let joined = if part.layer == Layer::Plate { joined.clone() } else { Vec::new() };
-        let stack = Stack::new(part, &joined);
-        (part, joined, stack)
-    };
+    let with_slabs = |part| Stack::new(part, if part.layer == Layer::Plate { joined.clone() } else { Vec::new() });
     Ok(alone.map(with_slabs).collect())
 }
 
-impl Stack {
-    fn new(part: &Part, joined: &[&Part]) -> Self {
-        let Self { mut lines, mut slabs } = Self::default();
+impl<'p> Stack<'p> {
+    fn new(part: &'p Part, joined: Vec<&'p Part>) -> Self {
+        let (mut lines, mut slabs) = (Vec::new(), Vec::new());
         let has_pins = joined.iter().any(|of| of.layer == Layer::Pins);
         let place = part.places.first().copied().unwrap_or(Place { turn: 0.0, at: Point::zeros(), bottom: 0.0 });
         slab(part, has_pins, 0.0, (0.0, Point::zeros()), &mut lines, &mut slabs);
-        for above in joined {
+        for above in &joined {
             for its in &above.places {
                 let by = turned(its.at - place.at, -place.turn);
                 slab(above, false, part.thickness, (its.turn - place.turn, by), &mut lines, &mut slabs);
             }
         }
-        Self { lines, slabs }
+        Self { part, joined, lines, slabs }
     }
 }
 
 impl Body {
-    fn new(part: &Part, joined: &[&Part], stack: Stack, snap: f64) -> Self {
-        let Stack { mut lines, slabs } = stack;
+    fn new(stack: Stack<'_>, snap: f64) -> Self {
+        let Stack { part, joined, mut lines, slabs } = stack;
         let mut heights: Vec<f64> = slabs.iter().flat_map(|slab| [slab.bottom, slab.top]).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
@@ -163,7 +160,7 @@ impl Body {
         let groups: Vec<Vec<usize>> = levels.windows(levels.len().clamp(1, 2)).map(|pair| pair.concat()).collect();
         let points = lines.iter().flat_map(|of| &of.edges).map(Edge::start_point);
         let size = points.map(|p| p.amax()).fold(0.0, f64::max);
-        let cut = Cut::new(&mut lines, &groups, snap * size);
+        let cut = CutLines::new(&mut lines, &groups, snap * size);
 
         let mut walls: Vec<Wall> = Vec::new();
         for (level, pair) in levels.iter().zip(heights.windows(2)) {
@@ -226,7 +223,8 @@ pub fn validate_solids(parts: &[Part]) -> Result<(), MountingError> {
         let turn = from.zip(to).map_or(0.0, |(from, to)| from.turn - to.turn);
         let outline = part.outer.transform(turn, Point::zeros());
         let points = || outline.edges.iter().flat_map(|edge| (0..4).map(|k| point_along(edge, f64::from(k) / 4.0)));
-        for hole in plate.holes.iter().filter(|hole| points().all(|p| encloses(&hole.outline, p))) {
+        let around = plate.holes.iter().find(|hole| points().all(|p| encloses(&hole.outline, p)));
+        if let Some(hole) = around {
             let farthest = points().map(|p| p.norm()).fold(0.0, f64::max);
             return Err(MountingError::Floating {
                 part: part.layer.words(),
@@ -339,10 +337,11 @@ fn caps_between(lines: &[Loop], height: f64, below: &[usize], above: &[usize], c
 }
 
 /// A whole line as a bound: counter-clockwise as an outer one, clockwise as a hole.
-fn bound(lines: &[Loop], line: usize, is_outer: bool) -> Vec<Side> {
+fn bound(lines: &[Loop], line: usize, is_outer: bool) -> Vec<BoundPiece> {
     let Some(of) = lines.get(line) else { return Vec::new() };
     let is_forward = (area(of) > 0.0) == is_outer;
-    let mut sides: Vec<Side> = (0..of.edges.len()).map(|piece| Side { piece: (line, piece), is_forward }).collect();
+    let mut sides: Vec<BoundPiece> =
+        (0..of.edges.len()).map(|piece| BoundPiece { piece: (line, piece), is_forward }).collect();
     if !is_forward {
         sides.reverse();
     }

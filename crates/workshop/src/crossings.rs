@@ -14,7 +14,7 @@ pub(crate) type PieceKey = (usize, usize);
 
 /// A piece of a line in one of its senses.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Side {
+pub(crate) struct BoundPiece {
     /// Which piece.
     pub piece: PieceKey,
     /// Whether it runs as its line does.
@@ -23,18 +23,18 @@ pub(crate) struct Side {
 
 /// Lines in pieces that meet at their ends only, and which of these ends and pieces are in the same place.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Cut {
+pub(crate) struct CutLines {
     /// Pairs of lines that meet.
     pairs: BTreeSet<(usize, usize)>,
     /// The first piece that begins where this one begins, if another one does.
     corners: BTreeMap<PieceKey, PieceKey>,
     /// The first piece in the same place, and whether it runs in the same sense.
-    pieces: BTreeMap<PieceKey, Side>,
+    pieces: BTreeMap<PieceKey, BoundPiece>,
     /// The pieces that begin in the middle of an edge of the line as it was.
     inner: BTreeSet<PieceKey>,
 }
 
-impl Cut {
+impl CutLines {
     /// Cuts lines where they meet others of their group; what is nearer than `snap`, in millimetres, is in the same place.
     pub(crate) fn new(lines: &mut [Loop], groups: &[Vec<usize>], snap: f64) -> Self {
         let mut cut = Self::default();
@@ -98,7 +98,7 @@ impl Cut {
                 match known.iter().find(is_same) {
                     Some(other) => {
                         let is_forward = self.ends(lines, *other)[0] == from;
-                        self.pieces.insert(key, Side { piece: *other, is_forward });
+                        self.pieces.insert(key, BoundPiece { piece: *other, is_forward });
                     }
                     None => known.push(key),
                 }
@@ -112,8 +112,8 @@ impl Cut {
     }
 
     /// The first piece in the place of this one, and whether it runs in the same sense.
-    pub(crate) fn piece(&self, key: PieceKey) -> Side {
-        self.pieces.get(&key).copied().unwrap_or(Side { piece: key, is_forward: true })
+    pub(crate) fn piece(&self, key: PieceKey) -> BoundPiece {
+        self.pieces.get(&key).copied().unwrap_or(BoundPiece { piece: key, is_forward: true })
     }
 
     /// Whether a piece begins in the middle of an edge of its line as it was, where the line has no corner of its own.
@@ -144,7 +144,7 @@ impl Cut {
 
     /// The bounds of the faces between the lines below and above a height, seen from above: of those with material below only, and of
     /// those with material above only. Each face has its outer bound, counter-clockwise, and its holes, clockwise.
-    pub(crate) fn faces(&self, lines: &[Loop], below: &[usize], above: &[usize]) -> [Vec<Vec<Vec<Side>>>; 2] {
+    pub(crate) fn faces(&self, lines: &[Loop], below: &[usize], above: &[usize]) -> [Vec<Vec<Vec<BoundPiece>>>; 2] {
         let levels = [below, above];
         let mut all: Vec<usize> = below.iter().chain(above).copied().collect();
         all.sort_unstable();
@@ -154,7 +154,7 @@ impl Cut {
         for (level, its) in levels.iter().enumerate() {
             for line in *its {
                 for piece in 0..lines[*line].edges.len() {
-                    let Side { piece, is_forward } = self.piece((*line, piece));
+                    let BoundPiece { piece, is_forward } = self.piece((*line, piece));
                     // The material is on the left of its line; of two in the same place, on the left of each.
                     let known = &mut sides.entry(piece).or_default()[level];
                     let is_left = [is_forward, !is_forward];
@@ -184,8 +184,8 @@ impl Cut {
                 sides[level][left] == Some(true) && sides[1 - level][left] == Some(false)
             };
             let around = sides.iter().filter_map(|(piece, of)| match [has_face(of, 0), has_face(of, 1)] {
-                [true, false] => Some(Side { piece: *piece, is_forward: true }),
-                [false, true] => Some(Side { piece: *piece, is_forward: false }),
+                [true, false] => Some(BoundPiece { piece: *piece, is_forward: true }),
+                [false, true] => Some(BoundPiece { piece: *piece, is_forward: false }),
                 _ => None,
             });
             group(lines, self.follow(lines, around.collect()))
@@ -193,12 +193,12 @@ impl Cut {
     }
 
     /// Closed bounds of these pieces, each of which is in one of them.
-    fn follow(&self, lines: &[Loop], around: Vec<Side>) -> Vec<Vec<Side>> {
-        let ends = |side: &Side| {
+    fn follow(&self, lines: &[Loop], around: Vec<BoundPiece>) -> Vec<Vec<BoundPiece>> {
+        let ends = |side: &BoundPiece| {
             let [from, to] = self.ends(lines, side.piece);
             if side.is_forward { [from, to] } else { [to, from] }
         };
-        let mut leaving: BTreeMap<PieceKey, Vec<Side>> = BTreeMap::new();
+        let mut leaving: BTreeMap<PieceKey, Vec<BoundPiece>> = BTreeMap::new();
         for side in around {
             leaving.entry(ends(&side)[0]).or_default().push(side);
         }
@@ -213,7 +213,7 @@ impl Cut {
                 }
                 // Where several leave a corner, the sharpest turn to the left stays around the same face.
                 let back = heading(lines, &last, true) + PI;
-                let turn = |side: &Side| into_arc(back, -1.0, heading(lines, side, false));
+                let turn = |side: &BoundPiece| into_arc(back, -1.0, heading(lines, side, false));
                 let Some(next) = leaving.get_mut(&at).and_then(|sides| {
                     let best = (0..sides.len()).min_by(|a, b| turn(&sides[*a]).total_cmp(&turn(&sides[*b])))?;
                     Some(sides.swap_remove(best))
@@ -229,7 +229,7 @@ impl Cut {
 }
 
 /// The direction of a piece in its sense, where it ends or begins, in radians.
-fn heading(lines: &[Loop], side: &Side, is_at_end: bool) -> f64 {
+fn heading(lines: &[Loop], side: &BoundPiece, is_at_end: bool) -> f64 {
     let edge = &lines[side.piece.0].edges[side.piece.1];
     let along = match *edge {
         Edge::Line { from, to } => libm::atan2(to.y - from.y, to.x - from.x),
@@ -242,11 +242,11 @@ fn heading(lines: &[Loop], side: &Side, is_at_end: bool) -> f64 {
 }
 
 /// The bounds by their faces: each outer one, followed by the holes in it.
-fn group(lines: &[Loop], bounds: Vec<Vec<Side>>) -> Vec<Vec<Vec<Side>>> {
-    let loops: Vec<(Vec<Side>, Loop)> =
+fn group(lines: &[Loop], bounds: Vec<Vec<BoundPiece>>) -> Vec<Vec<Vec<BoundPiece>>> {
+    let loops: Vec<(Vec<BoundPiece>, Loop)> =
         bounds.into_iter().map(|bound| (bound.clone(), bound_loop(lines, &bound))).collect();
     let (outer, holes): (Vec<_>, Vec<_>) = loops.into_iter().partition(|(_, of)| crate::geometry::area(of) > 0.0);
-    let mut faces: Vec<(Loop, f64, Vec<Vec<Side>>)> =
+    let mut faces: Vec<(Loop, f64, Vec<Vec<BoundPiece>>)> =
         outer.into_iter().map(|(bound, of)| (of.clone(), crate::geometry::area(&of), vec![bound])).collect();
     for (bound, of) in holes {
         let Some(p) = of.edges.first().map(|edge| point_along(edge, 0.5)) else { continue };
@@ -259,8 +259,8 @@ fn group(lines: &[Loop], bounds: Vec<Vec<Side>>) -> Vec<Vec<Vec<Side>>> {
 }
 
 /// The closed line of a bound.
-pub(crate) fn bound_loop(lines: &[Loop], bound: &[Side]) -> Loop {
-    let edge = |side: &Side| {
+pub(crate) fn bound_loop(lines: &[Loop], bound: &[BoundPiece]) -> Loop {
+    let edge = |side: &BoundPiece| {
         let edge = *lines.get(side.piece.0)?.edges.get(side.piece.1)?;
         Some(match edge {
             edge if side.is_forward => edge,

@@ -4,7 +4,7 @@
 //! are a little wider, by the tolerance at most. So chords take nothing of the play.
 
 use crate::body::{Body, bodies_of_chords};
-use crate::crossings::{PieceKey, Side};
+use crate::crossings::{BoundPiece, PieceKey};
 use crate::parts::{MountingError, Part};
 use earcut::Earcut;
 use geneva_kinematics::wheel::{Edge, Loop};
@@ -151,10 +151,10 @@ impl Body {
     }
 
     /// The corners of a bound at a height; those of a whole line in the line's own order.
-    fn corners(&self, bound: &[Side], height: f64) -> Polygon {
-        let edge = |side: &&Side| Some((**side, *self.lines.get(side.piece.0)?.edges.get(side.piece.1)?));
+    fn corners(&self, bound: &[BoundPiece], height: f64) -> Polygon {
+        let edge = |side: &&BoundPiece| Some((**side, *self.lines.get(side.piece.0)?.edges.get(side.piece.1)?));
         if bound.iter().all(|side| !side.is_forward) {
-            let has_corner = |side: &&Side| self.is_corner(side.piece, height);
+            let has_corner = |side: &&BoundPiece| self.is_corner(side.piece, height);
             return bound
                 .iter()
                 .rev()
@@ -163,9 +163,9 @@ impl Body {
                 .map(|of| of.1.start_point())
                 .collect();
         }
-        let start = |(side, of): (Side, Edge)| if side.is_forward { of.start_point() } else { of.end_point() };
+        let start = |(side, of): (BoundPiece, Edge)| if side.is_forward { of.start_point() } else { of.end_point() };
         let is_whole = bound.iter().all(|side| side.is_forward);
-        let has_corner = |side: &&Side| !is_whole || self.is_corner(side.piece, height);
+        let has_corner = |side: &&BoundPiece| !is_whole || self.is_corner(side.piece, height);
         bound.iter().filter(has_corner).filter_map(|side| edge(&side)).map(start).collect()
     }
 }

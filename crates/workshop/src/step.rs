@@ -4,7 +4,7 @@
 //! senses. The parts are where they are in the assembly, in the middle of a dwell; the wheel's lower face is on the plane z = 0.
 
 use crate::body::{Body, bodies};
-use crate::crossings::{PieceKey, Side};
+use crate::crossings::{BoundPiece, PieceKey};
 use crate::geometry::{Point, turned};
 use crate::parts::{MountingError, Part, Place};
 use geneva_kinematics::wheel::Edge;
@@ -147,7 +147,7 @@ impl File {
                 let mut bound: Vec<Oriented> = Vec::new();
                 // The entities of a line are in its own order.
                 let is_backward = of.iter().all(|side| !side.is_forward);
-                let sides: Vec<&Side> = if is_backward { of.iter().rev().collect() } else { of.iter().collect() };
+                let sides: Vec<&BoundPiece> = if is_backward { of.iter().rev().collect() } else { of.iter().collect() };
                 for side in sides {
                     let (edge, is_forward) = self.around(&mut edges, body, &lines, side.piece, cap.height, place);
                     bound.push((edge, is_forward == (side.is_forward == cap.is_up)));
@@ -260,7 +260,7 @@ impl File {
         height: f64,
         place: Place,
     ) -> Oriented {
-        let Side { piece: (line, piece), is_forward } = body.cut.piece(piece);
+        let BoundPiece { piece: (line, piece), is_forward } = body.cut.piece(piece);
         let key = (line, piece, (height + 0.0).to_bits());
         if let Some(id) = edges.around.get(&key) {
             return (*id, is_forward);

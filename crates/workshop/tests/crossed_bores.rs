@@ -53,7 +53,7 @@ fn pieces(mesh: &Mesh, name: &str) -> usize {
 /// Wheel and driver are each one closed piece, and as large as their parts, of which pins in one piece with the plate fill their holes.
 #[track_caller]
 fn check(list: &[Part], pin_radius: f64, name: &str) {
-    let all = meshes(list, 0.02).unwrap();
+    let all = meshes(list, 0.02).expect(name);
     let mut volume = 0.0;
     for (of, mesh) in &all {
         assert_eq!(pieces(mesh, &format!("{name}: {of}")), 1, "{name}: {of}");
