@@ -12,6 +12,7 @@ use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
+use crate::judge::local_notation;
 use crate::judge::money::starts_with_money;
 use crate::judge::notation;
 use crate::judge::number_marks;
@@ -268,6 +269,11 @@ impl PlacedPair<'_> {
             || other_answers::leads_to_logarithm(left, right)
             || other_answers::is_one_of_choices(self.text, self.left, self.right)
             || (plain && self.begins_chain() && self.is_station())
+            || local_notation::is_dated_label(left)
+            || local_notation::agree_with_decimal_commas(self.left, self.right, Relation::Equal)
+            || judgement.values.as_ref().is_some_and(|(left, right)| {
+                local_notation::lacks_percent_sign(left, right) && surroundings::speaks_of_percent(self.text, around)
+            })
             || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))
             || (bare
                 && surroundings::named_base(self.text, around).is_none()

@@ -28,6 +28,12 @@ const WORDS: [&str; 15] = [
 /// Words before a base, which is another one unless it is ten.
 const BEFORE_BASE: [&str; 2] = ["in base", "(base"];
 
+/// Words before the number of a base.
+const BEFORE_OTHER_BASE: [&str; 3] = ["basis", "to base", "to the base"];
+
+/// Bases in which numbers are written.
+const BASES: std::ops::RangeInclusive<f64> = 2.0..=36.0;
+
 /// Words before a modulus.
 const BEFORE_MODULUS: [&str; 4] = ["mod", "pmod", "bmod", "modulo"];
 
@@ -107,6 +113,12 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     }
     let is_ten = |behind: &str| number_at(behind) == Some(10.0) || behind.starts_with(" ten");
     if { BEFORE_BASE }.iter().flat_map(|words| places(words)).any(|(_, end)| !is_ten(&near[end..])) {
+        return true;
+    }
+    // Bases are also those of vector spaces and logarithms.
+    let is_base = |behind: &str| number_at(behind).is_some_and(|base| BASES.contains(&base) && base != 10.0);
+    let names_base = { BEFORE_OTHER_BASE }.iter().flat_map(|words| places(words)).any(|(_, end)| is_base(&near[end..]));
+    if names_base && !near.contains("log") {
         return true;
     }
     let fits = |modulus: Option<f64>| match modulus {

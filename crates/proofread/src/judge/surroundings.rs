@@ -91,6 +91,17 @@ pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool 
     example_speaks_of(text, span, &["homogeneous", "projective"])
 }
 
+/// Whether the text close around a formula speaks of per cent.
+pub(crate) fn speaks_of_percent(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    [before, after].into_iter().any(|near| {
+        let near = near.to_lowercase();
+        ["%", "percent", "per cent", "prozent", "procent", "pour cent", "por ciento"]
+            .iter()
+            .any(|word| near.contains(word))
+    })
+}
+
 /// Whether one of these words stands in the text of the example so far, or just behind a formula.
 fn example_speaks_of(text: &str, span: Span, words: &[&str]) -> bool {
     let (_, after) = text_around(text, span);
@@ -413,10 +424,12 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
 
 /// Whether the word *and* joins what stands at a place to a number with its noun: 7 shillings and 85 cents.
 pub(crate) fn is_second_amount(text: &str, span: Span) -> bool {
-    let Some(before) = words_before(text, span).strip_suffix("and") else { return false };
-    let before = before.trim_end();
+    const AND: [&str; 7] = [" and", " et", " und", " e", " y", " og", " och"];
+    let before = words_before(text, span);
+    let Some(before) = AND.iter().find_map(|and| before.strip_suffix(and)) else { return false };
+    let before = before.trim_end_matches([' ', '$']);
     let noun = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    let count = before[..before.len() - noun.len()].trim_end_matches([' ', '~', '\u{a0}']);
+    let count = before[..before.len() - noun.len()].trim_end_matches([' ', '~', '\u{a0}', '\\', ',']);
     noun.chars().count() > 1 && count.ends_with(|c: char| c.is_ascii_digit())
 }
 

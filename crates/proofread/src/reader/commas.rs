@@ -328,6 +328,7 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: De
             continue;
         }
         let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
+        let span = tokens[at].span;
         match &mut tokens[at].kind {
             TokenKind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
                 *number = number.replace(',', ".");
@@ -335,7 +336,9 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: De
             TokenKind::Number(number)
                 if points == DecimalPoints::Thousands && number.contains('.') && !next_is_comma =>
             {
-                if let Some(whole) = thousands(number) {
+                // Where a comma is in the source, it has been taken for the sign of decimals.
+                let is_comma = text.get(span.range()).is_some_and(|source| source.contains(','));
+                if let Some(whole) = thousands(number).filter(|_| !is_comma) {
                     *number = whole;
                 }
             }

@@ -199,6 +199,11 @@ impl Tex<'_> {
                 break;
             }
             match c {
+                // At the end of a formula behind a number it is no comment.
+                '%' if self.stack.len() == 1 && out.last().is_some_and(|last| last.number().is_some()) => {
+                    self.stack.pop();
+                    out.push(token(TokenKind::Word("%".to_owned()), span));
+                }
                 '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
                 '~' => {
                     self.stack.pop();
@@ -412,7 +417,7 @@ impl Tex<'_> {
             "cancel" | "bcancel" | "xcancel" => {
                 let of = self.argument(depth);
                 // An equals sign that is struck out denies what it says.
-                if matches!(trim_space(&of), [only] if only.is_sign('=')) {
+                if matches!(trim_space(&of), [only] if only.is_one_of("=≡")) {
                     push(out, TokenKind::Operator('≠'));
                     return;
                 }
