@@ -129,3 +129,23 @@ fn code_in_an_environment_of_its_own_is_not_read() {
     let code = |name: &str| format!("\\begin{{{name}}}\n2 + 2 = 5\n\\end{{{name}}}\n");
     assert_told_apart(&code("pythoncode"), &code("remark"), TextFormat::Latex);
 }
+
+#[test]
+fn a_sign_beside_a_number_may_belong_to_something_else() {
+    for [right, wrong] in [
+        // An event in braces.
+        [r"$1 - P{ Y \ge 1} = 1 - .3$", r"$P{ Y \ge 1} = 1 - .3 = .8$"],
+        // A low point for times.
+        ["$2.3-1^2=5$", "$2.3-1^2=6$"],
+        // A copied page.
+        ["* A: 3×4+1=133×4+1=13", "* A: 3×4+1=133×4+2=13"],
+        // A unit that is not known.
+        ["R = 80 km / (2 × 10^8 m/s) = 4 × 10^7bps", "R = 80 km / (2 × 10^8 m/s) = 4 × 10^7 s"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    let pair = |sum: &str| {
+        format!(r"<p><m>2,5+1,5=4</m>, <m>2,75-1,25={sum}</m> and <m>\vec v+\vec v = (2+2,1+1) = (2,4)</m></p>")
+    };
+    assert_told_apart(&pair("1,5"), &pair("1,6"), TextFormat::Xml);
+}

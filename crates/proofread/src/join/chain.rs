@@ -3,7 +3,7 @@
 use crate::join::equation_columns::EQUATION_END;
 use crate::join::token_joining::join_tokens;
 use crate::token::{Span, Token, TokenKind, has_number, span_of, trim_space};
-use crate::unit::{is_percent, joins_share, unit};
+use crate::unit::{currency, is_percent, joins_share, unit};
 
 /// How a side relates to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -356,7 +356,8 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
                 }
                 let is_of = token.word() == Some("of");
                 let percent = splitter.last().and_then(Token::word).is_some_and(is_percent);
-                if token.word().is_some_and(joins_share) && percent && is(next) {
+                let is_price = next.and_then(Token::word).is_some_and(|sign| currency(sign).is_some());
+                if token.word().is_some_and(joins_share) && percent && (is(next) || is_price) {
                     splitter.side.push(Token::new(TokenKind::Operator('×'), token.span));
                     continue;
                 }

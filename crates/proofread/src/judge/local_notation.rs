@@ -3,9 +3,10 @@
 
 use crate::evaluate::value::SideValue;
 use crate::join::chain::{ChainSide, Relation};
+use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
 use crate::judge::verdict::is_agreed;
-use crate::token::{MathFunction, Token, TokenKind};
+use crate::token::{MathFunction, Token, TokenKind, any};
 
 /// A side with each of its tokens changed that a rule has something for; none if it changes nothing. Lists inside tokens are changed,
 /// too.
@@ -67,6 +68,26 @@ pub(super) fn with_bare_kelvins(side: &[Token]) -> Option<Vec<Token>> {
     let is_sign = |at: usize| side[at].word() == Some("°") && next_is_kelvin(at);
     let out: Vec<Token> = (0..side.len()).filter(|at| !is_sign(*at)).map(|at| side[at].clone()).collect();
     (out.len() < side.len()).then_some(out)
+}
+
+/// Both sides with the low points between digits of the left one as signs of products, as schools write 2.3 for two times three; none if it
+/// has none, or if the right side has decimals. Longer numbers have decimals, and so have those whose last digit is a nought or a one.
+pub(super) fn with_points_of_products(left: &[Token], right: &[Token]) -> Option<Sides> {
+    if any(right, &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'))) {
+        return None;
+    }
+    let mut out = Vec::with_capacity(left.len() + 2);
+    for token in left {
+        let digits = token.number().filter(|digits| digits.len() == 3 && !digits.starts_with('0'));
+        match digits.and_then(|digits| digits.split_once('.')).filter(|(one, other)| one.len() == 1 && *other > "1") {
+            Some((one, other)) => {
+                let number = |digits: &str| Token::new(TokenKind::Number(digits.to_owned()), token.span);
+                out.extend([number(one), Token::new(TokenKind::Operator('·'), token.span), number(other)]);
+            }
+            None => out.push(token.clone()),
+        }
+    }
+    (out.len() > left.len()).then(|| [out, right.to_vec()])
 }
 
 /// Least and most years that are taken for those of a season.

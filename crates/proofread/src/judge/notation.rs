@@ -81,6 +81,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     out.extend(as_permutations(&left.tokens, &right.tokens));
     out.extend(as_cartesian(&left.tokens, &right.tokens));
     out.extend(with_temperature(&left.tokens, &right.tokens));
+    out.extend(local_notation::with_points_of_products(&left.tokens, &right.tokens));
     out.extend(binary_numbers::with_binary_prefixes(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
     out

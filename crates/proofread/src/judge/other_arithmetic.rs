@@ -29,7 +29,7 @@ const WORDS: [&str; 15] = [
 const BEFORE_BASE: [&str; 2] = ["in base", "(base"];
 
 /// Words before the number of a base.
-const BEFORE_OTHER_BASE: [&str; 3] = ["basis", "to base", "to the base"];
+const BEFORE_OTHER_BASE: [&str; 3] = ["basis ", "to base ", "to the base "];
 
 /// Bases in which numbers are written.
 const BASES: std::ops::RangeInclusive<f64> = 2.0..=36.0;
@@ -92,6 +92,15 @@ fn are_multiples(differences: &[f64], modulus: f64) -> bool {
     modulus > 1.0 && differences.iter().any(|of| *of != 0.0) && differences.iter().all(fits)
 }
 
+/// Whether a paragraph names the base in which its numbers are written, by words that it does not have for those of a vector space or of a
+/// logarithm.
+fn names_base(paragraph: &str) -> bool {
+    let paragraph = paragraph.to_lowercase();
+    let is_base = |behind: &str| number_at(behind).is_some_and(|base| BASES.contains(&base) && base != 10.0);
+    let named = |words: &&str| paragraph.match_indices(*words).any(|(at, _)| is_base(&paragraph[at + words.len()..]));
+    !paragraph.contains("log") && BEFORE_OTHER_BASE.iter().any(|words| named(&words))
+}
+
 /// Whether the text around two sides, or the formula itself, speaks of arithmetic in which they may be equal. If it names a modulus, the
 /// differences of their components must be multiples of it.
 pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
@@ -115,12 +124,6 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     if { BEFORE_BASE }.iter().flat_map(|words| places(words)).any(|(_, end)| !is_ten(&near[end..])) {
         return true;
     }
-    // Bases are also those of vector spaces and logarithms.
-    let is_base = |behind: &str| number_at(behind).is_some_and(|base| BASES.contains(&base) && base != 10.0);
-    let names_base = { BEFORE_OTHER_BASE }.iter().flat_map(|words| places(words)).any(|(_, end)| is_base(&near[end..]));
-    if names_base && !near.contains("log") {
-        return true;
-    }
     let fits = |modulus: Option<f64>| match modulus {
         // An inverse is an integer there, too.
         Some(modulus) if modulus > 0.0 && !differences.is_empty() && differences.iter().all(|by| by.fract() == 0.0) => {
@@ -134,6 +137,9 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let behind = { ENDS }.iter().take(4).filter_map(|end| behind.find(end)).min().map_or(behind, |at| &behind[..at]);
     let before = surroundings::text_before(text, span);
     let paragraph = { ENDS }.iter().filter_map(|end| before.rfind(end)).max().map_or(before, |at| &before[at..]);
+    if names_base(paragraph) {
+        return true;
+    }
     let mut named = named_moduli(before);
     named.extend([paragraph, behind].into_iter().flat_map(moduli_in_words));
     named.extend(named_moduli(behind));

@@ -444,7 +444,8 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 // 2 % of 50
                 let counted = before.is_some_and(|before| before.number().is_some() || before.is_sign(')'));
                 let percent = before.and_then(Token::word).is_some_and(is_percent);
-                let of_numbers = (counted || percent) && before_number;
+                let before_price = next.as_ref().and_then(Token::word).is_some_and(|sign| currency(sign).is_some());
+                let of_numbers = (counted && before_number) || (percent && (before_number || before_price));
                 let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is_sign('^'));
                 // 348Tc is a product with a letter.
                 let glued = touching && follows_number && unit(&word).is_none() && word.chars().count() < 4;
