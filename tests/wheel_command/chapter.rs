@@ -86,7 +86,7 @@ fn the_check_of_the_chapter_blames_the_centre_distance() {
     let found = object(&question.split(' ').collect::<Vec<_>>());
     assert_eq!(found["culprit"], "centre distance");
     let first = found["change_first"].as_str().expect("words");
-    assert!(first.contains("make centre distance 50"), "{first}");
+    assert!(first.contains("put the axes 50"), "{first}");
     assert_eq!(found["lands_on_corner"], true);
     // Without a size, what rests on it is not told, and the option that would tell it is named.
     let words: Vec<&str> = question.split(' ').collect();

@@ -2,7 +2,7 @@
 
 use crate::{answered, object};
 use fastrand::Rng;
-use geneva_ask::wheel::{ArgumentSlot, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
+use geneva_ask::wheel::{ArgumentSlot, GROUPS, SHAPE_FILES, WheelDesign, WheelQuestion, arguments};
 use geneva_dynamics::line_contact::MATERIALS;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_live::{Live, LiveArguments, LiveReply, by_name};
@@ -12,6 +12,16 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Settings that are tried.
 const SETTINGS: u64 = 200;
 
+/// Options that make a whole of a mounting: without the others of its row, the most of them are refused.
+const MOUNTINGS: [&[&str]; 6] = [
+    &[],
+    &["wheel-bore-shape"],
+    &["wheel-flat"],
+    &["hub-screw", "wheel-hub-circle", "hub-holes"],
+    &["disc-dowel", "disc-dowel-circle"],
+    &["driver-pieces", "pin-screw", "base-thickness", "base-screw"],
+];
+
 /// One question for the page and for the command.
 struct Asked {
     page: Vec<(&'static str, String)>,
@@ -20,10 +30,14 @@ struct Asked {
 
 impl Asked {
     /// A question at random: a value of each control within a third of its slider from where most wheels are, one way of those that
-    /// say the same, and of what follows the others one in three.
+    /// say the same, and of what follows the others one in three; one mounting in two of three questions, and any options of mountings in
+    /// one of eight.
     fn new(random: &mut Rng) -> Self {
         let mut asked = Self { page: Vec::new(), command: vec!["wheel".to_owned()] };
         let mut chosen: BTreeMap<&str, usize> = BTreeMap::new();
+        let mounting = MOUNTINGS[if random.u32(..3) > 0 { random.usize(..MOUNTINGS.len()) } else { 0 }];
+        let is_mounted_anyhow = random.u32(..8) == 0;
+        let mounts = GROUPS.iter().find(|group| group.heading == "How it is mounted").expect("mountings").rows;
         for argument in arguments() {
             let Some(knob) = argument.knob else { continue };
             let is_given = match knob.side {
@@ -34,7 +48,9 @@ impl Asked {
                 }
                 None => knob.first.is_some() || random.u32(..3) == 0,
             };
-            if !is_given {
+            let is_of_mounting = mounts.iter().any(|of| of.name == argument.name);
+            let is_in_mounting = mounting.contains(&argument.name);
+            if if is_of_mounting && !is_mounted_anyhow { !is_in_mounting } else { !is_given } {
                 continue;
             }
             if let ArgumentSlot::Process(_) = argument.place {
@@ -49,7 +65,8 @@ impl Asked {
             if let ArgumentSlot::Choice(choice) = argument.place {
                 // Bare parts for the most part: most mountings need another option, or a room that small wheels lack.
                 let unsaid = choice.usual_entry();
-                let at = if random.u32(..10) == 0 { random.usize(..choice.on_page().len()) } else { unsaid };
+                let is_said = is_in_mounting || random.u32(..10) == 0;
+                let at = if is_said { random.usize(..choice.on_page().len()) } else { unsaid };
                 asked.page.push((argument.name, at.to_string()));
                 if at != unsaid {
                     asked.command.extend([format!("--{}", argument.name), choice.names[at].to_owned()]);
@@ -68,7 +85,8 @@ impl Asked {
             let [least, most] = match argument.name {
                 "stations" => [3.0, 12.0],
                 "pins" => [1.0, 2.4],
-                "pin-diameter" | "horn" | "wheel-shaft" | "driver-shaft" => [1.0, 12.0],
+                "pin-diameter" | "horn" | "wheel-shaft" | "driver-shaft" | "wheel-flat" => [1.0, 12.0],
+                "disc-dowel" | "shoulder-depth" => [1.0, 4.0],
                 "play" | "locking-play" | "bottom-clearance" => [0.0, 0.2],
                 "centre-error" => [-0.1, 0.1],
                 _ => knob.slider,

@@ -63,7 +63,7 @@ pub struct CheckOptions<'d> {
     /// Most tokens that are evaluated in the search for hints: what is not searched for is not offered.
     pub hint_effort: usize,
     /// What other LaTeX texts define for this one: its preamble, packages or classes, or the macros of a book in PreTeXt. A
-    /// definition of its own counts before them. Texts in other formats than LaTeX and XML are read without.
+    /// definition of its own counts before them. Plain texts are read without.
     pub definitions: Option<&'d Definitions>,
 }
 

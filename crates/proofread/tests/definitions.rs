@@ -117,11 +117,11 @@ fn a_unit_of_siunitx_is_none_in_a_formula() {
 }
 
 #[test]
-fn other_formats_are_read_without() {
+fn texts_in_markdown_are_read_with_them_and_plain_ones_without() {
     let definitions = Definitions::from_latex(r"\newcommand{\half}{\frac12}");
     let options = CheckOptions { definitions: Some(&definitions), ..CheckOptions::default() };
     let read = |format| proofread(r"$3\half = 1.6$", format, options).expect("it can be read").tally.checked;
-    assert_eq!((read(TextFormat::Markdown), read(TextFormat::Latex)), (0, 1));
+    assert_eq!([TextFormat::Markdown, TextFormat::Latex, TextFormat::Plain].map(read), [1, 1, 0]);
 }
 
 #[test]
@@ -140,4 +140,52 @@ fn an_upright_e_may_be_the_base_of_the_logarithms() {
     assert_eq!(verdicts("", r"$\mathrm{e}^7 = 1099.6$"), ["inconsistent"]);
     assert_eq!(verdicts("", r"$1/\mathrm{e} = 0.3679$"), [""; 0]);
     assert_eq!(verdicts("", r"$2\,\mathrm{e} = 3.2\times10^{-19}\,\mathrm{C}$"), ["consistent"]);
+}
+
+/// The verdicts of the pairs in a text of some format with macros of its own.
+fn verdicts_in(text: &str, format: TextFormat) -> Vec<&'static str> {
+    let options = CheckOptions { agreeing: true, ..CheckOptions::default() };
+    let report = proofread(text, format, options).expect("it can be read");
+    report.findings.iter().map(|of| of.verdict.name()).collect()
+}
+
+#[test]
+fn macros_of_a_text_in_markdown_hold_wherever_they_are_defined() {
+    let chains = r"It is $3 \ee{2} = 300$, and $3 \ee{2} = 340$.";
+    for defined in [
+        "---\ntitle: a text\nheader-includes:\n  - \\newcommand{\\ee}[1]{\\cdot 10^{#1}}\n---\n\n{}",
+        "\\newcommand{\\ee}[1]{\\cdot 10^{#1}}\n\n{}",
+        "$$\\newcommand{\\ee}[1]{\\cdot 10^{#1}}$$\n\n{}",
+        "{}\n\n$\\def\\ee#1{\\cdot 10^{#1}}$",
+    ] {
+        let text = defined.replace("{}", chains);
+        assert_eq!(verdicts_in(&text, TextFormat::Markdown), ["consistent", "inconsistent"], "{text}");
+        let quoted = |text: &str| serde_json::to_string(text).expect("a string");
+        let cells: Vec<String> = text
+            .split("\n\n")
+            .map(|cell| format!("{{\"cell_type\": \"markdown\", \"source\": [{}]}}", quoted(cell)))
+            .collect();
+        let notebook = format!("{{\"cells\": [{}], \"nbformat\": 4}}", cells.join(", "));
+        assert_eq!(verdicts_in(&notebook, TextFormat::Notebook), ["consistent", "inconsistent"], "{notebook}");
+    }
+    assert_eq!(verdicts_in(chains, TextFormat::Markdown), [""; 0]);
+    let page = |macros: &str| {
+        format!("<p style=\"width: 100%\">\\({macros}\\)</p><p>\\(3 \\ee{{2}} = 300\\) and \\(3 \\ee{{2}} = 340\\)</p>")
+    };
+    let macros = "\\newcommand{\\ee}[1]{\\cdot 10^{#1}}";
+    assert_eq!(verdicts_in(&page(macros), TextFormat::Html), ["consistent", "inconsistent"]);
+    assert_eq!(verdicts_in(&page(""), TextFormat::Html), [""; 0]);
+}
+
+#[test]
+fn a_definition_in_a_formula_shows_nothing() {
+    for definition in [r"\newcommand{\five}{5}", r"\def\five{5}", r"\newcommand\five{5} "] {
+        for format in [TextFormat::Markdown, TextFormat::Latex] {
+            let text = |sum: u8| format!("$${definition}\\five + 1 = {sum}$$");
+            assert_eq!(verdicts_in(&text(6), format), ["consistent"], "{definition}");
+            assert_eq!(verdicts_in(&text(7), format), ["inconsistent"], "{definition}");
+        }
+    }
+    // What is no whole definition is not skipped.
+    assert_eq!(verdicts_in(r"$\newcommand + 1 = 7$", TextFormat::Markdown), [""; 0]);
 }

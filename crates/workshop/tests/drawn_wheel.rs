@@ -362,6 +362,7 @@ fn slots_of_a_drawing_are_numbered_from_the_right_however_a_slot_is_out_of_its_p
                         let is_wide = match of.size {
                             MeasuredSize::SlotWidth(_) => of.value > sizes.slot_width + 0.25,
                             MeasuredSize::ArcRadius(_) => of.value < sizes.locking_arc_radius - 0.25,
+                            _ => continue,
                         };
                         assert_eq!(
                             is_wide,

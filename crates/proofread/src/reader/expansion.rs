@@ -1,13 +1,31 @@
 //! What macros stand for, put in their place.
 
-use super::definitions::Macro;
+use super::definitions::{Macro, defines, definition};
 use super::tex::Tex;
+use crate::effort;
 use crate::token::{SourceChar, Span};
+
+/// Longest definition in a formula, in characters.
+const LONGEST_DEFINITION: usize = 500;
 
 /// Most letters that are looked at for the name of a command before an argument.
 const LONGEST_NAME: usize = 64;
 
 impl Tex<'_> {
+    /// Takes the definition whose command has just been read, since it shows nothing; whether there is one.
+    pub(super) fn takes_definition(&mut self, command: &str) -> bool {
+        if !defines(command) {
+            return false;
+        }
+        let mut text = format!("\\{command}");
+        text.extend(self.stack.iter().rev().take(LONGEST_DEFINITION).map(|sign| sign.c));
+        effort::count_steps(text.len());
+        let Some((_, _, end)) = definition(&text, 0) else { return false };
+        let taken = text[1 + command.len()..end].chars().count();
+        self.stack.truncate(self.stack.len().saturating_sub(taken));
+        true
+    }
+
     /// Puts what a macro stands for in its place.
     pub(super) fn expand(&mut self, name: &str, used: &Macro, span: Span) -> bool {
         let mut arguments: Vec<Vec<SourceChar>> = Vec::new();

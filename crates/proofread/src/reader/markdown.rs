@@ -1,6 +1,7 @@
 //! Markdown with TeX, the sources of an mdBook among it.
 
 use super::adjoining::Joiner;
+use super::definitions::{Macros, NamedMacros};
 use super::delimited::{self, Dollars};
 use super::fences::{Fences, name_of_fence, with_plain_fences};
 use super::unread::{UnreadKind, UnreadParts, note};
@@ -13,13 +14,20 @@ use std::ops::Range;
 /// Markdown is parsed in pieces of about this many bytes, so that a long text takes little memory.
 const PIECE: usize = 1 << 18;
 
-/// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between; what is not read.
-pub(crate) fn read(text: &str, dollars: Dollars, each: &mut FormulaSink<'_>) -> UnreadParts {
+/// Finds the formulas between marks, in fences of maths, in MathML, and in the lines between; what is not read. The text may have
+/// macros of its own, anywhere in it, and `elsewhere` has those of other texts.
+pub(crate) fn read(
+    text: &str,
+    dollars: Dollars,
+    elsewhere: Option<&NamedMacros>,
+    each: &mut FormulaSink<'_>,
+) -> UnreadParts {
+    let macros = Macros::from_text(text, text.len(), elsewhere);
     let mut unread = UnreadParts::default();
     let mut joiner = Joiner::new(text);
     for piece in pieces(text) {
         let mut found: Vec<Formula> = Vec::new();
-        piece_of(&text[piece.clone()], dollars, &mut unread, &mut |formula| found.push(formula));
+        piece_of(&text[piece.clone()], (dollars, &macros), &mut unread, &mut |formula| found.push(formula));
         sort_by_place(&mut found, |formula| formula.span);
         for mut formula in found {
             let by = piece.start as u32;
@@ -130,7 +138,12 @@ fn cut_of_line(line: &str) -> Option<usize> {
     latest.clone().find(|at| bytes[at - 1] == b' ').or_else(|| latest.clone().next())
 }
 
-fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut FormulaSink<'_>) {
+fn piece_of(
+    text: &str,
+    (dollars, macros): (Dollars, &Macros<'_>),
+    unread: &mut UnreadParts,
+    each: &mut FormulaSink<'_>,
+) {
     let (skip, fences) = code(text, &mut |kind, name, range| note(unread, kind, name, &text[range]));
     for mut fence in fences {
         // The options of a directive.
@@ -140,7 +153,7 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
             fence.start += end + 1;
         }
         let source = &text[fence.clone()];
-        let tokens = tex::formula(&signs(source, fence.start), &super::definitions::Macros::default());
+        let tokens = tex::formula(&signs(source, fence.start), macros);
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
     }
     let spans: Vec<Range<usize>> =
@@ -148,8 +161,7 @@ fn piece_of(text: &str, dollars: Dollars, unread: &mut UnreadParts, each: &mut F
     let marked = delimited::formulas(text, &skip, dollars);
     let mut taken = skip;
     for of in marked {
-        let tokens =
-            tex::formula(&signs(&text[of.inside.clone()], of.inside.start), &super::definitions::Macros::default());
+        let tokens = tex::formula(&signs(&text[of.inside.clone()], of.inside.start), macros);
         each(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
         taken.push(of.whole);
     }

@@ -7,6 +7,7 @@ use super::tags::{DEEPEST, LONGEST, decode_entities, end_of_element, next_tag, p
 use super::unread::{UnreadKind, UnreadParts, note};
 use super::{Formula, FormulaSink, delimited, tex};
 use crate::token::{Span, TOO_LONG, Token, TokenKind};
+use std::cell::LazyCell;
 
 /// Elements whose own content is a scope for the names of quantities.
 const SCOPES: [&str; 10] =
@@ -30,12 +31,12 @@ pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut Formu
     let mut scopes: Vec<(String, u32)> = Vec::new();
     // What has been said since the last formula of the paragraph, or nothing if there was none.
     let mut before = PrecedingText::default();
-    let mut macros = None;
+    let macros = LazyCell::new(|| pretext::macros(text, elsewhere));
     while let Some(tag) = next_tag(text, at) {
         if let Some(between) = text.get(at..tag.start) {
             before.prose(between);
             comments(between, &mut unread);
-            tex_between(between, at, scopes.last().map_or(0, |(_, id)| *id), each);
+            tex_between(between, (at, scopes.last().map_or(0, |(_, id)| *id)), &macros, each);
         }
         at = tag.end;
         if tag.closes {
@@ -57,8 +58,7 @@ pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut Formu
             at = end;
             continue;
         } else if pretext::ELEMENTS.contains(&tag.name.as_str()) && !tag.empty {
-            let (mut formula, end) =
-                pretext::formula(text, &tag, macros.get_or_insert_with(|| pretext::macros(text, elsewhere)));
+            let (mut formula, end) = pretext::formula(text, &tag, &macros);
             formula.scope = scopes.last().map_or(0, |(_, id)| *id);
             each(formula);
             at = end;
@@ -68,7 +68,7 @@ pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut Formu
             let end = end_of_element(text, at, &tag.name);
             if is_tex {
                 let span = Span::new(at, end);
-                each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &Macros::default()), span));
+                each(Formula::new(tex::formula(&crate::token::signs(&text[at..end], at), &macros), span));
             } else if ["code", "pre"].contains(&tag.name.as_str()) {
                 note(&mut unread, UnreadKind::Element, &tag.name, &text[at..end]);
             }
@@ -89,7 +89,7 @@ pub(crate) fn read(text: &str, elsewhere: Option<&NamedMacros>, each: &mut Formu
     }
     if let Some(between) = text.get(at..) {
         comments(between, &mut unread);
-        tex_between(between, at, 0, each);
+        tex_between(between, (at, 0), &macros, each);
     }
     unread
 }
@@ -104,13 +104,19 @@ fn comments(between: &str, unread: &mut UnreadParts) {
     }
 }
 
-fn tex_between(between: &str, at: usize, scope: u32, each: &mut FormulaSink<'_>) {
+/// Finds the formulas in what is between two tags, from its place in the text and with the scope it is in.
+fn tex_between<'d>(
+    between: &str,
+    (at, scope): (usize, u32),
+    macros: &LazyCell<Macros<'d>, impl FnOnce() -> Macros<'d>>,
+    each: &mut FormulaSink<'_>,
+) {
     if !between.contains(['\\', '$']) {
         return;
     }
     for found in delimited::formulas(between, &[], delimited::Dollars::Double) {
         let source = &between[found.inside.clone()];
-        let tokens = tex::formula(&decode_entities(source, at + found.inside.start), &Macros::default());
+        let tokens = tex::formula(&decode_entities(source, at + found.inside.start), macros);
         let mut formula = Formula::new(tokens, Span::new(at + found.whole.start, at + found.whole.end));
         formula.scope = scope;
         each(formula);

@@ -331,10 +331,10 @@ fn formulas(
     each: &mut dyn FnMut(Formula),
 ) -> Result<UnreadParts, UnreadableText> {
     Ok(match format {
-        TextFormat::Markdown => markdown::read(text, delimited::Dollars::Single, each),
+        TextFormat::Markdown => markdown::read(text, delimited::Dollars::Single, elsewhere.map(|of| &of.0), each),
         TextFormat::Latex => latex::read(text, elsewhere.map(|of| &of.0), each),
         TextFormat::Xml | TextFormat::Html => markup::read(text, elsewhere.map(|of| &of.0), each),
-        TextFormat::Notebook => notebook::read(text, each)?,
+        TextFormat::Notebook => notebook::read(text, elsewhere.map(|of| &of.0), each)?,
         TextFormat::Csv => UnreadParts::default(),
         TextFormat::Plain => {
             let marked = delimited::formulas(text, &[], delimited::Dollars::Single);

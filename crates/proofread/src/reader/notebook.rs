@@ -1,19 +1,26 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
+use super::definitions::{NamedMacros, named_macros};
 use super::delimited::Dollars;
 use super::json::{self, NoJson};
 use super::{FormulaSink, UnreadKind, UnreadParts, UnreadableText, markdown};
 use crate::token::Span;
 
-/// Finds the formulas in the Markdown cells; what is not read.
+/// Finds the formulas in the Markdown cells; what is not read. A macro of one cell holds in all, as it does where the notebook is shown.
 ///
 /// # Errors
 ///
 /// If the text is no notebook.
-pub(crate) fn read(text: &str, each: &mut FormulaSink<'_>) -> Result<UnreadParts, UnreadableText> {
+pub(crate) fn read(
+    text: &str,
+    elsewhere: Option<&NamedMacros>,
+    each: &mut FormulaSink<'_>,
+) -> Result<UnreadParts, UnreadableText> {
     let mut unread = UnreadParts::default();
+    let mut macros = elsewhere.cloned().unwrap_or_default();
+    markdown_cells(text, &mut |decoded, _| macros.extend(named_macros(decoded)))?;
     let others = markdown_cells(text, &mut |decoded, places| {
-        unread.add(&markdown::read(decoded, Dollars::Spaced, &mut |mut formula| {
+        unread.add(&markdown::read(decoded, Dollars::Spaced, Some(&macros), &mut |mut formula| {
             formula.map_spans(&|span| in_notebook(places, span));
             each(formula);
         }));

@@ -11,9 +11,17 @@ pub(crate) const ELEMENTS: [&str; 5] = ["m", "me", "men", "md", "mdn"];
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 
-/// The macros that the document defines for its formulas, and those that are defined for it elsewhere.
+/// The macros that the document defines for its formulas, in elements for them or as a page for MathJax does, and those that are defined
+/// for it elsewhere.
 pub(crate) fn macros<'d>(text: &str, elsewhere: Option<&'d NamedMacros>) -> Macros<'d> {
-    Macros::from_text(&macros_text(text), text.len(), elsewhere)
+    let mut defined = macros_text(text);
+    if defined.is_empty()
+        && ["\\newcommand", "\\renewcommand", "\\def", "\\DeclareMath"].iter().any(|of| text.contains(of))
+    {
+        // In a page, this sign begins no comment.
+        defined = text.replace('%', " ");
+    }
+    Macros::from_text(&defined, text.len(), elsewhere)
 }
 
 /// The definitions in the elements `macros`, as TeX.

@@ -325,9 +325,8 @@ impl Tex<'_> {
         let from = self.stack.len();
         let last = self.peek().map_or(slash.span, |sign| sign.span);
         let name = self.command_name();
-        let letters = from.saturating_sub(self.stack.len());
-        let span = Span { start: slash.span.start, end: last.end.max(slash.span.start + 1 + letters as u32) };
-        let span = if last == slash.span { slash.span } else { span };
+        let letters = if last == slash.span { 0 } else { 1 + from.saturating_sub(self.stack.len()) as u32 };
+        let span = Span { start: slash.span.start, end: last.end.max(slash.span.start + letters) };
         if let Some(used) = self.macros.get(&name) {
             if self.macros.is_endless(&name) || !self.expand(&name, used, span) {
                 self.stack.clear();
@@ -495,6 +494,7 @@ impl Tex<'_> {
                 (0..3).for_each(|_| drop(self.raw_group()));
                 push(out, TokenKind::Group(shown));
             }
+            name if self.takes_definition(name) => {}
             name => {
                 if let Some(command) = formatting::formatting_command(name) {
                     self.format_argument(name, command, span, depth, out);
