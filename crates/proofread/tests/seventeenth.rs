@@ -149,3 +149,11 @@ fn a_sign_beside_a_number_may_belong_to_something_else() {
     };
     assert_told_apart(&pair("1,5"), &pair("1,6"), TextFormat::Xml);
 }
+
+#[test]
+fn no_hint_is_given_where_a_side_was_copied_or_a_whole_sum_differs() {
+    let hint = |text: &str| report(text, TextFormat::Markdown).findings[0].hint.is_some();
+    assert!(!hint("$200 + 50 = 200$"));
+    assert!(!hint(r"$\sqrt{8^2 + 6^2 + 2^2} = 11.00$"));
+    assert!(hint(r"$\sqrt{8^2 + 6^2 + 2^2} = 10.189$"));
+}
