@@ -271,7 +271,7 @@ fn column_by_column(rows: &[Vec<&[Token]>], at: Span) -> Vec<Token> {
 /// the cells between them are empty.
 fn are_solutions(rows: &[Vec<&[Token]>]) -> bool {
     let is_empty = |cell: &&[Token]| trim_space(cell).is_empty();
-    let mut used = rows.iter().filter(|row| !row.iter().all(|cell| is_empty(cell)));
+    let mut used = rows.iter().filter(|row| !row.iter().all(is_empty));
     let Some(first) = used.next() else { return false };
     let filled = |row: &Vec<&[Token]>, fits: fn(&[Token]) -> bool| {
         row.iter().enumerate().all(|(at, cell)| is_empty(cell) || at % 2 == 1 && fits(cell))

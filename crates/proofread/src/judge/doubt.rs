@@ -272,9 +272,7 @@ impl PlacedPair<'_> {
             || local_notation::is_dated_label(left)
             || (plain && flattened::is_doubled(self.text, around))
             || local_notation::agree_with_decimal_commas(self.left, self.right, Relation::Equal)
-            || judgement.values.as_ref().is_some_and(|(left, right)| {
-                local_notation::lacks_percent_sign(left, right) && surroundings::speaks_of_percent(self.text, around)
-            })
+            || local_notation::lacks_percent_sign(self.text, around, judgement.values.as_ref())
             || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))
             || (bare
                 && surroundings::named_base(self.text, around).is_none()

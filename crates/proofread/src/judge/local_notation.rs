@@ -5,8 +5,9 @@ use crate::evaluate::value::SideValue;
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
+use crate::judge::surroundings::text_around;
 use crate::judge::verdict::is_agreed;
-use crate::token::{MathFunction, Token, TokenKind, any};
+use crate::token::{MathFunction, Span, Token, TokenKind, any};
 
 /// A side with each of its tokens changed that a rule has something for; none if it changes nothing. Lists inside tokens are changed,
 /// too.
@@ -106,11 +107,24 @@ pub(crate) fn is_dated_label(side: &[Token]) -> bool {
         && whole(first).zip(whole(second)).is_some_and(|(year, next)| YEARS.contains(&year) && follows(year, next))
 }
 
-/// Whether a result is a hundred times a share, and so in per cent whose sign is lost: the left side computes a share of at most one, the
-/// right one is a printed number.
-pub(crate) fn lacks_percent_sign(left: &SideValue, right: &SideValue) -> bool {
+/// Whether a result is a hundred times a share, and so in per cent whose sign is lost, in a text that speaks of per cent: the left side
+/// computes a share of at most one, the right one is a printed number.
+pub(crate) fn lacks_percent_sign(text: &str, around: Span, values: Option<&(SideValue, SideValue)>) -> bool {
+    let Some((left, right)) = values else { return false };
     let bare = |of: &SideValue| !of.has_unit && of.angle.is_none();
     let is_share = left.number().is_ok_and(|of| of.point > 0.0 && of.point <= 1.0);
     let is_printed = right.is_literal() && !left.is_literal();
-    is_share && is_printed && bare(left) && bare(right) && left.scaled(100.0).meets(right, 0.0)
+    let is_hundredfold = || left.scaled(100.0).meets(right, 0.0);
+    is_share && is_printed && bare(left) && bare(right) && is_hundredfold() && speaks_of_percent(text, around)
+}
+
+/// Whether the text close around a formula speaks of per cent.
+fn speaks_of_percent(text: &str, span: Span) -> bool {
+    let (before, after) = text_around(text, span);
+    [before, after].into_iter().any(|near| {
+        let near = near.to_lowercase();
+        ["%", "percent", "per cent", "prozent", "procent", "pour cent", "por ciento"]
+            .iter()
+            .any(|word| near.contains(word))
+    })
 }

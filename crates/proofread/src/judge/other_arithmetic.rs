@@ -97,8 +97,8 @@ fn are_multiples(differences: &[f64], modulus: f64) -> bool {
 fn names_base(paragraph: &str) -> bool {
     let paragraph = paragraph.to_lowercase();
     let is_base = |behind: &str| number_at(behind).is_some_and(|base| BASES.contains(&base) && base != 10.0);
-    let named = |words: &&str| paragraph.match_indices(*words).any(|(at, _)| is_base(&paragraph[at + words.len()..]));
-    !paragraph.contains("log") && BEFORE_OTHER_BASE.iter().any(|words| named(&words))
+    let named = |words: &str| paragraph.match_indices(words).any(|(at, _)| is_base(&paragraph[at + words.len()..]));
+    !paragraph.contains("log") && BEFORE_OTHER_BASE.iter().any(|words| named(words))
 }
 
 /// Whether the text around two sides, or the formula itself, speaks of arithmetic in which they may be equal. If it names a modulus, the

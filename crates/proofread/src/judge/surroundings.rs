@@ -91,17 +91,6 @@ pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool 
     example_speaks_of(text, span, &["homogeneous", "projective"])
 }
 
-/// Whether the text close around a formula speaks of per cent.
-pub(crate) fn speaks_of_percent(text: &str, span: Span) -> bool {
-    let (before, after) = text_around(text, span);
-    [before, after].into_iter().any(|near| {
-        let near = near.to_lowercase();
-        ["%", "percent", "per cent", "prozent", "procent", "pour cent", "por ciento"]
-            .iter()
-            .any(|word| near.contains(word))
-    })
-}
-
 /// Whether one of these words stands in the text of the example so far, or just behind a formula.
 fn example_speaks_of(text: &str, span: Span, words: &[&str]) -> bool {
     let (_, after) = text_around(text, span);

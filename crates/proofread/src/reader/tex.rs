@@ -199,16 +199,12 @@ impl Tex<'_> {
                 break;
             }
             match c {
-                // At the end of a formula behind a number it is no comment.
-                '%' if self.stack.len() == 1 && out.last().is_some_and(|last| last.number().is_some()) => {
+                // At the end of a formula, `%` is no comment.
+                '~' | '%' if c == '~' || self.stack.len() == 1 => {
                     self.stack.pop();
-                    out.push(token(TokenKind::Word("%".to_owned()), span));
+                    out.push(token(if c == '~' { TokenKind::Space(2) } else { TokenKind::Word("%".to_owned()) }, span));
                 }
                 '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
-                '~' => {
-                    self.stack.pop();
-                    out.push(token(TokenKind::Space(2), span));
-                }
                 '&' => {
                     self.stack.pop();
                     out.push(token(TokenKind::Cell, span));
