@@ -178,7 +178,7 @@ impl Tex<'_> {
         }
     }
 
-    /// Tokens up to one of `ends`, which is taken, or to the end.
+    /// Tokens up to one of `ends`, which is taken, or to the end. A sign of per cent that ends the formula is no comment.
     fn tokens(&mut self, depth: usize, ends: &[char]) -> Vec<Token> {
         let mut out: Vec<Token> = Vec::new();
         // From here on, what is in the group is upright.
@@ -199,7 +199,6 @@ impl Tex<'_> {
                 break;
             }
             match c {
-                // At the end of a formula, `%` is no comment.
                 '~' | '%' if c == '~' || self.stack.len() == 1 => {
                     self.stack.pop();
                     out.push(token(if c == '~' { TokenKind::Space(2) } else { TokenKind::Word("%".to_owned()) }, span));
