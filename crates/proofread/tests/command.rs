@@ -273,6 +273,11 @@ fn wrong_input_is_told_and_the_rest_is_read() {
         assert_eq!(code, 2);
         assert!(told.contains(words), "{told}");
     }
+    // In a folder it is named, and the others are checked.
+    fs::remove_file(&lines).expect("removed");
+    let (code, out, told) = run(&[folder.path().to_str().expect("UTF-8")]);
+    assert_eq!((code, told.as_str()), (1, ""));
+    assert!(out.contains("Not read: 1 file with zero bytes `") && out.contains("b.txt`"), "{out}");
 }
 
 #[test]

@@ -47,6 +47,7 @@ mod remarks;
 mod running;
 #[cfg(feature = "cli")]
 mod sarif;
+mod seventeenth;
 mod silent;
 #[cfg(feature = "cli")]
 mod since;

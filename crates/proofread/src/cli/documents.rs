@@ -152,6 +152,15 @@ impl Source {
         Some((path, self.folder.as_deref()))
     }
 
+    /// The file, if it was found in a folder and is no text in spite of its name: nobody asked for it by name.
+    pub(super) fn found_without_text(&self) -> Option<&Path> {
+        let is_text = !matches!(self.format, Input::Archive(_)) && self.staged.is_none();
+        let path = self.path.as_deref().filter(|_| is_text && self.folder.is_some())?;
+        let mut start = Vec::new();
+        fs::File::open(path).ok()?.take(START as u64).read_to_end(&mut start).ok()?;
+        has_zero_bytes(&start).then_some(path)
+    }
+
     /// Whether it is this file.
     pub(super) fn is_file(&self, file: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
@@ -353,9 +362,17 @@ pub(super) fn is_xml(file: &Path) -> bool {
     ["ptx", "xml", "mbx"].iter().any(|known| extension.eq_ignore_ascii_case(known))
 }
 
+/// How many bytes of a file show whether it is text.
+const START: usize = 4096;
+
+/// Whether a zero byte stands in the first bytes of a file, which then is no text.
+fn has_zero_bytes(bytes: &[u8]) -> bool {
+    bytes.iter().take(START).any(|byte| *byte == 0)
+}
+
 /// Bytes as text.
 pub(crate) fn decode_text(bytes: Vec<u8>) -> Result<String, String> {
-    if bytes.iter().take(4096).any(|byte| *byte == 0) {
+    if has_zero_bytes(&bytes) {
         return Err("this is not text: it has zero bytes; give a text file".to_owned());
     }
     // An old file in another encoding is read all the same; only its letters with accents are lost.

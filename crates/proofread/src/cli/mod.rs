@@ -25,7 +25,7 @@ use crate::evaluate::binding::NamePolicy;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
-use crate::reader::{Definitions, TextFormat, UnreadParts, unread_fences};
+use crate::reader::{Definitions, TextFormat, UnreadKind, UnreadParts, unread_fences};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
 use crate::tell::tally::CheckTally;
@@ -217,6 +217,10 @@ impl<'a> CommandRun<'a> {
             };
             // The accepted cases are lines of JSON, too, but no documents.
             if [&arguments.baseline, &arguments.accept].into_iter().flatten().any(|cases| source.is_file(cases)) {
+                continue;
+            }
+            if let Some(path) = source.found_without_text() {
+                self.not_read.count(UnreadKind::Binary, &shown_path(path), 1);
                 continue;
             }
             documents::read_documents(&source, &mut |document| match document

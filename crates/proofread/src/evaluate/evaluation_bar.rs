@@ -69,11 +69,13 @@ impl Evaluator<'_> {
         let [name] = names.as_slice() else {
             return Err(Obstacle::Unclear("a bar behind an expression in several variables"));
         };
+        let is_pi = |kind: &TokenKind| *kind == TokenKind::Name("π".to_owned());
+        let has_pi = any(from, &is_pi) || any(to, &is_pi);
         let (from, to) = (self.evaluate_all(from)?, self.evaluate_all(to)?);
         let mut at = |limit: SideValue| {
-            self.local = Some((name.clone(), limit));
+            (self.local, self.has_pi_as_limit) = (Some((name.clone(), limit)), has_pi);
             let value = self.evaluate_all(of);
-            self.local = None;
+            (self.local, self.has_pi_as_limit) = (None, false);
             value
         };
         let (upper, lower) = (at(to)?, at(from)?);

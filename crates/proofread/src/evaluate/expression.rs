@@ -34,6 +34,8 @@ pub(crate) struct Evaluator<'b> {
     pub used: Vec<String>,
     /// The variable of an evaluation bar.
     pub local: Option<(String, SideValue)>,
+    /// Whether the limits of the bar at hand have π in them, so that its variable is in no degrees.
+    pub has_pi_as_limit: bool,
     /// What is rounded on the way.
     pub steps: StepRounding,
     /// Whether a sign of plus or minus was met.
@@ -52,6 +54,7 @@ impl<'b> Evaluator<'b> {
             inverse: false,
             used: Vec::new(),
             local: None,
+            has_pi_as_limit: false,
             steps: StepRounding::default(),
             spreads: false,
             depth: 0,

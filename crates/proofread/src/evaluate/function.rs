@@ -39,7 +39,8 @@ impl Evaluator<'_> {
         let argument = self.argument(function, cursor)?;
         // An angle with π in it is never in degrees.
         let is_pi = |kind: &TokenKind| matches!(kind, TokenKind::Name(name) if name == "π");
-        let has_pi = cursor.tokens.get(from..cursor.at).is_some_and(|tokens| any(tokens, &is_pi));
+        let has_pi =
+            self.has_pi_as_limit || cursor.tokens.get(from..cursor.at).is_some_and(|tokens| any(tokens, &is_pi));
         if !argument.dimension.is_none() {
             return Err(Obstacle::Unclear("a function of a quantity with a unit"));
         }

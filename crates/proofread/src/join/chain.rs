@@ -3,7 +3,7 @@
 use crate::join::equation_columns::EQUATION_END;
 use crate::join::token_joining::join_tokens;
 use crate::token::{Span, Token, TokenKind, has_number, span_of, trim_space};
-use crate::unit::{is_percent, unit};
+use crate::unit::{currency, is_percent, joins_share, unit};
 
 /// How a side relates to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ fn ends_equation(token: &Token) -> bool {
 fn separates(token: &Token) -> bool {
     const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
-        below above From For Given Noting Since are not ";
+        below above From For Given Noting Since are not und oder et ou och og en mit avec où also donc dus и или von van de di av af ";
     match &token.kind {
         TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
         TokenKind::Word(word) => word.len() > 1 && WORDS.split_ascii_whitespace().any(|known| known == word),
@@ -321,6 +321,28 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
                         .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));
                     continue;
                 }
+                // A division as schools of many countries write it, and no number of an item.
+                let is_divided = splitter.last().is_some_and(|last| {
+                    last.is_sign(')')
+                        || matches!(last.kind, TokenKind::Number(_) | TokenKind::Fraction(..) | TokenKind::Power(_))
+                });
+                let divides = next.is_some_and(|next| {
+                    matches!(next.kind, TokenKind::Number(_) | TokenKind::Fraction(..)) || next.is_sign('(')
+                });
+                let has_space = at > 0 && tokens[at - 1].is_space();
+                let is_stacked =
+                    [splitter.last(), next].into_iter().flatten().any(|of| matches!(of.kind, TokenKind::Fraction(..)));
+                if token.is_sign(':')
+                    && is_divided
+                    && divides
+                    && !splitter.sides.is_empty()
+                    && (has_space || is_stacked)
+                {
+                    splitter
+                        .side
+                        .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));
+                    continue;
+                }
                 // Resistances side by side.
                 if token.is_sign('∥') && splitter.side.last().is_some() && is(next) && has_number(&splitter.side) {
                     splitter.side.push(Token::new(TokenKind::Unknown("a parallel".to_owned()), token.span));
@@ -334,7 +356,8 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
                 }
                 let is_of = token.word() == Some("of");
                 let percent = splitter.last().and_then(Token::word).is_some_and(is_percent);
-                if is_of && percent && is(next) {
+                let is_price = next.and_then(Token::word).is_some_and(|sign| currency(sign).is_some());
+                if token.word().is_some_and(joins_share) && percent && (is(next) || is_price) {
                     splitter.side.push(Token::new(TokenKind::Operator('×'), token.span));
                     continue;
                 }

@@ -1,6 +1,6 @@
 //! Aligned equations side by side that go on in the rows below: each column of equations is read down.
 
-use crate::token::{Token, TokenKind, any, trim_space};
+use crate::token::{Span, Token, TokenKind, any, trim_space};
 use crate::unit::unit;
 
 /// The width of the space that parts two equations, wider than that of `\quad`.
@@ -232,6 +232,9 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
         return None;
     }
     let rows = cells(tokens);
+    if are_solutions(&rows) {
+        return Some(column_by_column(&rows, tokens.first()?.span));
+    }
     if !rows.iter().any(|row| goes_on(row)) || !rows.iter().all(|row| is_aligned(row)) {
         return None;
     }
@@ -248,13 +251,35 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     if (0..columns).any(|column| is_used(column) && !has_start(column)) {
         return None;
     }
-    let at = tokens.first()?.span;
-    let mut out = Vec::with_capacity(tokens.len());
+    Some(column_by_column(&rows, tokens.first()?.span))
+}
+
+/// The tokens of the rows with one pair of columns behind the other.
+fn column_by_column(rows: &[Vec<&[Token]>], at: Span) -> Vec<Token> {
+    let columns = rows.iter().map(|row| row.len().div_ceil(2)).max().unwrap_or(0);
+    let mut out = Vec::new();
     for column in 0..columns {
-        for row in &rows {
+        for row in rows {
             out.push(Token::new(TokenKind::Line, at));
             out.extend(row.iter().skip(2 * column).take(2).flat_map(|cell| cell.iter().cloned()));
         }
     }
-    Some(out)
+    out
+}
+
+/// Whether several solutions stand side by side: each begins with an expression in the first row and goes on with relations below it, and
+/// the cells between them are empty.
+fn are_solutions(rows: &[Vec<&[Token]>]) -> bool {
+    let is_empty = |cell: &&[Token]| trim_space(cell).is_empty();
+    let mut used = rows.iter().filter(|row| !row.iter().all(is_empty));
+    let Some(first) = used.next() else { return false };
+    let filled = |row: &Vec<&[Token]>, fits: fn(&[Token]) -> bool| {
+        row.iter().enumerate().all(|(at, cell)| is_empty(cell) || at % 2 == 1 && fits(cell))
+    };
+    let starts = first.iter().filter(|cell| !is_empty(cell)).count();
+    let rest: Vec<&Vec<&[Token]>> = used.collect();
+    starts > 1
+        && !rest.is_empty()
+        && filled(first, |cell| !cell.iter().any(|token| token.is_one_of("=≈")))
+        && rest.into_iter().all(|row| filled(row, begins_with_relation))
 }

@@ -141,6 +141,13 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                 out.extend(flatten(inner));
                 out.push(Token::new(TokenKind::Operator(')'), span));
             }
+            // An event in braces that are not printed: P{X ≥ 1}.
+            TokenKind::Group(inner)
+                if out.last().is_some_and(|last| matches!(last.kind, TokenKind::Name(_)))
+                    && inner.iter().any(|token| token.is_one_of("<>≤≥")) =>
+            {
+                out.extend(flatten(inner).into_iter().map(held_together))
+            }
             TokenKind::Group(inner) => out.extend(flatten(inner)),
             TokenKind::Scripts(base, sub, sup) => join_scripts([base, sub, sup], span, &mut out),
             TokenKind::Accent(base, sign) => {

@@ -61,6 +61,18 @@ fn shares_pi(side: &[Token]) -> bool {
         || side.iter().any(|token| token.inner().into_iter().any(shares_pi))
 }
 
+/// Whether a difference of two values of π is above a stroke, as in the sign of a permutation: (π(2) − π(1))/(2 − 1).
+fn calls_pi_twice(side: &[Token]) -> bool {
+    side.iter().any(|token| match &token.kind {
+        TokenKind::Fraction(above, _) => {
+            let mut terms = above.split(|token| token.is_sign('-'));
+            let called = terms.by_ref().take(2).filter(|term| names_pi(term)).count();
+            called == 2 && terms.next().is_none()
+        }
+        _ => false,
+    })
+}
+
 /// Whether π may be the name of a function, a share, a permutation or a distribution: a side shows that it is no factor, unless it gives
 /// decimals near the other side; both sides call it; or it is called alone and what it gives is an integer or far from the product.
 pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(SideValue, SideValue)>) -> bool {
@@ -72,6 +84,9 @@ pub(crate) fn may_name_pi(left: &[Token], right: &[Token], values: Option<&(Side
             let factor = (one.point / other.point).abs();
             !(1.0 / FAR..FAR).contains(&factor)
         });
+    if calls_pi_twice(left) || calls_pi_twice(right) {
+        return true;
+    }
     if (shares_pi(left) && (far || !decimal(right))) || (shares_pi(right) && (far || !decimal(left))) {
         return true;
     }

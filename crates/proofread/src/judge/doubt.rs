@@ -12,6 +12,7 @@ use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
+use crate::judge::local_notation;
 use crate::judge::money::starts_with_money;
 use crate::judge::notation;
 use crate::judge::number_marks;
@@ -268,6 +269,10 @@ impl PlacedPair<'_> {
             || other_answers::leads_to_logarithm(left, right)
             || other_answers::is_one_of_choices(self.text, self.left, self.right)
             || (plain && self.begins_chain() && self.is_station())
+            || local_notation::is_dated_label(left)
+            || (plain && flattened::is_doubled(self.text, around))
+            || local_notation::agree_with_decimal_commas(self.left, self.right, Relation::Equal)
+            || local_notation::lacks_percent_sign(self.text, around, judgement.values.as_ref())
             || (bare && (number_marks::has_bits(left) || number_marks::has_bits(right)))
             || (bare
                 && surroundings::named_base(self.text, around).is_none()
@@ -307,6 +312,11 @@ impl PlacedPair<'_> {
         let between = self.text.get(self.right.span.end as usize..self.formula.span.end as usize);
         let ends = between.is_some_and(|between| between.trim_matches(['$', ' ', '\\', ')']).is_empty());
         let quantity = left.has_unit || left.angle.is_some();
+        // In a line of text, a word that touches the number.
+        let behind = self.text.get(self.right.span.end as usize..).unwrap_or_default();
+        if quantity && bare && self.formula.style == FormulaStyle::Plain && behind.starts_with(char::is_alphabetic) {
+            return true;
+        }
         let written = self.formula.style == FormulaStyle::Formula;
         quantity && bare && ends && written && surroundings::may_be_unit_behind(self.text, self.formula.span)
     }

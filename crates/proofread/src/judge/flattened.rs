@@ -3,7 +3,7 @@
 
 use crate::judge::sides::Sides;
 use crate::judge::substitution::without_space;
-use crate::token::{MathFunction, Token, TokenKind, span_of};
+use crate::token::{MathFunction, Span, Token, TokenKind, span_of};
 
 /// Most ways in which the numbers of two sides are read.
 const MOST: usize = 16;
@@ -21,6 +21,21 @@ pub(super) fn with_lost_marks(before: &str, left: &[Token], right: &[Token]) -> 
     // What is as it is printed has been judged before.
     raised.into_iter().skip(1).chain(roots).collect()
 }
+
+/// Whether what stands without a blank around a place is the same equation twice, as programs copy a formula of a page that has it in two
+/// forms: `3×4+1=133×4+1=13`.
+pub(super) fn is_doubled(text: &str, around: Span) -> bool {
+    let ends = |c: char| c.is_whitespace() || c == '\u{200b}';
+    let (start, end) = (around.start as usize, around.end as usize);
+    let (Some(before), Some(behind)) = (text.get(..start), text.get(end..)) else { return false };
+    let from = before.rfind(ends).map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+    let to = end + behind.find(ends).unwrap_or(behind.len());
+    let Some(run) = text.get(from..to).filter(|run| run.len() <= LONGEST_RUN) else { return false };
+    run.split_at_checked(run.len() / 2).is_some_and(|(one, other)| one == other && one.contains('='))
+}
+
+/// Most bytes of an equation that may stand twice.
+const LONGEST_RUN: usize = 400;
 
 /// Whether a root sign stands near the end of a text; of a large one, a `p` in a line of its own is left.
 fn has_root(before: &str) -> bool {

@@ -12,6 +12,7 @@ pub(crate) mod explanation;
 mod flattened;
 mod function_arguments;
 pub(crate) mod letter_units;
+mod local_notation;
 mod lost_digits;
 pub(crate) mod money;
 mod notation;

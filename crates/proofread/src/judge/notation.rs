@@ -9,6 +9,7 @@ use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions::turns_into_degrees;
 use crate::judge::flattened;
 use crate::judge::function_arguments::{under_function, with_braced_arguments, with_whole_radicand};
+use crate::judge::local_notation;
 use crate::judge::number_marks::{integer, touch};
 use crate::judge::permutation::as_permutations;
 use crate::judge::point_coordinates::as_cartesian;
@@ -65,6 +66,9 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&without_dots);
     each(&|side| with_braced_sign(text, side));
     each(&sum_in_degrees);
+    each(&local_notation::with_binary_logarithm);
+    each(&local_notation::in_hours);
+    each(&local_notation::with_bare_kelvins);
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);
@@ -77,6 +81,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     out.extend(as_permutations(&left.tokens, &right.tokens));
     out.extend(as_cartesian(&left.tokens, &right.tokens));
     out.extend(with_temperature(&left.tokens, &right.tokens));
+    out.extend(local_notation::with_points_of_products(&left.tokens, &right.tokens));
     out.extend(binary_numbers::with_binary_prefixes(&left.tokens, &right.tokens));
     out.extend(per_hundred(&right.tokens).map(|number| [left.tokens.clone(), number]));
     out

@@ -28,6 +28,12 @@ const WORDS: [&str; 15] = [
 /// Words before a base, which is another one unless it is ten.
 const BEFORE_BASE: [&str; 2] = ["in base", "(base"];
 
+/// Words before the number of a base.
+const BEFORE_OTHER_BASE: [&str; 3] = ["basis ", "to base ", "to the base "];
+
+/// Bases in which numbers are written.
+const BASES: std::ops::RangeInclusive<f64> = 2.0..=36.0;
+
 /// Words before a modulus.
 const BEFORE_MODULUS: [&str; 4] = ["mod", "pmod", "bmod", "modulo"];
 
@@ -86,6 +92,15 @@ fn are_multiples(differences: &[f64], modulus: f64) -> bool {
     modulus > 1.0 && differences.iter().any(|of| *of != 0.0) && differences.iter().all(fits)
 }
 
+/// Whether a paragraph names the base in which its numbers are written, by words that it does not have for those of a vector space or of a
+/// logarithm.
+fn names_base(paragraph: &str) -> bool {
+    let paragraph = paragraph.to_lowercase();
+    let is_base = |behind: &str| number_at(behind).is_some_and(|base| BASES.contains(&base) && base != 10.0);
+    let named = |words: &str| paragraph.match_indices(words).any(|(at, _)| is_base(&paragraph[at + words.len()..]));
+    !paragraph.contains("log") && BEFORE_OTHER_BASE.iter().any(|words| named(words))
+}
+
 /// Whether the text around two sides, or the formula itself, speaks of arithmetic in which they may be equal. If it names a modulus, the
 /// differences of their components must be multiples of it.
 pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
@@ -122,6 +137,9 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let behind = { ENDS }.iter().take(4).filter_map(|end| behind.find(end)).min().map_or(behind, |at| &behind[..at]);
     let before = surroundings::text_before(text, span);
     let paragraph = { ENDS }.iter().filter_map(|end| before.rfind(end)).max().map_or(before, |at| &before[at..]);
+    if names_base(paragraph) {
+        return true;
+    }
     let mut named = named_moduli(before);
     named.extend([paragraph, behind].into_iter().flat_map(moduli_in_words));
     named.extend(named_moduli(behind));

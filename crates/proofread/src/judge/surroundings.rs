@@ -413,10 +413,12 @@ pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
 
 /// Whether the word *and* joins what stands at a place to a number with its noun: 7 shillings and 85 cents.
 pub(crate) fn is_second_amount(text: &str, span: Span) -> bool {
-    let Some(before) = words_before(text, span).strip_suffix("and") else { return false };
-    let before = before.trim_end();
+    const AND: [&str; 7] = [" and", " et", " und", " e", " y", " og", " och"];
+    let before = words_before(text, span);
+    let Some(before) = AND.iter().find_map(|and| before.strip_suffix(and)) else { return false };
+    let before = before.trim_end_matches([' ', '$']);
     let noun = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    let count = before[..before.len() - noun.len()].trim_end_matches([' ', '~', '\u{a0}']);
+    let count = before[..before.len() - noun.len()].trim_end_matches([' ', '~', '\u{a0}', '\\', ',']);
     noun.chars().count() > 1 && count.ends_with(|c: char| c.is_ascii_digit())
 }
 

@@ -40,6 +40,11 @@ pub(crate) fn ends_with_name(text: &str, side: &[Token]) -> bool {
 /// The least width of a space, in tenths of an em, that may part two equations.
 const GAP: u8 = 4;
 
+/// Whether a space of a formula follows another one, as in `\;\;`.
+fn is_doubled(side: &[Token], at: usize) -> bool {
+    at > 0 && side[at].is_space() && side[at - 1].is_space()
+}
+
 /// Whether a sign or a gap parts two equations of which each holds: `3 × 4 = 12 / 3 × 5 = 15`. The side with the sign is the second of three.
 pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
     let is_gap = |token: &Token| matches!(token.kind, TokenKind::Space(GAP..=8));
@@ -48,12 +53,17 @@ pub(crate) fn are_two_equations(sides: [&[Token]; 3]) -> bool {
         let next = sides[1][at..].iter().find(|token| !token.is_space());
         at > 0 && sides[1][at].is_space() && next.is_some_and(|next| matches!(next.kind, TokenKind::Function(_)))
     };
-    let gaps = (0..sides[1].len()).filter(|at| is_gap(&sides[1][*at]) || begins(*at)).take(4);
+    let gaps =
+        (0..sides[1].len()).filter(|at| is_gap(&sides[1][*at]) || begins(*at) || is_doubled(sides[1], *at)).take(4);
+    // In a row of equations the outer sides have gaps of their own.
+    let last_gap = (1..sides[0].len()).rev().find(|at| is_doubled(sides[0], *at)).map_or(0, |at| at + 1);
+    let first_gap = (1..sides[2].len()).find(|at| is_doubled(sides[2], *at)).map_or(sides[2].len(), |at| at - 1);
+    let (first, third) = (&sides[0][last_gap..], &sides[2][..first_gap]);
     let parted = |at: usize| {
         let holds = |left: &[Token], right: &[Token]| {
             judge(left, right, Relation::Equal, None).verdict < ChainVerdict::Truncated
         };
-        holds(sides[0], &sides[1][..at]) && holds(&sides[1][at + 1..], sides[2])
+        holds(first, &sides[1][..at]) && holds(&sides[1][at + 1..], third)
     };
     if gaps.clone().any(parted) {
         return true;

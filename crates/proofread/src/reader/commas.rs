@@ -213,6 +213,12 @@ fn is_pair(tokens: &[Token], at: usize) -> bool {
         && relation(behind[close + 1..].iter().find(solid))
 }
 
+/// Whether the comma at `at` parts two sums in brackets that are all of a side, as in `(2+2,1+1)`.
+fn is_computed_pair(tokens: &[Token], at: usize) -> bool {
+    let signed = |at: Option<usize>| at.and_then(|at| tokens.get(at)).is_some_and(|token| token.is_one_of("+-"));
+    signed(at.checked_sub(2)) && signed(Some(at + 2)) && is_pair(tokens, at)
+}
+
 /// Whether a comma among tags parts decimals for sure: what is between the bars of a fraction or under a root is no list, no
 /// integer begins with a nought, and one is seldom added or multiplied.
 fn is_decimal_for_sure(tokens: &[Token], at: usize, [whole, decimals]: [&str; 2], is_argument: bool) -> bool {
@@ -314,6 +320,7 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: De
     while at < tokens.len() {
         if let Some((whole, decimals, _)) = parted(tokens, at, text)
             && let Some(whole) = thousands(whole)
+            && !(is_computed_pair(tokens, at))
         {
             let number = TokenKind::Number(format!("{whole}.{decimals}"));
             let span = tokens[at - 1].span.join(tokens[at + 1].span);
@@ -328,6 +335,7 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: De
             continue;
         }
         let next_is_comma = tokens.get(at + 1).is_some_and(|token| token.is_sign(','));
+        let span = tokens[at].span;
         match &mut tokens[at].kind {
             TokenKind::Number(number) if number.matches(',').count() == 1 && !number.contains('.') => {
                 *number = number.replace(',', ".");
@@ -335,7 +343,9 @@ pub(crate) fn apply_decimal_sign(tokens: &mut Vec<Token>, text: &str, points: De
             TokenKind::Number(number)
                 if points == DecimalPoints::Thousands && number.contains('.') && !next_is_comma =>
             {
-                if let Some(whole) = thousands(number) {
+                // Where a comma is in the source, it has been taken for the sign of decimals.
+                let is_comma = text.get(span.range()).is_some_and(|source| source.contains(','));
+                if let Some(whole) = thousands(number).filter(|_| !is_comma) {
                     *number = whole;
                 }
             }

@@ -11,7 +11,14 @@ use std::ops::Range;
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 /// Environments whose content is not read.
-pub(super) const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
+const VERBATIM: [&str; 6] = ["verbatim", "lstlisting", "comment", "minted", "tikzpicture", "Verbatim"];
+
+/// Whether the content of an environment is not read: it is one of these, or one that a package or a document has made for code, such as
+/// `pythoncode`.
+pub(super) fn is_verbatim(name: &str) -> bool {
+    VERBATIM.contains(&name) || name.to_ascii_lowercase().ends_with("code") || name.ends_with("listing")
+}
+
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
@@ -150,7 +157,7 @@ fn begin<'t>(text: &'t str, at: usize, scope: &mut u32, inside: &mut Vec<u32>, e
         let open = open + length_of_columns(name, text.get(open..).unwrap_or_default());
         return read_until(text, at, open - at, &end, *scope, each);
     }
-    if VERBATIM.contains(&name) {
+    if is_verbatim(name) {
         let end = format!("\\end{{{name}}}");
         let behind = text.get(open..).and_then(|rest| rest.find(&end));
         let behind = behind.map_or(text.len(), |found| open + found + end.len());

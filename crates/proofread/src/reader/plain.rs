@@ -4,7 +4,7 @@ use super::tags::decode_entities;
 use super::words::tokenise_words;
 use super::{Formula, FormulaSink, FormulaStyle};
 use crate::token::{MathFunction, SourceChar, Span, TOO_LONG, Token, TokenKind, signs};
-use crate::unit::{currency, is_percent, unit};
+use crate::unit::{currency, is_percent, joins_share, unit};
 use std::ops::Range;
 
 /// Longest line that is read, in bytes.
@@ -303,6 +303,23 @@ fn is_exponent(out: &[Token], mut ahead: impl Iterator<Item = Token>) -> bool {
     !of_unit || (short && !unit_behind)
 }
 
+/// Whether a numbered x stands at the left of an equals sign and behind no number: x1 = 70.
+fn names_numbered_x(tokens: &[Token]) -> bool {
+    let mut solid = tokens.iter().filter(|token| !token.is_space());
+    let mut before: Option<&Token> = None;
+    while let Some(token) = solid.next() {
+        let mut behind = solid.clone();
+        let (digit, sign) = (behind.next(), behind.next());
+        let touches = digit.is_some_and(|digit| digit.number().is_some() && digit.span.start == token.span.end);
+        let free = before.is_none_or(|before| before.number().is_none());
+        if token.word() == Some("x") && touches && free && sign.is_some_and(|sign| sign.is_sign('=')) {
+            return true;
+        }
+        before = Some(token);
+    }
+    false
+}
+
 /// Makes letters, exponents, products and separators of what running text writes with words and signs.
 fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::new();
@@ -317,6 +334,7 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
         _ => None,
     };
     let behind_numbers: Vec<String> = tokens.windows(3).filter_map(behind_number).collect();
+    let names_x = names_numbered_x(&tokens);
     let mut rest = tokens.into_iter().peekable();
     while let Some(token) = rest.next() {
         let next_is = |is: &dyn Fn(&Token) -> bool, rest: &mut std::iter::Peekable<std::vec::IntoIter<Token>>| {
@@ -402,7 +420,9 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 let next = after.next();
                 let before_number =
                     next.as_ref().is_some_and(|next| matches!(next.kind, TokenKind::Number(_)) || next.is_sign('('));
-                if word == "x" && follows_unit && before_number {
+                // Beside an x1, the second of 70   x2 = 0 is a name.
+                let is_second_name = names_x && !touching && rest.peek().is_some_and(|next| !next.is_space());
+                if word == "x" && follows_unit && before_number && !is_second_name {
                     out.push(Token::new(TokenKind::Operator('×'), span));
                     continue;
                 }
@@ -424,7 +444,8 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                 // 2 % of 50
                 let counted = before.is_some_and(|before| before.number().is_some() || before.is_sign(')'));
                 let percent = before.and_then(Token::word).is_some_and(is_percent);
-                let of_numbers = (counted || percent) && before_number;
+                let before_price = next.as_ref().and_then(Token::word).is_some_and(|sign| currency(sign).is_some());
+                let of_numbers = (counted && before_number) || (percent && (before_number || before_price));
                 let power_of_e = word == "e" && rest.peek().is_some_and(|next| next.is_sign('^'));
                 // 348Tc is a product with a letter.
                 let glued = touching && follows_number && unit(&word).is_none() && word.chars().count() < 4;
@@ -451,7 +472,7 @@ fn interpret_line(tokens: Vec<Token>) -> Vec<Token> {
                     TokenKind::Word(word)
                 } else if named {
                     TokenKind::Name(word)
-                } else if word == "of" && of_numbers {
+                } else if of_numbers && (word == "of" || (percent && joins_share(&word))) {
                     TokenKind::Word(word)
                 } else if word == "mod" {
                     // The modulus alone says how the whole line is meant.

@@ -4,7 +4,7 @@
 //! is written, in TeX. What no reader sees is left out and counted.
 
 use super::definitions::{defines, definition};
-use super::latex::{VERBATIM, group_text};
+use super::latex::{group_text, is_verbatim};
 use super::markup::INLINE;
 use super::notebook;
 use super::running::RunningText;
@@ -318,7 +318,7 @@ pub(super) fn command(text: &str, at: usize) -> (usize, Option<LeftOut>) {
         "begin" => {
             let Some(name) = group_text(text, behind) else { return (behind, None) };
             let open = text[behind..].find('}').map_or(behind, |close| behind + close + 1);
-            if !VERBATIM.contains(&name) {
+            if !is_verbatim(name) {
                 let braces =
                     usize::from(["tabular", "array", "tabularx", "minipage", "thebibliography"].contains(&name));
                 return (arguments(text, open, braces), Some(LeftOut::Argument));

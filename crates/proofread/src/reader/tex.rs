@@ -178,7 +178,7 @@ impl Tex<'_> {
         }
     }
 
-    /// Tokens up to one of `ends`, which is taken, or to the end.
+    /// Tokens up to one of `ends`, which is taken, or to the end. A sign of per cent that ends the formula is no comment.
     fn tokens(&mut self, depth: usize, ends: &[char]) -> Vec<Token> {
         let mut out: Vec<Token> = Vec::new();
         // From here on, what is in the group is upright.
@@ -199,11 +199,11 @@ impl Tex<'_> {
                 break;
             }
             match c {
-                '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
-                '~' => {
+                '~' | '%' if c == '~' || self.stack.len() == 1 => {
                     self.stack.pop();
-                    out.push(token(TokenKind::Space(2), span));
+                    out.push(token(if c == '~' { TokenKind::Space(2) } else { TokenKind::Word("%".to_owned()) }, span));
                 }
+                '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
                 '&' => {
                     self.stack.pop();
                     out.push(token(TokenKind::Cell, span));
@@ -411,7 +411,7 @@ impl Tex<'_> {
             "cancel" | "bcancel" | "xcancel" => {
                 let of = self.argument(depth);
                 // An equals sign that is struck out denies what it says.
-                if matches!(trim_space(&of), [only] if only.is_sign('=')) {
+                if matches!(trim_space(&of), [only] if only.is_one_of("=≡")) {
                     push(out, TokenKind::Operator('≠'));
                     return;
                 }

@@ -21,6 +21,8 @@ pub enum UnreadKind {
     Comment,
     /// A file in a folder, whose format is not read, with the ending of its name.
     File,
+    /// A file in a folder that is no text in spite of its name, since it has zero bytes.
+    Binary,
     /// A folder of what a program has made out of the author's texts, such as `_site`, with its name.
     Folder,
     /// A symbolic link in a folder.
@@ -32,7 +34,7 @@ pub enum UnreadKind {
 impl UnreadKind {
     /// Whether all such parts are counted, whatever is in them.
     pub(crate) fn is_whole(self) -> bool {
-        matches!(self, Self::Cell | Self::File | Self::Folder | Self::Link | Self::Object)
+        matches!(self, Self::Cell | Self::File | Self::Binary | Self::Folder | Self::Link | Self::Object)
     }
 
     /// A name for programs.
@@ -50,6 +52,7 @@ impl UnreadKind {
             Self::Element => "element",
             Self::Comment => "comment",
             Self::File => "file",
+            Self::Binary => "binary",
             Self::Folder => "folder",
             Self::Link => "link",
             Self::Object => "object",

@@ -4,7 +4,7 @@ use crate::join::chain::{ChainSide, Relation};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::verdict::{PairJudgement, is_agreed};
 use crate::tell::edit::{Edit, EditKind, variants, whole_side};
-use crate::token::{Span, Token, TokenKind};
+use crate::token::{Span, Token, TokenKind, trim_space};
 use std::ops::ControlFlow;
 
 /// An edit of one place.
@@ -151,6 +151,28 @@ fn printed_digits(tokens: &[Token]) -> usize {
     tokens.iter().enumerate().map(of).sum()
 }
 
+/// Whether the right side is one number, and the left one adds to this very number, so that it was copied and not computed.
+fn copies_operand(left: &[Token], right: &[Token]) -> bool {
+    let [number] = trim_space(right) else { return false };
+    let is_copy = |token: &Token| token.number().is_some() && token.number() == number.number();
+    left.iter().any(is_copy) && left.iter().any(|token| token.is_one_of("+-"))
+}
+
+/// Whether a place is in a sum under a root: where the whole sum differs, a digit of one of its terms is no likely slip.
+fn is_in_sum_under_root(side: &[Token], at: Span) -> bool {
+    let is_sum = |of: &[Token]| of.iter().any(|token| token.is_one_of("+-"));
+    side.iter().any(|token| {
+        matches!(&token.kind, TokenKind::Root(of, _) if is_sum(of) && has_place(of, at))
+            || token.inner().any(|inner| is_in_sum_under_root(inner, at))
+    })
+}
+
+/// Whether a token, or one inside it, is at a place.
+fn has_place(tokens: &[Token], at: Span) -> bool {
+    let covers = |token: &Token| token.span.start <= at.start && at.end <= token.span.end;
+    tokens.iter().any(|token| covers(token) || token.inner().any(|inner| has_place(inner, at)))
+}
+
 /// An edit that fits, and how likely it is.
 struct Fit {
     hint: Hint,
@@ -233,6 +255,10 @@ impl HintSearch<'_> {
         }
         let all: f64 = found.iter().map(|fit| fit.weight).sum();
         let best = found.into_iter().reduce(|best, fit| if fit.weight > best.weight { fit } else { best })?;
+        let is_copied = best.side == 0 && copies_operand(&self.left.tokens, &self.right.tokens);
+        if is_copied || is_in_sum_under_root(&sides[best.side].tokens, best.hint.at) {
+            return None;
+        }
         let is_likely = best.weight >= LEAST_SHARE * (all + best.accident) && only.is_none_or(|only| only == best.side);
         is_likely.then_some(best.hint)
     }

@@ -185,6 +185,7 @@ pub fn describe_unread_parts(parts: &UnreadParts) -> Option<String> {
             UnreadKind::Element => ("element", "elements"),
             UnreadKind::Comment => ("comment", "comments"),
             UnreadKind::File => ("file of", "files of"),
+            UnreadKind::Binary => ("file with zero bytes", "files with zero bytes"),
             UnreadKind::Folder => ("folder of output", "folders of output"),
             UnreadKind::Link => ("symbolic link", "symbolic links"),
             UnreadKind::Object => ("object of", "objects of"),

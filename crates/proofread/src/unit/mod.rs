@@ -345,6 +345,11 @@ pub(crate) fn is_percent(word: &str) -> bool {
     matches!(word, "%" | "percent")
 }
 
+/// Whether a word joins a share to the whole of which it is one: 5 % *of* 20, in several languages.
+pub(crate) fn joins_share(word: &str) -> bool {
+    matches!(word, "of" | "von" | "van" | "de" | "di" | "av" | "af")
+}
+
 /// The unit without its prefix, if the word is one of those that take a prefix and has one.
 pub(crate) fn without_prefix(word: &str) -> Option<&str> {
     let first = word.chars().next().filter(|first| PREFIXES.iter().any(|(prefix, _)| prefix == first))?;
