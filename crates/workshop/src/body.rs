@@ -100,11 +100,13 @@ pub(crate) fn bodies_of_chords(parts: &[Part], tolerance: f64) -> Result<Vec<Bod
         };
         let mut body = chords(tolerance)?;
         let arcs = Body::new(stack.clone(), SNAP[0]);
-        for finer in 1..=FINER {
+        let mut finer = tolerance;
+        for _ in 0..FINER {
             if body.cut.meets_only_as(&arcs.cut) {
                 break;
             }
-            body = chords(tolerance * BY.powi(finer))?;
+            finer *= BY;
+            body = chords(finer)?;
         }
         Ok(body)
     };

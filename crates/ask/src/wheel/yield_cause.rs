@@ -15,7 +15,7 @@ use geneva_workshop::ScrewHole;
 const COUNTED: u64 = 300;
 /// Tried values over the one of the design, from that on which costs least.
 const LESS: [f64; 7] = [0.75, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05];
-const MORE: [f64; 6] = [1.25, 1.5, 1.75, 2.0, 2.5, 3.0];
+const MORE: [f64; 6] = [1.2, 1.5, 1.75, 2.0, 2.5, 3.0];
 /// Significant digits of a value that is tried.
 const DIGITS: usize = 2;
 

@@ -175,18 +175,3 @@ pub enum MeasuredError {
     )]
     NoScale,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_limit_has_four_digits_and_is_accepted_as_it_is_told() {
-        let of = |most: f64| BuiltError::CrankTooLong { asked: 61.234_567_89, most }.to_string();
-        assert!(of(50.005_000_01).starts_with("crank radius 61.23 mm: it must be at most 50 mm, just below"));
-        for most in [50.0, 49.999_999, 35.355_339_059_327_38, 1e-7 / 3.0, 1.000_499, 9.999_6e8] {
-            let below = short_below(most);
-            assert!(below < most && below > 0.998 * most, "{most}: {below}");
-        }
-    }
-}

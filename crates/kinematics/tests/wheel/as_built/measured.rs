@@ -2,7 +2,7 @@
 
 use super::super::assembly::sized;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::{KnownMistake, MeasuredSize, MeasuredWheel, SplitMix64};
+use geneva_kinematics::wheel::as_built::{BuiltError, KnownMistake, MeasuredSize, MeasuredWheel, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Play, Sizes, Wheel};
 
 /// Uncertainty of all lengths, in millimetres, for a centre distance of 100 mm.
@@ -238,4 +238,15 @@ fn of_two_wrong_sizes_both_are_named() {
         more += u32::from(named.len() > 2);
     }
     assert!(both >= 57 && more <= 3, "{both} {more}");
+}
+
+#[test]
+fn a_limit_has_four_digits_and_is_accepted_as_it_is_told() {
+    for most in [50.0, 50.005_000_01, 49.999_999, 35.355_339_059_327_38, 1e-7 / 3.0, 1.000_499, 9.999_6e8] {
+        let told = BuiltError::CrankTooLong { asked: 61.234_567_89, most }.to_string();
+        let limit =
+            told.strip_prefix("crank radius 61.23 mm: it must be at most ").and_then(|rest| rest.split(' ').next());
+        let limit: f64 = limit.and_then(|limit| limit.parse().ok()).unwrap_or_else(|| panic!("{told}"));
+        assert!(limit < most && limit > 0.998 * most, "{told}");
+    }
 }
