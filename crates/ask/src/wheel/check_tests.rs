@@ -496,8 +496,8 @@ fn the_play_of_a_thin_pin_in_mid_index_is_that_between_the_walls_seen_by_points(
         let is_free = |angle: f64| {
             (0..2000).all(|k| {
                 let around = std::f64::consts::TAU * f64::from(k) / 2000.0;
-                let [x, y] = [25.0 + pin / 2.0 * around.cos(), pin / 2.0 * around.sin()];
-                (y * angle.cos() - x * angle.sin()).abs() <= 6.1 / 2.0
+                let [x, y] = [25.0 + pin / 2.0 * libm::cos(around), pin / 2.0 * libm::sin(around)];
+                (y * libm::cos(angle) - x * libm::sin(angle)).abs() <= 6.1 / 2.0
             })
         };
         let [mut inside, mut outside] = [0.0, 0.5];
