@@ -189,6 +189,16 @@ fn are_all_open(tokens: &[Token]) -> bool {
     rows.clone().count() > 1 && rows.into_iter().all(is_open)
 }
 
+/// Whether a colon between two tokens is a division, as schools of many countries write it, and ends no number of an item.
+fn divides(last: Option<&Token>, next: Option<&Token>, has_space: bool) -> bool {
+    let (Some(last), Some(next)) = (last, next) else { return false };
+    let is_value = |of: &Token| matches!(of.kind, TokenKind::Number(_) | TokenKind::Fraction(..));
+    let is_stacked = [last, next].into_iter().any(|of| matches!(of.kind, TokenKind::Fraction(..)));
+    (is_value(last) || matches!(last.kind, TokenKind::Power(_)) || last.is_sign(')'))
+        && (is_value(next) || next.is_sign('('))
+        && (has_space || is_stacked)
+}
+
 /// The chains of a formula.
 pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
     let tokens = join_tokens(formula);
@@ -315,29 +325,9 @@ pub(crate) fn split_chains(formula: &[Token]) -> Vec<Chain> {
                 }
                 // A time of day, a ratio or a place in a text.
                 let between = at > 0 && is(tokens.get(at - 1)) && is(tokens.get(at + 1));
-                if token.is_sign(':') && between {
-                    splitter
-                        .side
-                        .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));
-                    continue;
-                }
-                // A division as schools of many countries write it, and no number of an item.
-                let is_divided = splitter.last().is_some_and(|last| {
-                    last.is_sign(')')
-                        || matches!(last.kind, TokenKind::Number(_) | TokenKind::Fraction(..) | TokenKind::Power(_))
-                });
-                let divides = next.is_some_and(|next| {
-                    matches!(next.kind, TokenKind::Number(_) | TokenKind::Fraction(..)) || next.is_sign('(')
-                });
                 let has_space = at > 0 && tokens[at - 1].is_space();
-                let is_stacked =
-                    [splitter.last(), next].into_iter().flatten().any(|of| matches!(of.kind, TokenKind::Fraction(..)));
-                if token.is_sign(':')
-                    && is_divided
-                    && divides
-                    && !splitter.sides.is_empty()
-                    && (has_space || is_stacked)
-                {
+                let is_divided = || !splitter.sides.is_empty() && divides(splitter.last(), next, has_space);
+                if token.is_sign(':') && (between || is_divided()) {
                     splitter
                         .side
                         .push(Token::new(TokenKind::Unknown("a colon between numbers".to_owned()), token.span));

@@ -122,22 +122,29 @@ impl Definitions {
     }
 }
 
+/// Commands, without their backslash, that define another one.
+const DEFINING: [&str; 11] = [
+    "newcommand",
+    "renewcommand",
+    "providecommand",
+    "DeclareRobustCommand",
+    "NewDocumentCommand",
+    "RenewDocumentCommand",
+    "ProvideDocumentCommand",
+    "DeclareDocumentCommand",
+    "DeclareMathOperator",
+    "DeclareSIUnit",
+    "def",
+];
+
 /// Whether a command, without its backslash, defines another one.
 pub(crate) fn defines(command: &str) -> bool {
-    matches!(
-        command,
-        "newcommand"
-            | "renewcommand"
-            | "providecommand"
-            | "DeclareRobustCommand"
-            | "NewDocumentCommand"
-            | "RenewDocumentCommand"
-            | "ProvideDocumentCommand"
-            | "DeclareDocumentCommand"
-            | "DeclareMathOperator"
-            | "DeclareSIUnit"
-            | "def"
-    )
+    DEFINING.contains(&command)
+}
+
+/// Whether a command that defines another one may be in a text, also in one whose backslashes are escaped.
+pub(super) fn may_define(text: &str) -> bool {
+    text.match_indices('\\').any(|(at, _)| DEFINING.iter().any(|command| text[at + 1..].starts_with(command)))
 }
 
 /// Where a drawing ends that begins behind the backslash; what it defines holds in it alone.

@@ -1,6 +1,6 @@
 //! Jupyter notebooks: the Markdown of their cells.
 
-use super::definitions::{NamedMacros, named_macros};
+use super::definitions::{NamedMacros, may_define, named_macros};
 use super::delimited::Dollars;
 use super::json::{self, NoJson};
 use super::{FormulaSink, UnreadKind, UnreadParts, UnreadableText, markdown};
@@ -18,7 +18,9 @@ pub(crate) fn read(
 ) -> Result<UnreadParts, UnreadableText> {
     let mut unread = UnreadParts::default();
     let mut macros = elsewhere.cloned().unwrap_or_default();
-    markdown_cells(text, &mut |decoded, _| macros.extend(named_macros(decoded)))?;
+    if may_define(text) {
+        markdown_cells(text, &mut |decoded, _| macros.extend(named_macros(decoded)))?;
+    }
     let others = markdown_cells(text, &mut |decoded, places| {
         unread.add(&markdown::read(decoded, Dollars::Spaced, Some(&macros), &mut |mut formula| {
             formula.map_spans(&|span| in_notebook(places, span));

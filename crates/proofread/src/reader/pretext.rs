@@ -1,6 +1,6 @@
 //! TeX in the elements of PreTeXt: `m`, `me`, `men`, and `md` with its rows.
 
-use super::definitions::{Macros, NamedMacros};
+use super::definitions::{Macros, NamedMacros, may_define};
 use super::tags::{Tag, decode_entities, next_tag};
 use super::{Formula, tex};
 use crate::token::{SourceChar, Span};
@@ -15,9 +15,7 @@ const LONGEST: usize = 20_000;
 /// for it elsewhere.
 pub(crate) fn macros<'d>(text: &str, elsewhere: Option<&'d NamedMacros>) -> Macros<'d> {
     let mut defined = macros_text(text);
-    if defined.is_empty()
-        && ["\\newcommand", "\\renewcommand", "\\def", "\\DeclareMath"].iter().any(|of| text.contains(of))
-    {
+    if defined.is_empty() && may_define(text) {
         // In a page, this sign begins no comment.
         defined = text.replace('%', " ");
     }
