@@ -3,7 +3,8 @@
 use crate::lookup;
 use geneva_press::html::escape;
 use geneva_proofread_page::{
-    Fact, MOST_BYTES, NamePolicyChoice, PageAnswer, PageQuestion, ShownFinding, ShownPlace, name_of_format, too_long_message,
+    Fact, MOST_BYTES, NamePolicyChoice, PageAnswer, PageQuestion, ShownFinding, ShownPlace, name_of_format,
+    too_long_message,
 };
 use proofread::{ReportSection, TextFormat};
 
@@ -90,9 +91,7 @@ pub fn form() -> anyhow::Result<String> {
 }
 
 /// A finding as `book/theme/proofread.js` shows it.
-fn finding(
-    ShownFinding { list, verdict, line, column, place, chain, facts, others, more }: &ShownFinding,
-) -> String {
+fn finding(ShownFinding { list, verdict, line, column, place, chain, facts, others, more }: &ShownFinding) -> String {
     let [before, marked, after] = chain.each_ref().map(|piece| escape(piece));
     let fact = |Fact { label, text }: &Fact| format!("<div><dt>{label}</dt> <dd>{}</dd></div>", escape(text));
     let link = |ShownPlace { line, column, place }: &ShownPlace| {

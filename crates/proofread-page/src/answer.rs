@@ -5,7 +5,9 @@ use crate::json::{list, object, text};
 use crate::question::PageQuestion;
 use crate::words;
 use proofread::summary::describe_less_certain;
-use proofread::{ChainFinding, CheckOptions, FindingGroup, LineIndex, ReportSection, TextFormat, group_findings, proofread};
+use proofread::{
+    ChainFinding, CheckOptions, FindingGroup, LineIndex, ReportSection, TextFormat, group_findings, proofread,
+};
 use std::ops::Range;
 
 /// Findings that are shown at most.

@@ -3,8 +3,8 @@
 use crate::fact::Fact;
 use crate::question::PageQuestion;
 use proofread::summary::{
-    describe_count, describe_doubts, describe_findings, describe_less_certain, describe_partly_checked_chains, describe_unchecked_chains,
-    describe_unit_differences, describe_unread_formulas, describe_unread_parts,
+    describe_count, describe_doubts, describe_findings, describe_less_certain, describe_partly_checked_chains,
+    describe_unchecked_chains, describe_unit_differences, describe_unread_formulas, describe_unread_parts,
 };
 use proofread::{Caveat, ChainFinding, CheckReport, FindingGroup, ReportSection, TextFormat};
 

@@ -40,7 +40,10 @@ fn findings_and_hints_of_a_text_full_of_mistakes_are_bounded_and_it_is_said() {
     let sum = |n| format!("$98.75{} = 1234.5$\n\n", (0..10).map(|bit| sign(n, bit)).collect::<String>());
     let answer = answered(&format!("\n{}", (0..1000).map(sum).collect::<String>()));
     let findings = answer["findings"].as_array().expect("findings");
-    assert_eq!((findings.len(), &findings[0]["list"], &findings[1]["list"]), (200, &json!("numbers"), &json!("less-certain")));
+    assert_eq!(
+        (findings.len(), &findings[0]["list"], &findings[1]["list"]),
+        (200, &json!("numbers"), &json!("less-certain"))
+    );
     assert_eq!(answer["less_certain"], "999 less certain differences");
     let said = answer["summary"].to_string();
     for words in ["1 finding: 1 on a number.", "999 less certain differences.", "The first 200 are shown."] {
@@ -50,7 +53,9 @@ fn findings_and_hints_of_a_text_full_of_mistakes_are_bounded_and_it_is_said() {
 
 #[test]
 fn what_is_less_certain_is_behind_the_others() {
-    let answer = answered("\n$|3| = 4$ and $2 + 2 = 5$, $3 + 3 = 7$ $14 + 3 = 17$, $15 + 3 = 18$, $16 + 3 = 19$, $17 + 3 = 20$, $18 + 3 = 21$");
+    let answer = answered(
+        "\n$|3| = 4$ and $2 + 2 = 5$, $3 + 3 = 7$ $14 + 3 = 17$, $15 + 3 = 18$, $16 + 3 = 19$, $17 + 3 = 20$, $18 + 3 = 21$",
+    );
     let findings = answer["findings"].as_array().expect("findings");
     let told: Vec<_> = findings.iter().map(|of| (&of["list"], &of["chain"][0], &of["others"])).collect();
     let other = json!([{ "line": 1, "column": 37, "from": 36, "to": 37 }]);
@@ -66,8 +71,12 @@ fn a_long_chain_is_shown_around_its_places() {
     let said = answer["summary"].to_string();
     assert!(said.contains("1 formula or line was not read to its end: it is too long"), "{said}");
     let answer = answered(&text(1500));
-    let chain = answer["findings"][100]["chain"].to_string();
-    assert!(chain.len() < 400 && chain.contains('…'), "{chain}");
+    let findings = answer["findings"].as_array().expect("findings");
+    let chains: Vec<String> = findings.iter().map(|of| of["chain"].to_string()).collect();
+    assert!(
+        chains.iter().all(|chain| chain.len() < 400) && chains.iter().any(|chain| chain.contains('…')),
+        "{chains:?}"
+    );
 }
 
 #[test]

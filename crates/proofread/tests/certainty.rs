@@ -29,7 +29,13 @@ const LISTED: (ReportSection, Option<Caveat>) = (ReportSection::Numbers, None);
 
 #[test]
 fn what_a_newcomer_writes_first_is_listed() {
-    for chain in ["2 + 2 = 5", "3^2 = 8", r"2\,\mathrm{m} + 2\,\mathrm{m} = 5\,\mathrm{m}", r"x = 2 \cdot 4 = 9", r"\sqrt{9} = 4"] {
+    for chain in [
+        "2 + 2 = 5",
+        "3^2 = 8",
+        r"2\,\mathrm{m} + 2\,\mathrm{m} = 5\,\mathrm{m}",
+        r"x = 2 \cdot 4 = 9",
+        r"\sqrt{9} = 4",
+    ] {
         assert_eq!(lists(&format!("${chain}$")), [LISTED], "{chain}");
     }
 }
@@ -155,7 +161,12 @@ fn differences_of_one_shape_are_told_once() {
     };
     let same = ["34.25 + 58.11 = 71.06", "1.5 + 2.25 = 8.06", "105 + 317 = 981"];
     assert_eq!(groups(&same), [["71.06", "8.06", "981"]]);
-    for other in ["34.25 - 58.11 = 71.06", r"\sqrt{34.25} + 58.11 = 71.06", "34.25 + 58.11 = 71.06 + 3", r"34.25\,\mathrm{m} + 58.11\,\mathrm{m} = 71.06\,\mathrm{m}"] {
+    for other in [
+        "34.25 - 58.11 = 71.06",
+        r"\sqrt{34.25} + 58.11 = 71.06",
+        "34.25 + 58.11 = 71.06 + 3",
+        r"34.25\,\mathrm{m} + 58.11\,\mathrm{m} = 71.06\,\mathrm{m}",
+    ] {
         assert_eq!(groups(&[same[0], other, same[1]]).len(), 2, "{other}");
     }
     // A hint of another kind, or one where there is none beside it, is told by itself.

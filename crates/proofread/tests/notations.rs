@@ -252,9 +252,9 @@ fn a_wrong_digit_is_listed_however_the_chain_is_written() {
     for seed in 0..20 {
         for chain in CHAINS {
             let findings = found(&Style(seed).document(&wrong(chain)));
-            listed += usize::from(findings
-                .iter()
-                .any(|of| matches!(of.section, ReportSection::Numbers | ReportSection::LessCertain)));
+            listed += usize::from(
+                findings.iter().any(|of| matches!(of.section, ReportSection::Numbers | ReportSection::LessCertain)),
+            );
             all += 1;
         }
     }

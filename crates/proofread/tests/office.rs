@@ -434,7 +434,9 @@ fn a_place_is_told_under_the_heading_above_it() {
         (&long, "printed 16, recomputed 15"),
         ("footnote 1", "printed 11, recomputed 10"),
     ] {
-        let told = |of: &serde_json::Value| format!("printed {}, recomputed {}", of["printed"], of["recomputed"]).replace('"', "");
+        let told = |of: &serde_json::Value| {
+            format!("printed {}, recomputed {}", of["printed"], of["recomputed"]).replace('"', "")
+        };
         let found = places.iter().find(|of| of["place"] == *place);
         assert_eq!(found.map(told).as_deref(), Some(said), "{place}\n{out}");
     }

@@ -10,8 +10,8 @@ use crate::tell::finding::ChainFinding;
 use crate::tell::finding_group::FindingGroup;
 use crate::tell::hint::Hint;
 use crate::tell::line_index::LineIndex;
-use crate::tell::summary::describe_count;
 use crate::tell::sarif::{encoded, file_uri, help_uri, location, log, region};
+use crate::tell::summary::describe_count;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 

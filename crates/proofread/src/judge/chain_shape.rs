@@ -37,13 +37,15 @@ pub fn chain_shape(chain: &str) -> String {
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let is_digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
-    (0..bytes.len()).find(|at| !is_digit(*at) && !(b".,".contains(&bytes[*at]) && is_digit(at + 1))).unwrap_or(bytes.len())
+    (0..bytes.len())
+        .find(|at| !is_digit(*at) && !(b".,".contains(&bytes[*at]) && is_digit(at + 1)))
+        .unwrap_or(bytes.len())
 }
 
 /// The words of functions and operations that are followed by what they take.
 const OPERATIONS: [&str; 23] = [
-    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan", "arcsec", "ln", "log", "lg",
-    "lb", "exp", "det", "min", "max", "gcd", "lcm",
+    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan", "arcsec", "ln",
+    "log", "lg", "lb", "exp", "det", "min", "max", "gcd", "lcm",
 ];
 
 /// Whether a side of a chain computes something: a sign of an operation stands between two of its parts, or a function before one.
@@ -120,10 +122,22 @@ mod tests {
 
     #[test]
     fn a_sign_of_a_number_is_no_operation() {
-        for chain in ["−3 = 4", "4 μs = 10 mm", "x = −5 = +7", "|3| = 4", "(1.65 A) = 1.5 A", "[5][11] = 61", "a = ±2 = ±3", ""] {
+        for chain in
+            ["−3 = 4", "4 μs = 10 mm", "x = −5 = +7", "|3| = 4", "(1.65 A) = 1.5 A", "[5][11] = 61", "a = ±2 = ±3", ""]
+        {
             assert!(!chain_computes(chain), "{chain}");
         }
-        for chain in ["3 − 2 = 2", "2 (3) = 7", "(2)(3) = 7", "lg 14.67 = 1.6", "f(2) = 7", "4π = 39", "3! = 5", "√9 = 4", "2 = ln"] {
+        for chain in [
+            "3 − 2 = 2",
+            "2 (3) = 7",
+            "(2)(3) = 7",
+            "lg 14.67 = 1.6",
+            "f(2) = 7",
+            "4π = 39",
+            "3! = 5",
+            "√9 = 4",
+            "2 = ln",
+        ] {
             assert!(chain_computes(chain), "{chain}");
         }
     }
