@@ -44,7 +44,7 @@ fn what_a_newcomer_writes_first_is_listed() {
 fn each_cause_is_told_beside_a_chain_without_it() {
     for (without, with, cause) in [
         (r"2 \cdot 4\,\mu\mathrm{s} = 10\,\mathrm{mm}", r"4\,\mu\mathrm{s} = 10\,\mathrm{mm}", Caveat::Uncomputed),
-        (r"\tan 81.5^\circ = 1.25", r"\tan 81^\circ = 1", Caveat::Short),
+        (r"f(1) = 2 + 2 = 5", r"\binom{4}{2} = 5", Caveat::Short),
         (
             r"\frac{2.1512 \cdot 3.7812}{1.9231} + 1.5123^2 = 6.7213",
             r"\frac{2.1512 \cdot 3.7812}{1.9231} + 1.5123^2 = 6.5213",
@@ -53,6 +53,11 @@ fn each_cause_is_told_beside_a_chain_without_it() {
     ] {
         assert_eq!((caveat(without), caveat(with)), (None, Some(cause)), "{with}");
     }
+    // What is in the row before is no part of the chain that is shown.
+    let rows = |result: &str| {
+        format!("$$\\begin{{aligned}} v_2 &= 3.5 \\cdot 4.25 \\\\ v_2 &= {result} \\end{{aligned}}$$\n\n")
+    };
+    assert_eq!(lists(&(rows("63.1") + &document(&[], 9))), [LISTED]);
     // One edit that stands out as the slip makes up for each of them.
     assert_eq!(caveat(r"\tan 31.0^\circ = 0.609"), None);
 }

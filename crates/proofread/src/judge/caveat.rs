@@ -3,7 +3,7 @@
 //! What misreads a text is not known beforehand, since each new text has notations of its own. But a notation that is not known is met
 //! again and again in its document, and what is misread is often no calculation at all, or short. The rates are in `judged/README.md`.
 
-use crate::judge::chain_shape::{chain_computes, has_other_signs};
+use crate::judge::chain_shape::{chain_computes, has_other_signs, is_name, is_single_name};
 
 /// Digits of a chain that are few.
 const FEW_DIGITS: usize = 4;
@@ -22,7 +22,7 @@ const SEVERAL: usize = 2;
 pub enum Caveat {
     /// No side of the chain computes anything.
     Uncomputed,
-    /// The chain has few digits, and beside them something other than operations and units.
+    /// The chain has few digits, and beside them something other than operations, known functions and units.
     Short,
     /// The sides differ by less than a thousandth.
     Slight,
@@ -108,7 +108,7 @@ impl DifferenceEvidence<'_> {
 
     /// What does so at its own place.
     fn own_caveat(self) -> Option<Caveat> {
-        if !chain_computes(self.chain) {
+        if !chain_computes(self.chain) && numeric_sides(self.chain).len() > 1 {
             Some(Caveat::Uncomputed)
         } else if has_few_digits_beside_others(self.chain) {
             Some(Caveat::Short)
@@ -125,9 +125,20 @@ impl DifferenceEvidence<'_> {
     }
 }
 
-/// Whether the sides with digits have few of them, and beside them something other than operations and units.
+/// The sides of a chain with digits in them, without names, which are not compared with a number. If there is one side alone, it is
+/// compared with the row before.
+fn numeric_sides(chain: &str) -> Vec<&str> {
+    let mut sides: Vec<&str> = chain.split(['=', '≈']).collect();
+    if sides.len() > 2 && is_name(sides[0]) {
+        sides.remove(0);
+    }
+    sides.retain(|side| side.bytes().any(|byte| byte.is_ascii_digit()) && !is_single_name(side));
+    sides
+}
+
+/// Whether the sides have few digits, and beside them something other than operations, known functions and units.
 fn has_few_digits_beside_others(chain: &str) -> bool {
-    let sides = || chain.split(['=', '≈']).filter(|side| side.bytes().any(|byte| byte.is_ascii_digit()));
-    let digits: usize = sides().map(|side| side.bytes().filter(u8::is_ascii_digit).count()).sum();
-    digits <= FEW_DIGITS && sides().any(has_other_signs)
+    let sides = numeric_sides(chain);
+    let digits: usize = sides.iter().map(|side| side.bytes().filter(u8::is_ascii_digit).count()).sum();
+    sides.len() > 1 && digits <= FEW_DIGITS && sides.into_iter().any(has_other_signs)
 }

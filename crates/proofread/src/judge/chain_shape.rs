@@ -42,11 +42,19 @@ fn number_length(text: &str) -> usize {
         .unwrap_or(bytes.len())
 }
 
-/// The words of functions and operations that are followed by what they take.
-const OPERATIONS: [&str; 23] = [
-    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan", "arcsec", "ln",
-    "log", "lg", "lb", "exp", "det", "min", "max", "gcd", "lcm",
+/// The words of functions that are the same in all texts.
+const FUNCTIONS: [&str; 16] = [
+    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan", "ln", "log", "lg",
+    "exp",
 ];
+
+/// The words of other functions and operations.
+const OTHER_OPERATIONS: [&str; 8] = ["lb", "arcsec", "det", "min", "max", "gcd", "lcm", "mod"];
+
+/// Whether a word stands for something that is computed.
+fn is_operation(word: &str) -> bool {
+    FUNCTIONS.contains(&word) || OTHER_OPERATIONS.contains(&word)
+}
 
 /// Whether a side of a chain computes something: a sign of an operation stands between two of its parts, or a function before one.
 pub(crate) fn chain_computes(chain: &str) -> bool {
@@ -56,12 +64,12 @@ pub(crate) fn chain_computes(chain: &str) -> bool {
         if c.is_alphabetic() {
             word.push(c);
         } else {
-            if OPERATIONS.contains(&word.as_str()) || c == '(' && !word.is_empty() {
+            if is_operation(&word) || c == '(' && !word.is_empty() {
                 return true;
             }
             word.clear();
         }
-        let is_operation = match c {
+        let is_sign = match c {
             '·' | '×' | '*' | '/' | '÷' | '^' | '√' | '∑' | '∏' | '∫' | '!' | 'π' => true,
             // At the start of a side or of a bracket it is the sign of a number.
             '+' | '−' | '-' => before.is_some_and(|before: char| !"=≈(±".contains(before)),
@@ -69,27 +77,45 @@ pub(crate) fn chain_computes(chain: &str) -> bool {
             c if c.is_ascii_digit() => before == Some(')'),
             _ => false,
         };
-        if is_operation {
+        if is_sign {
             return true;
         }
         if !c.is_whitespace() {
             before = Some(c);
         }
     }
-    OPERATIONS.contains(&word.as_str())
+    is_operation(&word)
 }
 
-/// Whether a side has anything beside numbers, signs of plain arithmetic, brackets, roots, and units behind a number.
+/// Whether a side is one name with its index and marks, as in `v_2 = 5`.
+pub(crate) fn is_single_name(side: &str) -> bool {
+    let side = side.trim();
+    side.starts_with(char::is_alphabetic) && side.chars().all(|c| c.is_alphanumeric() || "_¯′".contains(c))
+}
+
+/// Whether a side is the name of what the chain is about, as in `x = 2 + 2 = 5`.
+pub(crate) fn is_name(side: &str) -> bool {
+    let side = side.trim_start();
+    let word = side.find(|c: char| !c.is_alphabetic()).unwrap_or(side.len());
+    side.starts_with('\\') || word > 0 && !is_operation(&side[..word])
+}
+
+/// Whether a side has anything beside numbers, signs of plain arithmetic, brackets, roots, known functions, and units behind a number.
 pub(crate) fn has_other_signs(side: &str) -> bool {
     let mut rest = side.trim_start();
     let mut is_first = true;
     while let Some(c) = rest.chars().next() {
         let length = if c.is_alphabetic() {
             let length = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
-            if is_first || unit(&rest[..length]).is_none() {
+            let word = &rest[..length];
+            if FUNCTIONS.contains(&word) {
+                // The base of a logarithm stands behind a stroke below.
+                length + usize::from(rest[length..].starts_with('_'))
+            } else if is_first || unit(word).is_none() {
                 return true;
+            } else {
+                length
             }
-            length
         } else {
             if !c.is_ascii_digit() && !c.is_whitespace() && !"+−-±·×*/÷^().,√%°$€£".contains(c) {
                 return true;
@@ -132,6 +158,7 @@ mod tests {
             "2 (3) = 7",
             "(2)(3) = 7",
             "lg 14.67 = 1.6",
+            "(27) mod7 = 3",
             "f(2) = 7",
             "4π = 39",
             "3! = 5",
@@ -144,10 +171,11 @@ mod tests {
 
     #[test]
     fn units_behind_a_number_belong_to_plain_arithmetic() {
-        for side in ["2 + 2", "(12 m)/(1 s)", "√(4 − 1)·3 kg", "5 %", "20°", "−3.5", "2 m/s^2"] {
+        for side in ["2 + 2", "(12 m)/(1 s)", "√(4 − 1)·3 kg", "5 %", "20°", "−3.5", "2 m/s^2", "7 cos (0)", "log_2 8"]
+        {
             assert!(!has_other_signs(side), "{side}");
         }
-        for side in ["π(2)", "7 cos (0)", "3!", "|3|", "m 2", "2 … 3", "C(4; 2)"] {
+        for side in ["π(2)", "arcsec(2)", "3!", "|3|", "m 2", "2 … 3", "C(4; 2)"] {
             assert!(has_other_signs(side), "{side}");
         }
     }
