@@ -130,3 +130,55 @@ fn a_rate_may_have_a_prefix_alone() {
         assert_told_apart(right, wrong, TextFormat::Markdown);
     }
 }
+
+#[test]
+fn a_negative_remainder_is_one_below_the_modulus() {
+    let text = |remainder: &str| format!("Let $N = 221$. Reduce everything modulo $N$.\n\n- $162^1 = {remainder}$");
+    assert_told_apart(&text("-59"), &text("-58"), TextFormat::Markdown);
+}
+
+#[test]
+fn bits_have_an_exclusive_or() {
+    let text = |words: &str| format!("Mit {words} wird umgeschaltet: für r=1 gilt 1^1=0 und sonst 0^1=1.");
+    assert_told_apart(&text("XOR"), &text("Potenzen"), TextFormat::Markdown);
+    assert_told_apart("- boolesch: $1+1=1$", "- hier: $1+1=1$", TextFormat::Markdown);
+}
+
+#[test]
+fn empty_brackets_ask_whether_a_formula_holds() {
+    let item = |mark: &str| format!("\\item {mark} $13^7 \\cdot 13^9 = 13^8$");
+    for mark in ["( )", "(\\quad)"] {
+        assert_told_apart(&item(mark), &item("(a)"), TextFormat::Latex);
+    }
+}
+
+#[test]
+fn a_decimal_comma_leaves_points_to_thousands() {
+    let chain = |comma: &str| format!(r"$f = \frac{{300}}{{0{comma}03}} = \frac{{300 \cdot 100}}{{3}} = 10.000$");
+    assert_told_apart(&chain(","), &chain(".").replace("10.000", "20.000"), TextFormat::Markdown);
+}
+
+#[test]
+fn a_cross_denies_rows_that_begin_with_a_sign() {
+    let row = |left: &str, right: &str| format!("<mtr><mtd>{left}</mtd><mtd><mo>=</mo></mtd><mtd>{right}</mtd></mtr>");
+    let first = row("<mn>0</mn><mo>−</mo><mn>11</mn>", "<mn>12</mn>");
+    let rows = |mark: &str| {
+        let second = row("<mo>−</mo><mn>11</mn>", &format!("<mn>12</mn><mtext> {mark}</mtext>"));
+        format!("<p><math><mtable>{first}{second}</mtable></math></p>")
+    };
+    assert_told_apart(&rows("✗"), &rows(""), TextFormat::Html);
+}
+
+#[test]
+fn a_column_of_words_parts_equations_side_by_side() {
+    let rows = |last: &str| {
+        format!(
+            r"$$\begin{{align*}} x &= 6 \cdot 2.5 && \text{{and}} & y &= 6 \cdot (-3)\\ &= 15.0 &&&& = {last} \end{{align*}}$$"
+        )
+    };
+    for format in [TextFormat::Latex, TextFormat::Markdown] {
+        assert_told_apart(&rows("-18"), &rows("-17"), format);
+        let without = |last: &str| rows(last).replace(r"\text{and} &", "").replace("&&&&", "&&&");
+        assert_told_apart(&without("-18"), &without("-17"), format);
+    }
+}

@@ -247,6 +247,7 @@ impl PlacedPair<'_> {
             || notation::has_phasor(right)
             || self.is_minor()
             || other_arithmetic::has_own_operation(self.text, self.left.span)
+            || other_arithmetic::is_exclusive_or(self.text, left, right, self.left.span)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))

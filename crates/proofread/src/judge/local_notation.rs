@@ -125,6 +125,23 @@ pub(super) fn with_points_of_products(left: &[Token], right: &[Token]) -> Option
     (out.len() > left.len()).then(|| [out, right.to_vec()])
 }
 
+/// A side with the points between the thousands of its numbers left out, `10.000`, if the formula has a decimal comma; none if there are no such
+/// numbers.
+pub(super) fn with_points_of_thousands(formula: &str, side: &[Token]) -> Option<Vec<Token>> {
+    let is_digit = |at: usize| formula.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
+    let has_comma = formula.match_indices(',').any(|(at, _)| at > 0 && is_digit(at - 1) && is_digit(at + 1));
+    let groups = |digits: &str| {
+        let mut groups = digits.split('.');
+        let first = groups.next().unwrap_or_default();
+        first.len() < 4 && first != "0" && digits.contains('.') && groups.all(|group| group.len() == 3)
+    };
+    let plain = |kind: &TokenKind| match kind {
+        TokenKind::Number(digits) if groups(digits) => Some(TokenKind::Number(digits.replace('.', ""))),
+        _ => None,
+    };
+    has_comma.then(|| changed(side, &plain)).flatten()
+}
+
 /// Least and most years that are taken for those of a season.
 const YEARS: std::ops::Range<u32> = 1900..2100;
 

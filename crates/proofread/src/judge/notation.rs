@@ -70,6 +70,8 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&local_notation::in_hours);
     each(&local_notation::with_bare_kelvins);
     each(&local_notation::with_bare_prefixes);
+    let source = text.get(formula.span.range()).unwrap_or_default();
+    each(&|side| local_notation::with_points_of_thousands(source, side));
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);

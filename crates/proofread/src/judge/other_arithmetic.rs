@@ -7,7 +7,7 @@ use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, TokenKind, show};
 
-const WORDS: [&str; 15] = [
+const WORDS: [&str; 20] = [
     "significand",
     "guard bit",
     "overflow",
@@ -15,6 +15,11 @@ const WORDS: [&str; 15] = [
     "saturation",
     "uint",
     "boolean",
+    "boolesch",
+    "boolesche",
+    "boolescher",
+    "booleana",
+    "booleano",
     "xor",
     "binary",
     "octal",
@@ -177,7 +182,9 @@ pub(crate) fn may_be_remainder(
     let numbers = values.and_then(|(left, right)| left.number().ok().zip(right.number().ok()));
     let Some((value, remainder)) = numbers.map(|(left, right)| (left.point, right.point)) else { return false };
     let fits = |modulus: f64| {
-        remainder.abs() < modulus && value.abs() >= modulus && are_multiples(&[value - remainder], modulus)
+        // Below the modulus, too, if it is the negative one: 162 = −59 for 221.
+        let is_reduced = value.abs() >= modulus || remainder < 0.0;
+        remainder.abs() < modulus && is_reduced && are_multiples(&[value - remainder], modulus)
     };
     if value.fract() != 0.0 || remainder.fract() != 0.0 || value.abs() < LEAST_FAR {
         return false;
@@ -229,6 +236,18 @@ pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: im
         ("1+1", "1" | "3") | ("2+2", "5") | ("5", "2+2") => speaks_of_truth(),
         _ => false,
     }
+}
+
+/// Whether a side is the exclusive or of two bits, `1^0`, in a section that names this operation, and the other one is a bit.
+pub(crate) fn is_exclusive_or(text: &str, left: &[Token], right: &[Token], place: Span) -> bool {
+    let digits = |side: &[Token]| show(side).replace(' ', "");
+    if !matches!(&*digits(left), "0^0" | "0^1" | "1^0" | "1^1") || !matches!(&*digits(right), "0" | "1") {
+        return false;
+    }
+    let end = (place.start as usize).min(text.len());
+    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
+    effort::count_steps(section.len() / 32);
+    section.to_ascii_lowercase().contains("xor")
 }
 
 /// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`, 13 of `\times_{13}`.
