@@ -262,11 +262,27 @@ fn moduli_in_words(text: &str) -> Vec<f64> {
     let of_words =
         { BEFORE_MODULUS }.into_iter().flat_map(|word| lower.match_indices(word)).filter_map(|(at, word)| {
             let is_word = !lower[..at].ends_with(|c: char| c.is_ascii_alphabetic());
-            number_at(&lower[at + word.len()..]).filter(|_| is_word)
+            let behind = &lower[at + word.len()..];
+            number_at(behind).or_else(|| number_of_letter(behind, &lower)).filter(|_| is_word)
         });
     let in_words = IN_WORDS.iter().filter(|(words, _)| lower.contains(words)).map(|(_, modulus)| *modulus);
     let of_two = OF_TWO.iter().filter(|sign| lower.contains(**sign)).map(|_| 2.0);
     of_words.chain(in_words).chain(of_two).collect()
+}
+
+/// The value that a text in small letters gives to the one letter that follows: 13 for `p` where the text has `p = 13`.
+fn number_of_letter(behind: &str, text: &str) -> Option<f64> {
+    let behind = behind.trim_start_matches(|c: char| c.is_whitespace() || "{($~".contains(c));
+    let letter = behind.get(..1).filter(|of| of.starts_with(|c: char| c.is_ascii_lowercase()))?;
+    if behind[1..].starts_with(|c: char| c.is_alphanumeric()) {
+        return None;
+    }
+    let assigned = text.match_indices(letter).filter_map(|(at, _)| {
+        let is_part = text[..at].ends_with(|c: char| c.is_alphanumeric() || "\\_^".contains(c));
+        let value = text[at + 1..].trim_start().strip_prefix('=')?;
+        number_at(value.trim_start()).filter(|_| !is_part)
+    });
+    assigned.last()
 }
 
 /// The number that follows, in braces, brackets or marks of a formula; none if something else does, or a power.
