@@ -3,6 +3,7 @@
 mod binary_numbers;
 mod bracket_symbols;
 pub(crate) mod caveat;
+pub(crate) mod chain_shape;
 pub(crate) mod chain_verdict;
 pub(crate) mod counted_nouns;
 pub(crate) mod denial;
