@@ -179,6 +179,11 @@ const BARE_PREFIXES: [(&str, &str); 3] = [("k", "3"), ("M", "6"), ("G", "9")];
 
 /// A side with the prefixes behind its numbers as powers of ten, as in rates: `8/(25 M)`; none if it has none.
 pub(super) fn with_bare_prefixes(side: &[Token]) -> Option<Vec<Token>> {
+    // Most sides have no letters, and need no copy.
+    let has_letter = |token: &Token| matches!(token.kind, TokenKind::Word(_) | TokenKind::Name(_));
+    if !side.iter().any(|token| has_letter(token) || token.inner().next().is_some()) {
+        return None;
+    }
     let mut out: Vec<Token> = Vec::with_capacity(side.len() + 3);
     let mut found = false;
     for token in side {

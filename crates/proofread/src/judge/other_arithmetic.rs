@@ -240,8 +240,14 @@ pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: im
 
 /// Whether a side is the exclusive or of two bits, `1^0`, in a section that names this operation, and the other one is a bit.
 pub(crate) fn is_exclusive_or(text: &str, left: &[Token], right: &[Token], place: Span) -> bool {
-    let digits = |side: &[Token]| show(side).replace(' ', "");
-    if !matches!(&*digits(left), "0^0" | "0^1" | "1^0" | "1^1") || !matches!(&*digits(right), "0" | "1") {
+    let bit = |token: &Token| matches!(token.number(), Some("0" | "1"));
+    let is_of_bits = match without_space(left).as_slice() {
+        [base, Token { kind: TokenKind::Power(power), .. }] => {
+            bit(base) && matches!(power.as_slice(), [one] if bit(one))
+        }
+        _ => false,
+    };
+    if !is_of_bits || !matches!(without_space(right).as_slice(), [one] if bit(one)) {
         return false;
     }
     let end = (place.start as usize).min(text.len());
