@@ -4,7 +4,7 @@ use crate::certainty::WeighedFindings;
 use crate::effort::{self, CheckEffort};
 use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
-use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
+use crate::join::chain::{Chain, ChainSide, ROW_END, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::counted_nouns::without_counted_nouns;
@@ -244,6 +244,15 @@ fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max()
 }
 
+/// Whether a chain has two sides, or equations of two sides each in rows of their own, which begin with a sign.
+fn are_rows_of_two(chain: &Chain) -> bool {
+    let is_joint = |side: &ChainSide| side.tokens.iter().any(|token| token.kind == TokenKind::Space(ROW_END));
+    match chain.sides.as_slice() {
+        [_, inner @ .., _] => inner.iter().all(is_joint),
+        _ => false,
+    }
+}
+
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
     finding.section = ReportSection::Doubts;
     finding.doubt = Some(doubt);
@@ -321,7 +330,7 @@ impl DocumentCheck<'_> {
             let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
             // A row below says that this one is false.
-            let is_denied = chain.sides.len() == 2
+            let is_denied = are_rows_of_two(chain)
                 && chain.starts_row
                 && false_from.is_some_and(|place| chain.sides[1].span.end <= place)
                 || denial::is_derived_from_false(self.text, &chains, at);

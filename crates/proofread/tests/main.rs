@@ -15,6 +15,7 @@ mod counted;
 mod definitions;
 mod directives;
 mod doubts;
+mod eighteenth;
 mod fifteenth;
 mod formats;
 mod fourteenth;

@@ -12,6 +12,7 @@ mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
 mod function_arguments;
+mod joining_words;
 pub(crate) mod letter_units;
 mod local_notation;
 mod lost_digits;
