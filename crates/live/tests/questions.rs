@@ -19,7 +19,7 @@ const GIVEN: [(&str, &str); 2] = [
 ];
 
 /// Endings of questions: parts of an answer, and what is none.
-const ENDINGS: [&str; 4] = [".turned", ".tolerances", ".wheel.dxf", "."];
+const ENDINGS: [&str; 5] = [".motion", ".turned", ".tolerances", ".wheel.dxf", "."];
 
 /// Values that are no numbers, or numbers that no mechanism has.
 const HOSTILE: [&str; 20] = [

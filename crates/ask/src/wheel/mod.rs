@@ -58,5 +58,6 @@ pub use process::{ASSEMBLIES, yield_fields};
 pub use question::{SearchEffort, WheelQuestion};
 pub use speeds::speeds;
 pub use times::{Times, proposals, proposals_for_angle};
+pub use yield_cause::CauseSearch;
 
 pub use geneva_workshop::LayerNames;
