@@ -119,7 +119,7 @@ mod tests {
         for (setting, says) in [
             ("stations=6&crank-radius=25&wheel-hub-circle=30", Err("“screws of the hubs” M3")),
             ("stations=4&crank-radius=25&wheel-hub-circle=20&hub-screw=1", Err("circle of holes in the wheel")),
-            ("stations=6&crank-radius=25&wheel-flat=5", Err("“diameter of the wheel's shaft” MM")),
+            ("stations=6&crank-radius=25&wheel-flat=5", Err("add its diameter, “diameter of the wheel's shaft”")),
             ("stations=4&crank-radius=25&pin-diameter=3&pin-screw=2", Err("“diameter of a pin” 4")),
             ("stations=6&crank-radius=25&play=3", Ok("play")),
             (&format!("{few}&measured-play=0.2"), Ok("With “play of the bores” ")),

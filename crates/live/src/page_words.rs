@@ -24,10 +24,16 @@ pub(crate) fn with_labels(text: &str) -> String {
         let (name, after) = behind.split_at(end);
         told += before;
         match arguments().find(|argument| argument.name == name).and_then(label) {
-            Some(label) => told += &format!("“{label}”"),
-            None => told += &format!("--{name}"),
+            Some(label) => {
+                told += &format!("“{label}”");
+                // The command's word for a length: a control has its unit beside it.
+                rest = after.strip_prefix(" MM").unwrap_or(after);
+            }
+            None => {
+                told += &format!("--{name}");
+                rest = after;
+            }
         }
-        rest = after;
     }
     told + rest
 }
@@ -54,8 +60,9 @@ mod tests {
 
     #[test]
     fn an_argument_goes_by_the_label_of_its_control_and_what_has_none_stays() {
-        let told = with_labels("--index-time 3: too long; give --play 0.3 --bore-play 0, --no-such-thing or none");
-        let labels = "“time of an index” 3: too long; give “play of the slots” 0.3 “play of the bores” 0, --no-such-thing or none";
+        let told = with_labels("--index-time 3: too long; give --play 0.3 --bore-play MM, --no-such-thing or none");
+        let labels =
+            "“time of an index” 3: too long; give “play of the slots” 0.3 “play of the bores”, --no-such-thing or none";
         assert_eq!(told, labels);
     }
 }
