@@ -132,8 +132,13 @@ fn in_one_line(finding: &Value) -> String {
     let text = |of: &Value| of.as_str().unwrap_or_default().to_owned();
     let list =
         |of: &Value, each: &dyn Fn(&Value) -> String| of.as_array().into_iter().flatten().map(each).collect::<String>();
+    let others: Vec<String> = { finding["others"].as_array().into_iter().flatten() }
+        .map(|of| format!("line {}, column {}", of["line"], of["column"]))
+        .chain(finding["more"].as_u64().filter(|more| *more > 0).map(|more| format!("and {more} more")))
+        .collect();
+    let also = if others.is_empty() { String::new() } else { format!("also {}", others.join("; ")) };
     format!(
-        "line {}, column {}: {}{}{}",
+        "line {}, column {}: {}{}{}{also}",
         finding["line"],
         finding["column"],
         text(&finding["verdict"]),
@@ -179,7 +184,7 @@ fn hostile_texts_are_answered_in_words_and_nothing_of_them_runs_or_is_sent() {
         assert!(shown[0][0].as_str().is_some_and(|words| !words.is_empty()), "{start}: {shown}");
         assert_eq!(shown[2], json!(null), "{start}");
         assert!(!shown[0].to_string().contains("call stack"), "{start}: {shown}");
-        let known = ["a", "dd", "div", "dl", "dt", "li", "mark", "ol", "p", "samp", "strong"];
+        let known = ["a", "dd", "details", "div", "dl", "dt", "li", "mark", "ol", "p", "samp", "strong", "summary"];
         let elements = shown[3].as_str().unwrap_or_default();
         assert!(elements.split(' ').all(|element| known.contains(&element)), "{start}: {elements}");
     }

@@ -5,7 +5,8 @@
     const place = document.querySelector('[data-proofread]');
     const form = place.querySelector('form'), area = form.querySelector('textarea');
     const { format, bindings, units, doubts, file } = form.elements;
-    const [summary, list, from, done] = ['.summary', '.findings', '.from', '.done'].map(name => place.querySelector(name));
+    const [summary, from, done, result, apart] = ['.summary', '.from', '.done', '.result', '.apart'].map(name => place.querySelector(name));
+    const [list, folded] = place.querySelectorAll('.findings');
     const most = Number(place.dataset.proofread), example = area.value;
     // How long nobody types before the text is checked, in milliseconds.
     const pause = 250;
@@ -25,12 +26,13 @@
         }
     };
 
-    const found = ({ list, verdict, line, column, from, to, chain: [before, marked, after], facts }) => {
+    const link = ({ line, column, from, to }) => element('a', `line ${line}, column ${column}`, {
+        href: `#${area.id}`, 'data-from': from, 'data-to': to,
+    });
+    const found = ({ list, verdict, chain: [before, marked, after], facts, others, more, ...at }) => {
         const item = element('li', '', { 'data-list': list });
         const head = element('p', '', { class: 'where' });
-        head.append(element('a', `line ${line}, column ${column}`, {
-            href: `#${area.id}`, 'data-from': from, 'data-to': to,
-        }), ': ', element('strong', verdict));
+        head.append(link(at), ': ', element('strong', verdict));
         const chain = element('p', '', { class: 'chain' }), shown = element('samp', before);
         shown.append(element('mark', marked), after);
         chain.append(shown);
@@ -40,13 +42,25 @@
             pair.append(element('dt', label), ' ', element('dd', text));
             told.append(pair);
         }
+        if (others.length > 0) {
+            const pair = element('div', ''), places = element('dd', '');
+            places.append(...others.flatMap((of, index) => index > 0 ? ['; ', link(of)] : [link(of)]), more > 0 ? `; and ${more} more` : '');
+            pair.append(element('dt', 'also'), ' ', places);
+            told.append(pair);
+        }
         item.append(head, chain, told);
         return item;
     };
     const show = answer => {
         last = answer;
         say(answer.error === undefined ? answer.summary : [answer.error], answer.error !== undefined);
-        list.replaceChildren(...(answer.findings ?? []).map(found));
+        // What is less certain is folded.
+        const isFolded = ({ list }) => list === 'less-certain';
+        const all = answer.findings ?? [];
+        list.replaceChildren(...all.filter(of => !isFolded(of)).map(found));
+        folded.replaceChildren(...all.filter(isFolded).map(found));
+        apart.hidden = !folded.hasChildNodes();
+        apart.firstElementChild.textContent = answer.less_certain ?? '';
     };
     const refuse = why => show({ error: why });
 
@@ -211,7 +225,7 @@
     });
 
     // The place of a finding leads to the text, and selects it there.
-    list.addEventListener('click', event => {
+    result.addEventListener('click', event => {
         const { from, to } = event.target.dataset;
         if (from !== undefined) {
             event.preventDefault();

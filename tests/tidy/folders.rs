@@ -12,6 +12,7 @@ const PROOFREAD: &[&[&str]] = &[
     &["evaluate"],
     &["judge"],
     &["tell"],
+    &["certainty"],
     &["check"],
     &["statistics"],
     &["cli"],

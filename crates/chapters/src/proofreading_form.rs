@@ -3,9 +3,10 @@
 use crate::lookup;
 use geneva_press::html::escape;
 use geneva_proofread_page::{
-    Fact, MOST_BYTES, NamePolicyChoice, PageAnswer, PageQuestion, ShownFinding, name_of_format, too_long_message,
+    Fact, MOST_BYTES, NamePolicyChoice, PageAnswer, PageQuestion, ShownFinding, ShownPlace, name_of_format,
+    too_long_message,
 };
-use proofread::TextFormat;
+use proofread::{ReportSection, TextFormat};
 
 /// What the module may weigh that the page loads, in bytes.
 pub const HEAVIEST_MODULE: usize = 470_000;
@@ -60,6 +61,8 @@ pub fn form() -> anyhow::Result<String> {
     let buttons = [("file", "Open a file"), ("copy", "Copy the result"), ("clear", "Clear"), ("example", "Example")]
         .map(|(action, words)| format!("<button type=\"button\" data-do=\"{action}\">{words}</button>"));
     let sentences: String = answer.summary.iter().map(|sentence| format!("<p>{}</p>", escape(sentence))).collect();
+    let less_certain = ReportSection::LessCertain.name();
+    let (folded, listed): (Vec<_>, Vec<_>) = answer.findings.iter().partition(|of| of.list == less_certain);
     Ok(format!(
         "<section class=\"proofread\" data-proofread=\"{MOST_BYTES}\" data-proofread-refusal=\"{}\" aria-label=\"Proofread a \
          text\">\n<form autocomplete=\"off\">\n<div class=\"text\"><label for=\"proofread-text\">Your text, or a file dropped \
@@ -74,23 +77,40 @@ pub fn form() -> anyhow::Result<String> {
          for=\"proofread-doubts\">List doubts, too</label></span><p \
          class=\"buttons\">{}</p><input type=\"file\" name=\"file\" aria-label=\"File\" hidden></div>\n<p class=\"done\" \
          role=\"status\"></p>\n</form>\n<div class=\"result\"><div class=\"summary\" role=\"status\" \
-         aria-live=\"polite\">{sentences}</div><ol class=\"findings\">{}</ol></div>\n</section>",
+         aria-live=\"polite\">{sentences}</div><ol class=\"findings\">{}</ol><details \
+         class=\"apart\"{}><summary>{}</summary><ol class=\"findings\">{}</ol></details></div>\n</section>",
         escape(&too_long_message()),
         text(&example),
         option("recognised", "recognised"),
         buttons.join(" "),
-        answer.findings.iter().map(finding).collect::<String>(),
+        listed.iter().map(|of| finding(of)).collect::<String>(),
+        if folded.is_empty() { " hidden=\"\"" } else { "" },
+        escape(&answer.less_certain),
+        folded.iter().map(|of| finding(of)).collect::<String>(),
     ))
 }
 
 /// A finding as `book/theme/proofread.js` shows it.
-fn finding(ShownFinding { list, verdict, line, column, place, chain, facts }: &ShownFinding) -> String {
+fn finding(ShownFinding { list, verdict, line, column, place, chain, facts, others, more }: &ShownFinding) -> String {
     let [before, marked, after] = chain.each_ref().map(|piece| escape(piece));
     let fact = |Fact { label, text }: &Fact| format!("<div><dt>{label}</dt> <dd>{}</dd></div>", escape(text));
+    let link = |ShownPlace { line, column, place }: &ShownPlace| {
+        format!(
+            "<a href=\"#proofread-text\" data-from=\"{}\" data-to=\"{}\">line {line}, column {column}</a>",
+            place.start, place.end
+        )
+    };
+    let mut links: Vec<String> = others.iter().map(link).collect();
+    links.extend((*more > 0).then(|| format!("and {more} more")));
+    let also = if links.is_empty() {
+        String::new()
+    } else {
+        format!("<div><dt>also</dt> <dd>{}</dd></div>", links.join("; "))
+    };
     format!(
         "<li data-list=\"{list}\"><p class=\"where\"><a href=\"#proofread-text\" data-from=\"{}\" data-to=\"{}\">line {line}, column \
          {column}</a>: <strong>{verdict}</strong></p><p class=\"chain\"><samp>{before}<mark>{marked}</mark>{after}</samp></p>\
-         <dl>{}</dl></li>",
+         <dl>{}{also}</dl></li>",
         place.start,
         place.end,
         facts.iter().map(fact).collect::<String>(),

@@ -15,7 +15,7 @@ mod json;
 mod question;
 mod words;
 
-pub use answer::{PageAnswer, ShownFinding};
+pub use answer::{PageAnswer, ShownFinding, ShownPlace};
 pub use fact::Fact;
 pub use question::{MOST_BYTES, NamePolicyChoice, PageQuestion, too_long_message};
 pub use words::name_of_format;

@@ -3,10 +3,10 @@
 use crate::fact::Fact;
 use crate::question::PageQuestion;
 use proofread::summary::{
-    describe_count, describe_doubts, describe_findings, describe_partly_checked_chains, describe_unchecked_chains,
-    describe_unit_differences, describe_unread_formulas, describe_unread_parts,
+    describe_count, describe_doubts, describe_findings, describe_less_certain, describe_partly_checked_chains,
+    describe_unchecked_chains, describe_unit_differences, describe_unread_formulas, describe_unread_parts,
 };
-use proofread::{ChainFinding, CheckReport, ReportSection, TextFormat};
+use proofread::{Caveat, ChainFinding, CheckReport, FindingGroup, ReportSection, TextFormat};
 
 /// What a format is called in a sentence and in the list of choices.
 pub fn name_of_format(format: TextFormat) -> &'static str {
@@ -26,10 +26,15 @@ pub(crate) fn summary(
     question: &PageQuestion<'_>,
     format: TextFormat,
     report: &CheckReport,
-    found: &[&ChainFinding],
+    found: &[FindingGroup],
 ) -> Vec<String> {
-    let in_list = |list: ReportSection| found.iter().filter(|finding| finding.section == list).count();
-    let mut said = vec![describe_findings(in_list).map_or("Nothing found.".to_owned(), |said| said + ".")];
+    // What is less certain is folded, and told in a sentence of its own.
+    let is_listed = |group: &&FindingGroup| group.finding.section != ReportSection::LessCertain;
+    let listed = || found.iter().filter(is_listed);
+    let in_list = |list: ReportSection| listed().filter(|group| group.finding.section == list).count();
+    let places = listed().map(FindingGroup::place_count).sum();
+    let mut said = vec![describe_findings(in_list, places).map_or("Nothing found.".to_owned(), |said| said + ".")];
+    said.extend(describe_less_certain(report.tally.less_certain).map(|said| said + "."));
     let tally = &report.tally;
     let checkable = tally.checkable.max(tally.checked);
     said.push(match (checkable, tally.checked) {
@@ -64,7 +69,8 @@ pub(crate) fn facts(finding: &ChainFinding) -> Vec<Fact> {
     let mut facts = vec![Fact { label: "printed", text: finding.printed.clone() }];
     let mut say = |label, text: Option<String>| facts.extend(text.map(|text| Fact { label, text }));
     say("recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()));
-    say("less certain", finding.caveat.map(|caveat| caveat.reason().to_owned()));
+    let is_apart = finding.section == ReportSection::LessCertain;
+    say(if is_apart { "less certain" } else { "note" }, finding.caveat.map(Caveat::reason));
     say("set aside", finding.doubt.map(|doubt| doubt.reason().to_owned()));
     say("why", finding.why.clone());
     say("hint", finding.hint.as_ref().map(|hint| format!("{} would agree", in_quotes(&hint.words))));

@@ -3,10 +3,11 @@
 //! Each pair of sides that agrees is tried twice: once with one digit of its result changed, once with one digit of an
 //! operand. The digit is changed in the text itself, so the readers are tried, too. An error is invisible if the side with the
 //! changed digit still gives the printed digits of the result, with all numbers as printed: nobody who has only these digits can
-//! see it. An error that is only a doubt isn't noticed. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
-//! and `SHOW` lists what stays unseen.
+//! see it. An error that is only a doubt isn't noticed; one that is less certain is, and is counted by its cause. Each pair has its own dice, so that the digits don't depend on what happens to other pairs. `SEED` chooses other digits,
+//! `EVERY` tries one of so many pairs, and `SHOW` lists what stays unseen.
 
-use proofread::{ChainVerdict, CheckOptions, NamePolicy, ReportSection, Span, TextFormat, proofread};
+use proofread::{Caveat, ChainVerdict, CheckOptions, NamePolicy, ReportSection, Span, TextFormat, proofread};
+use std::collections::BTreeMap;
 
 /// Numbers that look random and are the same each time.
 struct Dice(u64);
@@ -43,15 +44,28 @@ fn digits(text: &str, span: Span) -> Vec<usize> {
     out
 }
 
+/// What a cause is called in the counts.
+fn name_of(caveat: Option<Caveat>) -> &'static str {
+    match caveat {
+        Some(Caveat::Uncomputed) => "nothing computed",
+        Some(Caveat::Short) => "short",
+        Some(Caveat::Slight) => "slight",
+        Some(Caveat::Share { .. }) => "a third of the document differs",
+        None => "no cause",
+    }
+}
+
 fn main() {
     let options = CheckOptions { name_policy: NamePolicy::Never, agreeing: true, hints: 0, ..CheckOptions::default() };
     let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(11);
+    let every = std::env::var("EVERY").ok().and_then(|every| every.parse().ok()).unwrap_or(1);
     let mut counts = [[0usize; 3]; 2];
+    let mut less_certain: BTreeMap<&str, usize> = BTreeMap::new();
     for path in std::env::args().skip(1) {
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let Some(format) = path.rsplit('.').next().and_then(TextFormat::from_extension) else { continue };
         let Ok(report) = proofread(&text, format, options) else { continue };
-        for pair in report.findings.iter().filter(|pair| pair.section == ReportSection::Agreeing) {
+        for pair in report.findings.iter().filter(|pair| pair.section == ReportSection::Agreeing).step_by(every) {
             for (which, side) in [(0, pair.right_span), (1, pair.left_span)] {
                 let is_result = pair.at == side;
                 if which == usize::from(is_result) {
@@ -71,7 +85,9 @@ fn main() {
                 }
                 let mut changed = text.clone();
                 changed.replace_range(at..=at, &new.to_string());
-                let Ok(after) = proofread(&changed, format, options) else { continue };
+                // Whether a difference is certain depends on its hint.
+                let hinted = CheckOptions { hints: CheckOptions::default().hints, ..options };
+                let Ok(after) = proofread(&changed, format, hinted) else { continue };
                 let here =
                     |of: &&proofread::ChainFinding| of.left_span == pair.left_span && of.right_span == pair.right_span;
                 let seen = after
@@ -79,6 +95,12 @@ fn main() {
                     .iter()
                     .any(|of| here(&of) && !matches!(of.section, ReportSection::Agreeing | ReportSection::Doubts));
                 let found = after.findings.iter().find(here);
+                if let Some(apart) = found.filter(|of| of.section == ReportSection::LessCertain) {
+                    *less_certain.entry(name_of(apart.caveat)).or_default() += 1;
+                    if std::env::var_os("SHOW").is_some() {
+                        println!("less certain, {}: {}", name_of(apart.caveat), apart.chain);
+                    }
+                }
                 let invisible = !seen
                     && found.is_some_and(|of| of.verdict == ChainVerdict::Consistent && of.reading == pair.reading);
                 if !seen && std::env::var_os("SHOW").is_some() {
@@ -107,4 +129,12 @@ fn main() {
             share(visible)
         );
     }
+    let noticed: usize = counts.iter().map(|count| count[1]).sum();
+    let apart: usize = less_certain.values().sum();
+    let causes: Vec<String> = less_certain.iter().map(|(cause, count)| format!("{count} {cause}")).collect();
+    println!(
+        "less certain: {apart} of {noticed} noticed ({:.1} %): {}",
+        100.0 * apart as f64 / noticed.max(1) as f64,
+        causes.join(", ")
+    );
 }

@@ -1,11 +1,11 @@
 //! A document, formula by formula: what was checked, and what was found.
 
+use crate::certainty::WeighedFindings;
 use crate::effort::{self, CheckEffort};
 use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
-use crate::join::chain::{Chain, ChainSide, Relation, split_chains};
+use crate::join::chain::{Chain, ChainSide, ROW_END, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
-use crate::judge::caveat::WeighedFindings;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
@@ -180,14 +180,13 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     for at in check.factors.habits() {
         demote_to_doubt(&mut check.report.findings[at], Doubt::Habit);
     }
-    for (at, caveat) in check.weighed.caveats(check.report.tally.differing_pairs()) {
-        let finding = &mut check.report.findings[at];
-        finding.caveat = caveat.filter(|_| finding.doubt.is_none());
-    }
     check.report.not_read = not_read;
+    let findings = &mut check.report.findings;
     if let Some(at) = in_lines {
-        let findings = &mut check.report.findings;
         findings[at..].iter_mut().for_each(|finding| finding.map_spans(&|span| lines.span_in_page(span)));
+    }
+    check.weighed.set_apart(findings, &check.report.tally);
+    if in_lines.is_some() {
         sort_by_place(findings, |finding| finding.span);
     }
     #[cfg(feature = "cli")]
@@ -198,7 +197,9 @@ pub fn proofread(text: &str, format: TextFormat, options: CheckOptions<'_>) -> R
     let hints = options.hint_effort - check.budget;
     check.report.effort = CheckEffort { steps: effort::steps().saturating_sub(steps), hints };
     check.report.tally.bytes = text.len();
-    check.report.tally.doubts = check.report.findings.iter().filter(|of| of.section == ReportSection::Doubts).count();
+    let count = |section| check.report.findings.iter().filter(|of| of.section == section).count();
+    let [doubts, less_certain] = [ReportSection::Doubts, ReportSection::LessCertain].map(count);
+    (check.report.tally.doubts, check.report.tally.less_certain) = (doubts, less_certain);
     Ok(check.report)
 }
 
@@ -241,6 +242,15 @@ fn place_of_denial(tokens: &[Token]) -> Option<u32> {
     };
     let inner = |token: &Token| token.inner().filter_map(place_of_denial).max();
     tokens.iter().filter_map(|token| if says(token) { Some(token.span.start) } else { inner(token) }).max()
+}
+
+/// Whether a chain has two sides, or equations of two sides each in rows of their own, which begin with a sign.
+fn are_rows_of_two(chain: &Chain) -> bool {
+    let is_joint = |side: &ChainSide| side.tokens.iter().any(|token| token.kind == TokenKind::Space(ROW_END));
+    match chain.sides.as_slice() {
+        [_, inner @ .., _] => inner.iter().all(is_joint),
+        _ => false,
+    }
 }
 
 fn demote_to_doubt(finding: &mut ChainFinding, doubt: Doubt) {
@@ -320,7 +330,7 @@ impl DocumentCheck<'_> {
             let from = usize::from((at == 0 && (formula.continues || glued)) || lacks_its_start);
             let to = trusted - usize::from(at == last && formula.goes_on);
             // A row below says that this one is false.
-            let is_denied = chain.sides.len() == 2
+            let is_denied = are_rows_of_two(chain)
                 && chain.starts_row
                 && false_from.is_some_and(|place| chain.sides[1].span.end <= place)
                 || denial::is_derived_from_false(self.text, &chains, at);
@@ -574,8 +584,8 @@ impl DocumentCheck<'_> {
             None if list == ReportSection::Numbers => {
                 let at = self.report.findings.len();
                 self.factors.record(at, formula.span, &judgement, [&finding.left, &finding.right]);
-                let has_hint = !wanted || finding.hint.is_some();
-                self.weighed.record(at, [&left.tokens, &right.tokens], judgement.values.as_ref(), has_hint);
+                let has_hint = self.options.hints == 0 || finding.hint.is_some();
+                self.weighed.record(at, judgement.values.as_ref(), has_hint);
             }
             None => {}
         }

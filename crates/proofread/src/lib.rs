@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("../README.md")]
 
+mod certainty;
 mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -23,6 +24,7 @@ pub use check::{CheckOptions, CheckReport, proofread};
 pub use effort::CheckEffort;
 pub use evaluate::binding::NamePolicy;
 pub use judge::caveat::{Caveat, DifferenceEvidence};
+pub use judge::chain_shape::chain_shape;
 pub use judge::chain_verdict::ChainVerdict;
 pub use judge::doubt::Doubt;
 pub use judge::explanation::explanation_names;
@@ -33,6 +35,7 @@ pub use reader::{Definitions, TextFormat, UnreadKind, UnreadParts, UnreadableTex
 #[cfg(feature = "statistics")]
 pub use statistics::{StatisticsReport, find_statistics};
 pub use tell::finding::ChainFinding;
+pub use tell::finding_group::{FindingGroup, group_findings};
 pub use tell::hint::Hint;
 pub use tell::line_index::{LineColumn, LineIndex};
 #[cfg(feature = "cli")]

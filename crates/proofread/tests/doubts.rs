@@ -1,7 +1,7 @@
 //! Which differences are set aside, each in a chain of ours beside one that has the same fault and is read whole.
 
 use crate::report;
-use proofread::{Caveat, CheckOptions, Doubt, ReportSection, TextFormat, proofread};
+use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
 
 /// Why the differences in a text are set aside; none for one that counts.
 fn doubts(text: &str, format: TextFormat) -> Vec<Option<Doubt>> {
@@ -135,32 +135,6 @@ fn three_formulas_with_the_same_factor_are_a_habit() {
     assert_eq!(of(&["2.5 + 1.5 = 48"; 3]), [None; 3]);
     // No convention leaves out a factor of seven: it is the author's error each time.
     assert_eq!(of(&["2.5 + 1.5 = 28", "6.0 + 3.0 = 63", "3.5 + 1.5 = 35"]), [None; 3]);
-}
-
-/// What makes the first of some differing chains less certain, in a document with others that differ and some that agree.
-fn caveat(first: &str, others: usize) -> Option<Caveat> {
-    let others = (1..=others).map(|n| format!("{n}4 + {n}3 = {}", 9 * n));
-    let right = (1..=9).map(|n| format!("{n}4 + {n}3 = {}", 20 * n + 7));
-    let text: String =
-        [first.to_owned()].into_iter().chain(others).chain(right).map(|of| format!("It is ${of}$.\n\n")).collect();
-    let report = proofread(&text, TextFormat::Markdown, CheckOptions::default()).expect("a short text");
-    assert!(report.findings.iter().all(|of| of.section == ReportSection::Numbers), "none is set aside");
-    report.findings[0].caveat
-}
-
-#[test]
-fn digits_hints_and_what_else_differs_say_how_sure_a_difference_is() {
-    let [short, long, mended] = ["34 + 58 = 1", "34.25 + 58.11 = 71.06", r"\tan 31.0^\circ = 0.609"];
-    for (others, of_short, of_long) in
-        [(0, Caveat::Short, None), (4, Caveat::Short, None), (5, Caveat::Short, Some(Caveat::Clustered))]
-    {
-        assert_eq!(
-            [caveat(short, others), caveat(long, others), caveat(mended, others)],
-            [Some(of_short), of_long, None]
-        );
-    }
-    let slight = r"\frac{2.1512 \cdot 3.7812}{1.9231} + 1.5123^2 = 6.5213";
-    assert_eq!(caveat(slight, 0), Some(Caveat::Slight));
 }
 
 #[test]

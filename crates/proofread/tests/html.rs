@@ -32,15 +32,21 @@ fn a_page_shows_the_place_the_values_and_what_was_not_checked() {
     ] {
         assert!(page.contains(part), "{part}\nis not in\n{page}");
     }
-    let (_, less) = self::page("a.md", "It is $2 + 2 = 5$.", &[]);
-    assert!(
-        less.contains(" class=\"other-list less-certain\"") && less.contains("<dt>Less certain</dt><dd>few digits"),
-        "{less}"
-    );
-    assert!(
-        less.contains("<input type=\"checkbox\" id=\"certain-only\">") && !page.contains("id=\"certain-only\""),
-        "{less}"
-    );
+    let text = "It is $2 + 2 = 5$, $|3| = 4$, $3 + 3 = 7$.";
+    let [certain, less] = [&[][..], &["--less-certain"]].map(|options| self::page("a.md", text, options).1);
+    for part in [
+        " class=\"other-list less-certain\"",
+        "<dt>Less certain</dt><dd>neither side computes anything",
+        "<input type=\"checkbox\" id=\"certain-only\">",
+    ] {
+        assert!(less.contains(part) && !certain.contains(part), "{part}\n{less}");
+    }
+    for page in [&certain, &less] {
+        assert!(page.contains("<summary>At 1 more place of the same shape</summary>"), "{page}");
+        assert!(page.contains("<li>Line 1, column 40: <span class=\"chain\">3 + 3 = 7</span></li>"), "{page}");
+        assert!(page.contains("<dt>Note</dt><dd>3 of 3 pairs of this document differ"), "{page}");
+    }
+    assert!(certain.contains("<li>1 less certain difference.</li>"), "{certain}");
     let (code, page) = self::page("a.md", "It is $2 + 2 = 4$.", &[]);
     assert!(code == 0 && page.contains("<p class=\"result right\">Nothing found.</p>") && !page.contains("<article"));
 }
@@ -107,7 +113,7 @@ fn a_page_of_a_document_of_word_names_its_places_and_raises_exponents() {
         + &paragraph(&words_of("So 3.0·10^−3·2.0 = 6.2·10^−3 holds."))
         + &format!("<w:tbl><w:tr>{}{}</w:tr></w:tbl>", cell("A"), cell("x + 12 + 13 = 26 and 2 + 2 = 5"));
     let (_folder, path) = crate::office::file("a.docx", &docx(&body));
-    let (code, page, _) = run(&["--format", "html", "--unchecked", "--doubts", &path]);
+    let (code, page, _) = run(&["--format", "html", "--unchecked", "--doubts", "--less-certain", &path]);
     assert_eq!(code, 1);
     for part in [
         "<span class=\"place\">under ‘Power &amp; ",

@@ -9,7 +9,11 @@ const WRONG: [&str; 2] = [include_str!("texts/page-wrong.txt"), include_str!("te
 /// The right sides of what is listed as wrong, or would be if less of the page were.
 fn listed(text: &str, format: TextFormat) -> Vec<String> {
     let findings = proofread(text, format, CheckOptions::default()).expect("a text").findings;
-    findings.into_iter().filter(|of| of.section == ReportSection::Numbers).map(|of| of.right).collect()
+    findings
+        .into_iter()
+        .filter(|of| matches!(of.section, ReportSection::Numbers | ReportSection::LessCertain))
+        .map(|of| of.right)
+        .collect()
 }
 
 /// How many pairs differ, with those that are set aside.

@@ -1,7 +1,7 @@
 //! The rates beside the program: `judged/rates.csv` is what the records give, and README says what it says.
 
-use proofread::DifferenceEvidence;
-use std::collections::BTreeMap;
+use proofread::{Caveat, DifferenceEvidence, chain_shape};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Flags at first contact, each with its judgement.
@@ -29,36 +29,31 @@ const CONTACTS: [&str; 8] = [
 #[derive(serde::Deserialize)]
 struct Flag {
     contact: String,
+    text: String,
     kind: String,
+    file: String,
     list: String,
+    chain: String,
     judgement: String,
     repeats: String,
     hint: String,
     hint_right: String,
-    digits: Option<u32>,
     slight: String,
+    document_pairs: Option<usize>,
     document_differing: Option<usize>,
-    confidence: String,
 }
 
 impl Flag {
-    /// Whether it is less certain: as the program said at the contact, or by what spoke for it and against it; none if that was not recorded.
-    fn is_less_certain(&self) -> Option<bool> {
-        match self.confidence.as_str() {
-            "certain" => Some(false),
-            "less certain" => Some(true),
-            _ => self.evidence().map(|evidence| evidence.caveat().is_some()),
-        }
-    }
-
-    /// What spoke for it and against it; none if it was not recorded.
-    fn evidence(&self) -> Option<DifferenceEvidence> {
-        Some(DifferenceEvidence {
-            digits: self.digits?,
+    /// What makes it less certain. What the record doesn't say of its document counts as nothing against it.
+    fn caveat(&self) -> Option<Caveat> {
+        let evidence = DifferenceEvidence {
+            chain: &self.chain,
             has_hint: !self.hint.is_empty(),
             is_slight: self.slight == "yes",
-            differing: self.document_differing?,
-        })
+            pairs: self.document_pairs.unwrap_or_default(),
+            differing: self.document_differing.unwrap_or_default(),
+        };
+        evidence.caveat()
     }
 }
 
@@ -190,14 +185,25 @@ fn every_record_names_its_contact_and_judges_each_flag() {
     }
 }
 
-/// Real flags on numbers and all of them: of the certain ones, and of those that are less certain.
-fn by_certainty(is_counted: impl Fn(&Flag) -> bool) -> [(u32, u32); 2] {
-    let mut counts = [(0, 0); 2];
+/// Real flags on numbers and all of them.
+type Count = (u32, u32);
+
+/// The flags on numbers: the certain ones, those that are less certain by the share of their document alone, those that are less certain by
+/// something else, and those that the program tells together with one above them in the record.
+fn by_certainty(is_counted: impl Fn(&Flag) -> bool) -> [Count; 4] {
+    let mut counts = [(0, 0); 4];
+    let mut told = BTreeSet::new();
     for flag in read::<Flag>(FLAGS).iter().filter(|flag| flag.list == "numbers" && is_counted(flag)) {
-        if let Some(is_less_certain) = flag.is_less_certain() {
-            let count = &mut counts[usize::from(is_less_certain)];
-            *count = (count.0 + u32::from(flag.judgement == "real"), count.1 + 1);
-        }
+        let caveat = flag.caveat();
+        let document = (flag.contact.clone(), flag.text.clone(), flag.file.clone());
+        let is_new = told.insert((document, chain_shape(&flag.chain), flag.hint.is_empty(), caveat.is_some()));
+        let count = &mut counts[match caveat {
+            _ if !is_new => 3,
+            None => 0,
+            Some(Caveat::Share { .. }) => 1,
+            Some(_) => 2,
+        }];
+        *count = (count.0 + u32::from(flag.judgement == "real"), count.1 + 1);
     }
     counts
 }
@@ -205,17 +211,20 @@ fn by_certainty(is_counted: impl Fn(&Flag) -> bool) -> [(u32, u32); 2] {
 #[test]
 fn certain_flags_are_real_more_often_at_each_contact() {
     let record = include_str!("../judged/README.md");
-    let of = |(real, all): (u32, u32)| format!("{real} of {all}");
+    let of = |(real, all): Count| format!("{real} of {all}");
+    let mut rows = String::new();
     for contact in CONTACTS {
-        let [certain, less] = by_certainty(|flag| flag.contact == contact);
-        let row = format!("| {contact} | {} | {} |", of(certain), of(less));
-        assert!(record.contains(&row), "{row}");
+        let counts = by_certainty(|flag| flag.contact == contact);
+        rows += &format!("| {contact} | {} |\n", counts.map(of).join(" | "));
     }
-    let [certain, less] = by_certainty(|flag| flag.contact == LAST);
+    let all = by_certainty(|_| true);
+    rows += &format!("| all | {} |\n", all.map(of).join(" | "));
+    assert!(record.contains(&rows), "judged/README.md has other counts than\n{rows}");
     let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
-    for count in [of(certain), of(less)] {
+    let [certain, share, other, again] = all;
+    for count in [certain, (share.0 + other.0, share.1 + other.1), again].map(of) {
         assert!(readme.contains(&count), "{count}");
     }
-    let share = |(real, all): (u32, u32)| f64::from(real) / f64::from(all);
-    assert!(share(certain) > 0.65 && share(less) < 0.35);
+    let rate = |(real, all): Count| f64::from(real) / f64::from(all);
+    assert!(rate(certain) > 0.65 && [share, other, again].into_iter().all(|count| rate(count) < 0.45));
 }

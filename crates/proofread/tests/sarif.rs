@@ -44,7 +44,7 @@ fn edited(text: &str, result: &Value) -> Option<String> {
 fn every_result_has_a_rule_with_help() {
     let text = "$43.4 - 29.8 = 13.8$, $2 + 2 = 5$, $2 + 2 = 4$, and t(28) = 2.20, p = .36. $2\\ \\mathrm{m} + 1\\ \\mathrm{m} = \
                 3\\ \\mathrm{s}$\n";
-    let run = logged("a.md", text, &["--agreeing", "--doubts", "--units"]);
+    let run = logged("a.md", text, &["--agreeing", "--doubts", "--units", "--less-certain"]);
     let rules = run["tool"]["driver"]["rules"].as_array().expect("rules");
     assert_eq!(rules.len(), ChainVerdict::ALL.len());
     for rule in rules {
@@ -72,7 +72,10 @@ fn what_a_finding_weighs_is_told_by_its_list() {
     };
     let fails = |level: &str| vec![["fail".to_owned(), level.to_owned()]];
     assert_eq!(level(r"$2.35 \cdot 4.12 - 1.5^2 = 8.53$", &[]), fails("error"));
-    assert_eq!(level("$2 + 2 = 5$", &[]), fails("warning"));
+    assert_eq!(level("$2 + 2 = 5$", &[]), fails("error"));
+    assert_eq!(level("$2 + 2 = 5$, $43.25/2 = 38.17$", &[]), fails("warning"));
+    assert_eq!(level("$|3| = 4$", &[]), [[""; 2]; 0]);
+    assert_eq!(level("$|3| = 4$", &["--less-certain"]), fails("note"));
     assert_eq!(level("t(28) = 2.20, p = .36", &[]), fails("error"));
     assert_eq!(level("$43.4 - 29.8 = 13.8$", &[]), fails("warning"));
     assert_eq!(level("Let $a = 5.0$. Then $2a = 12.0$.", &["--bindings=always"]), fails("warning"));
@@ -125,17 +128,30 @@ fn an_edit_that_is_not_known_to_the_character_is_left_out() {
 #[test]
 fn a_fingerprint_stays_when_lines_move_and_no_two_are_alike() {
     let prints = |text: &str| -> Vec<String> {
-        let run = logged("a.md", text, &[]);
+        let run = logged("a.md", text, &["--less-certain"]);
         let print = |result: &Value| result["partialFingerprints"]["chain/v1"].as_str().expect("a print").to_owned();
         results(&run).iter().map(print).collect()
     };
-    let text = "$2 + 2 = 5$\n\n$2 + 2 = 5$\n\n$3 + 3 = 7$\n";
+    let text = "$2 + 2 = 5$\n\n$x = 2 + 2 = 5$\n\n$3/3 + 3 = 7$\n";
     let first = prints(text);
-    assert_eq!(first, prints(&format!("More.\n\n$1 + 1 = 2$\n\n{}", text.replace("3 + 3", " 3+3 "))));
+    assert_eq!(first, prints(&format!("More.\n\n$1 + 1 = 2$\n\n{}", text.replace("3/3 + 3", " 3/3+3 "))));
     let mut apart = first.clone();
     apart.dedup();
     assert_eq!((first.len(), apart.len()), (3, 3), "{first:?}");
-    assert_ne!(first[2], prints("$3 + 3 = 8$")[0]);
+    assert_ne!(first[2], prints("$3/3 + 3 = 8$")[0]);
+}
+
+#[test]
+fn places_of_one_shape_are_one_result_with_related_places() {
+    let run = logged("a.md", "$2 + 2 = 5$\n\n$3 + 3 = 7$, $44 + 13 = 58$\n", &[]);
+    let [result] = results(&run) else { panic!("{run}") };
+    let related = result["relatedLocations"].as_array().expect("related places");
+    let told: Vec<_> = related
+        .iter()
+        .map(|of| (&of["message"]["text"], &of["physicalLocation"]["region"]["startLine"]))
+        .map(|(words, line)| (words.as_str().unwrap_or_default(), line.as_u64().unwrap_or_default()))
+        .collect();
+    assert_eq!(told, [("3 + 3 = 7. Printed 7, recomputed 6.", 3), ("44 + 13 = 58. Printed 58, recomputed 57.", 3)]);
 }
 
 #[test]

@@ -9,12 +9,13 @@ The program of the same name does the work. It comes with this package and is st
 """
 
 from ._check import FORMATS, check, report
-from ._findings import Finding, Report, Span, UncheckedChain
+from ._findings import Finding, Place, Report, Span, UncheckedChain
 from ._program import ProgramError, ProofreadError, UnreadableText, program
 
 __all__ = [
     "FORMATS",
     "Finding",
+    "Place",
     "ProgramError",
     "ProofreadError",
     "Report",

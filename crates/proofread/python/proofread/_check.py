@@ -17,7 +17,7 @@ _ARCHIVES = ("docx", "docm", "odt", "epub")
 _BINDINGS = ("never", "once", "always")
 
 #: The version of the program's JSON that is read here.
-_VERSION = 1
+_VERSION = 2
 
 
 def _one_of(name: str, value: str, allowed: Sequence[str]) -> str:
@@ -35,6 +35,7 @@ def report(
     *,
     units: bool = False,
     doubts: bool = False,
+    less_certain: bool = False,
     agreeing: bool = False,
     unchecked: bool = False,
     bindings: str = "never",
@@ -45,7 +46,7 @@ def report(
 
     `format` is one of `FORMATS`: `markdown`, `latex`, `xml`, `html`, `notebook`, `plain`, `csv` or `typst`. Documents of Word and
     LibreOffice and e-books are no text and are read by the program alone: `proofread --format json thesis.docx`. `timeout` is in seconds.
-    The other options are those of the program: `units`, `doubts` and `agreeing` add lists; `bindings` (`never`, `once` or `always`)
+    The other options are those of the program: `units`, `doubts`, `less_certain` and `agreeing` add lists; `bindings` (`never`, `once` or `always`)
     puts values of names into formulas; `statistics` compares p-values, intervals, shares and totals.
 
     Raises `UnreadableText` if the text cannot be read in its format, `ProgramError` if the program cannot be run, `TypeError` if the
@@ -59,7 +60,7 @@ def report(
     _one_of("format", format, FORMATS)
     arguments = ["--input", "jsonl", "--format", "jsonl", f"--bindings={_one_of('bindings', bindings, _BINDINGS)}"]
     arguments.append("--statistics=" + ("always" if statistics else "never"))
-    switches = {"--units": units, "--doubts": doubts, "--agreeing": agreeing, "--unchecked": unchecked}
+    switches = {"--units": units, "--doubts": doubts, "--less-certain": less_certain, "--agreeing": agreeing, "--unchecked": unchecked}
     arguments += [name for name, wanted in switches.items() if wanted]
     line = json.dumps({"id": "text", "format": format, "text": text})
     answered = _program.answer([*arguments, "-"], line.encode("ascii"), timeout)
@@ -81,6 +82,7 @@ def check(
     *,
     units: bool = False,
     doubts: bool = False,
+    less_certain: bool = False,
     agreeing: bool = False,
     bindings: str = "never",
     statistics: bool = True,
@@ -92,6 +94,7 @@ def check(
         format,
         units=units,
         doubts=doubts,
+        less_certain=less_certain,
         agreeing=agreeing,
         bindings=bindings,
         statistics=statistics,

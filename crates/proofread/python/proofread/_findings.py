@@ -19,10 +19,29 @@ class Span:
 
 
 @dataclass(frozen=True)
+class Place:
+    """A place of a finding: differences of one shape in one text are one finding."""
+
+    chain: str
+    left: str
+    right: str
+    #: The printed result with its unit.
+    printed: str
+    #: The result that is computed, with as many digits; none if the sides have no common unit.
+    recomputed: Optional[str]
+    #: The single edit that would make the sides agree, in words, if there is exactly one near.
+    hint: Optional[str]
+    #: The place to look at.
+    at: Span
+    #: The place of the chain.
+    chain_at: Span
+
+
+@dataclass(frozen=True)
 class Finding:
     """Two neighbouring sides of a chain that do not agree."""
 
-    #: The list on which it stands: `numbers`, `units`, `bindings`, `agreeing`, `doubts` or `statistics`.
+    #: The list on which it stands: `numbers`, `units`, `bindings`, `agreeing`, `doubts`, `statistics` or `less-certain`.
     section: str
     #: How the sides compare, such as `inconsistent` or `last-digit`.
     verdict: str
@@ -44,6 +63,8 @@ class Finding:
     why: Optional[str]
     #: Why the difference is set aside, if it is.
     doubt: Optional[str]
+    #: What makes it less certain that the text is wrong there.
+    caveat: Optional[str]
     #: How the characters were read, where there was a choice.
     reading: Tuple[str, ...]
     #: Names whose values were taken from elsewhere in the text.
@@ -52,6 +73,8 @@ class Finding:
     at: Span
     #: The place of the chain.
     chain_at: Span
+    #: All places with a difference of this shape, this one first.
+    places: Tuple[Place, ...]
 
 
 @dataclass(frozen=True)
@@ -85,6 +108,8 @@ def _offsets(value: Any, found: Set[int]) -> None:
     for key in ("at", "chain_at"):
         if key in value:
             found.update(value[key]["bytes"])
+    for place in value.get("places", []):
+        _offsets(place, found)
 
 
 def _indices(text: str, offsets: Set[int]) -> Dict[int, int]:
@@ -113,6 +138,19 @@ def _span(value: Any, indices: Dict[int, int]) -> Span:
     )
 
 
+def _place(value: Any, indices: Dict[int, int]) -> Place:
+    return Place(
+        chain=value["chain"],
+        left=value["left"],
+        right=value["right"],
+        printed=value["printed"],
+        recomputed=value["recomputed"],
+        hint=value["hint"],
+        at=_span(value["at"], indices),
+        chain_at=_span(value["chain_at"], indices),
+    )
+
+
 def read_report(document: Any, text: str) -> Report:
     """The report of a document of the program's JSON."""
     listed = document.get("unchecked", [])
@@ -134,10 +172,12 @@ def read_report(document: Any, text: str) -> Report:
             explanation=value["explanation"],
             why=value["why"],
             doubt=value["doubt"],
+            caveat=value["caveat"],
             reading=tuple(value["reading"]),
             names=tuple(value["names"]),
             at=_span(value["at"], indices),
             chain_at=_span(value["chain_at"], indices),
+            places=tuple(_place(place, indices) for place in value["places"]),
         )
         for value in document["findings"]
     )

@@ -49,6 +49,15 @@ class Checks(unittest.TestCase):
         self.assertIn("\\foo", [of.name for of in report.unchecked])
         self.assertEqual(proofread.report("$\\foo + 1 = 2$").unchecked, ())
 
+    def test_what_is_less_certain_stands_apart_and_one_shape_is_told_once(self):
+        text = "Ä $2 + 2 = 5$\n\n$3 + 3 = 7$, $|3| = 4$"
+        [finding] = proofread.check(text)
+        self.assertEqual([place.chain for place in finding.places], ["2 + 2 = 5", "3 + 3 = 7"])
+        self.assertEqual([text[place.at.start : place.at.end] for place in finding.places], ["5", "7"])
+        [listed, apart] = proofread.check(text, less_certain=True)
+        self.assertEqual((listed, apart.section), (finding, "less-certain"))
+        self.assertIn("neither side computes anything", apart.caveat)
+
     def test_what_goes_wrong_is_raised(self):
         with self.assertRaisesRegex(proofread.UnreadableText, "not a Jupyter notebook"):
             proofread.check("no notebook", "notebook")

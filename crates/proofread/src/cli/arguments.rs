@@ -82,6 +82,7 @@ pub struct ProofreadArguments {
     pub(crate) format: OutputFormat,
     pub(crate) units: bool,
     pub(crate) doubts: bool,
+    pub(crate) less_certain: bool,
     pub(crate) unchecked: bool,
     pub(crate) name_policy: NamePolicy,
     pub(crate) agreeing: bool,
@@ -166,6 +167,10 @@ impl Args for ProofreadArguments {
             switch("doubts").help(
                 "Also list differences that are set aside, since the text may have been misread or the result is truncated",
             ),
+            switch("less-certain").help(
+                "Also list differences that are less often a fault of the text: what computes nothing, is short or slight, or is \
+                 in a document where a third of the pairs differ",
+            ),
             switch("unchecked")
                 .help("Also list the chains that were not checked, each with the reason; they count as nothing found"),
             option("bindings", "WHEN")
@@ -218,6 +223,7 @@ impl FromArgMatches for ProofreadArguments {
             format: choice(text("format"), &WRITTEN).unwrap_or(OutputFormat::Text),
             units: matches.get_flag("units"),
             doubts: matches.get_flag("doubts"),
+            less_certain: matches.get_flag("less-certain"),
             unchecked: matches.get_flag("unchecked"),
             name_policy: choice(text("bindings"), &FOLLOWED).unwrap_or_default(),
             agreeing: matches.get_flag("agreeing"),

@@ -5,7 +5,7 @@ use super::output::{capitalised, printable};
 use super::text::{findings_sentence, summary_sentences};
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
-use crate::tell::finding::ChainFinding;
+use crate::tell::finding_group::FindingGroup;
 use crate::tell::line_index::LineIndex;
 use crate::tell::summary::describe_count;
 use crate::tell::unchecked_chain::UncheckedChain;
@@ -195,13 +195,12 @@ fn excerpt(of: &ShownDocument<'_>, span: Span) -> String {
     out + "</pre>\n"
 }
 
-fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
-    let is_wrong =
-        matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) && finding.caveat.is_none();
-    let (kind, colour) = match (is_wrong, finding.caveat) {
-        (true, _) => ("", "wrong"),
-        (false, Some(_)) => (" class=\"other-list less-certain\"", "other"),
-        (false, None) => (" class=\"other-list\"", "other"),
+fn article(group: &FindingGroup, id: &str, of: &ShownDocument<'_>) -> String {
+    let finding = &group.finding;
+    let (kind, colour) = match finding.section {
+        ReportSection::Numbers | ReportSection::Statistics => ("", "wrong"),
+        ReportSection::LessCertain => (" class=\"other-list less-certain\"", "other"),
+        _ => (" class=\"other-list\"", "other"),
     };
     let mut out = format!(
         "<article id=\"{id}\"{kind} aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><span class=\"{colour}\">{}</span> \
@@ -227,12 +226,25 @@ fn article(finding: &ChainFinding, id: &str, of: &ShownDocument<'_>) -> String {
     fact("Printed", Some(raised(&finding.printed)));
     fact("Recomputed", finding.recomputed_in_words().or_else(|| finding.difference.clone()).as_deref().map(raised));
     fact("Hint", finding.hint.as_ref().map(|hint| with_code(&hint.words, of.formula()) + " would agree"));
-    fact("Less certain", finding.caveat.map(|caveat| plain(caveat.reason())));
+    let is_apart = finding.section == ReportSection::LessCertain;
+    fact(if is_apart { "Less certain" } else { "Note" }, finding.caveat.map(|caveat| plain(&caveat.reason())));
     fact("Set aside", finding.doubt.map(|doubt| plain(doubt.reason())));
     fact("Why", finding.why.as_deref().map(|why| with_code(why, plain)));
     let listed = |words: String| (!words.is_empty()).then(|| plain(&words));
     fact("Nearest reading", listed(finding.reading.join(", ")));
     fact("With values from elsewhere", listed(finding.names.join(", ")));
+    let others = group.others.iter().map(|other| {
+        let place = plain(&capitalised(&of.place(other.at)));
+        format!("<li>{place}: <span class=\"chain\">{}</span></li>\n", raised(&other.chain))
+    });
+    let others: String = others.collect();
+    if !others.is_empty() {
+        let places = describe_count(group.others.len(), "more place");
+        let _ = writeln!(
+            out,
+            "<dt>Also</dt><dd><details><summary>At {places} of the same shape</summary>\n<ul>\n{others}</ul>\n</details></dd>"
+        );
+    }
     out + "</dl>\n</article>\n"
 }
 
@@ -267,7 +279,7 @@ impl ReportWriter for HtmlWriter {
         let of = ShownDocument { document: checked.document, lines, last };
         let number = self.documents.len() + 1;
         let articles = checked.findings.iter().enumerate();
-        let articles = articles.map(|(at, finding)| article(finding, &format!("f{number}-{}", at + 1), &of));
+        let articles = articles.map(|(at, group)| article(group, &format!("f{number}-{}", at + 1), &of));
         let body = articles.collect::<String>() + &unchecked_list(unchecked, &of);
         let count = describe_count(checked.findings.len(), "finding");
         self.documents.push(DocumentPart { name: plain(&escaped(&checked.document.name)), count, body });
@@ -287,7 +299,7 @@ impl ReportWriter for HtmlWriter {
              <style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>Proofreading report</h1>\n<p class=\"result {colour}\">{found}</p>\n\
              </header>\n<main>\n<section aria-labelledby=\"summary\">\n<h2 id=\"summary\">What was checked</h2>\n<ul>\n{sentences}</ul>\n"
         );
-        if sum.less_certain > 0 {
+        if sum.found.on(ReportSection::LessCertain) > 0 {
             page += LESS_CERTAIN_SWITCH;
         }
         if self.documents.len() > 1 {

@@ -9,6 +9,7 @@ use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::UnreadKind;
 use crate::tell::finding::ChainFinding;
+use crate::tell::finding_group::FindingGroup;
 use crate::tell::line_index::{LineColumn, LineIndex};
 use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
@@ -16,7 +17,7 @@ use crate::token::Span;
 use serde_json::{Map, Value, json};
 
 /// The version of the form, raised when a field changes its meaning.
-pub(crate) const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 2;
 
 fn place(place: LineColumn) -> Value {
     json!({ "line": place.line, "column": place.column })
@@ -27,7 +28,8 @@ fn span(span: Span, lines: &LineIndex<'_>) -> Value {
     json!({ "start": place(start), "end": place(end), "bytes": [span.start, span.end] })
 }
 
-fn finding(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -> Value {
+fn finding(group: &FindingGroup, lines: &LineIndex<'_>, document: &Document) -> Value {
+    let finding = &group.finding;
     let mut out = json!({
         "list": finding.section.name(),
         "verdict": finding.verdict.name(),
@@ -43,9 +45,26 @@ fn finding(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -
         "why": finding.why,
         "doubt": finding.doubt.map(Doubt::reason),
         "caveat": finding.caveat.map(Caveat::reason),
+        "places": group.places().map(|of| found_place(of, lines, document)).collect::<Vec<_>>(),
         "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "reading": finding.reading,
         "names": finding.names,
+        "at": span(finding.at, lines),
+        "chain_at": span(finding.span, lines),
+    });
+    add_place(&mut out, finding.at, lines, document);
+    out
+}
+
+/// A place of a finding, with what is printed there.
+fn found_place(finding: &ChainFinding, lines: &LineIndex<'_>, document: &Document) -> Value {
+    let mut out = json!({
+        "chain": finding.chain,
+        "left": finding.left,
+        "right": finding.right,
+        "printed": finding.printed,
+        "recomputed": finding.recomputed,
+        "hint": finding.hint.as_ref().map(|hint| hint.words.as_str()),
         "at": span(finding.at, lines),
         "chain_at": span(finding.span, lines),
     });
@@ -75,6 +94,7 @@ fn tally(tally: &CheckTally) -> Value {
         "partly": tally.partly,
         "pairs": tally.pairs,
         "doubts": tally.doubts,
+        "less_certain": tally.less_certain,
         "statistics": {
             "tests": tally.statistics.tests,
             "intervals": tally.statistics.intervals,
@@ -125,10 +145,21 @@ fn sum(of: &RunTotals) -> Value {
     let parts = of.unchecked_parts.iter();
     let parts: Vec<Value> =
         parts.map(|of| json!({ "file": of.file.display().to_string(), "count": of.count })).collect();
-    let [numbers, units, bindings, _, doubts, statistics] = of.found;
+    let found = |of: [usize; 7]| {
+        let [numbers, units, bindings, _, doubts, statistics, less_certain] = of;
+        json!({
+            "numbers": numbers,
+            "units": units,
+            "bindings": bindings,
+            "doubts": doubts,
+            "statistics": statistics,
+            "less_certain": less_certain,
+        })
+    };
     json!({
         "documents": of.documents,
-        "found": { "numbers": numbers, "units": units, "bindings": bindings, "doubts": doubts, "statistics": statistics },
+        "found": found(of.found.findings),
+        "places": found(of.found.places),
         "less_certain": of.less_certain,
         "accepted": of.accepted,
         "accepted_gone": of.idle_cases.gone,

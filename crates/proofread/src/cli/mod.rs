@@ -20,14 +20,17 @@ mod tree;
 pub use arguments::{EXAMPLES, ProofreadArguments};
 pub use output::{CommandStreams, TextLayout};
 
+use crate::certainty::list_first_by_share;
 use crate::check::{CheckOptions, CheckReport, proofread};
 use crate::evaluate::binding::NamePolicy;
+use crate::judge::caveat::Caveat;
 use crate::judge::section::ReportSection;
 use crate::judge::unchecked::UncheckedKind;
 use crate::named_counts::NamedCounts;
 use crate::reader::{Definitions, TextFormat, UnreadKind, UnreadParts, unread_fences};
 use crate::statistics::find_statistics;
 use crate::tell::finding::ChainFinding;
+use crate::tell::finding_group::{FindingGroup, group_findings};
 use crate::tell::tally::CheckTally;
 use crate::tell::unchecked_chain::UncheckedChain;
 use arguments::OutputFormat;
@@ -45,7 +48,9 @@ use tree::FileTree;
 /// What a document gave, ready to be written.
 struct CheckedDocument<'d> {
     document: &'d Document,
-    findings: Vec<ChainFinding>,
+    findings: Vec<FindingGroup>,
+    /// Differences that are less certain and not listed.
+    apart: usize,
     tally: CheckTally,
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
@@ -115,7 +120,7 @@ struct CommandRun<'a> {
     not_checked: NamedCounts<UncheckedKind>,
     not_read: UnreadParts,
     documents: usize,
-    found: [usize; 6],
+    found: FoundCounts,
     less_certain: usize,
     failed: bool,
 }
@@ -128,13 +133,42 @@ trait ReportWriter {
     fn end(&mut self, sum: &RunTotals) -> String;
 }
 
+/// How many findings are listed, by their list, and how many places they have.
+#[derive(Clone, Copy, Debug, Default)]
+struct FoundCounts {
+    findings: [usize; 7],
+    places: [usize; 7],
+}
+
+impl FoundCounts {
+    fn add(&mut self, group: &FindingGroup) {
+        let list = group.finding.section as usize;
+        self.findings[list] += 1;
+        self.places[list] += group.place_count();
+    }
+
+    /// Findings on a list.
+    fn on(&self, list: ReportSection) -> usize {
+        self.findings[list as usize]
+    }
+
+    /// Whether anything that is wrong is listed.
+    fn has_differences(&self) -> bool {
+        self.findings.iter().sum::<usize>() > self.on(ReportSection::Agreeing)
+    }
+
+    /// The places of all that is wrong.
+    fn differing_places(&self) -> usize {
+        self.places.iter().sum::<usize>() - self.places[ReportSection::Agreeing as usize]
+    }
+}
+
 /// What all documents gave together.
 struct RunTotals {
     tally: CheckTally,
     documents: usize,
-    /// Findings on numbers, units and bindings, pairs that agree, doubts, and findings on statistics.
-    found: [usize; 6],
-    /// Findings on numbers that are less certain.
+    found: FoundCounts,
+    /// Differences that are less certain, listed or not, without those that are accepted or were there before.
     less_certain: usize,
     accepted: usize,
     /// The accepted cases that left nothing out; none where only what is new was looked at.
@@ -145,6 +179,7 @@ struct RunTotals {
     not_read: UnreadParts,
     units_listed: bool,
     doubts_listed: bool,
+    less_certain_listed: bool,
     unchecked_listed: bool,
     /// How to go on, if a commit is stopped.
     ways_out: Option<String>,
@@ -182,7 +217,7 @@ impl<'a> CommandRun<'a> {
             not_checked: NamedCounts::default(),
             not_read: UnreadParts::default(),
             documents: 0,
-            found: [0; 6],
+            found: FoundCounts::default(),
             less_certain: 0,
             failed: false,
         })
@@ -245,6 +280,7 @@ impl<'a> CommandRun<'a> {
             not_read: std::mem::take(&mut self.not_read),
             units_listed: arguments.units,
             doubts_listed: arguments.doubts,
+            less_certain_listed: arguments.less_certain,
             unchecked_listed: arguments.unchecked,
             ways_out: self.ways_out(),
         };
@@ -259,8 +295,7 @@ impl<'a> CommandRun<'a> {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
         }
-        let agreeing = self.found[ReportSection::Agreeing as usize];
-        let found = !accepting && self.found.iter().sum::<usize>() > agreeing;
+        let found = !accepting && self.found.has_differences();
         Ok(match (self.failed, found) {
             (true, _) => RunStatus::Failed,
             (false, true) => RunStatus::Found,
@@ -270,8 +305,7 @@ impl<'a> CommandRun<'a> {
 
     /// How to go on after a commit was stopped.
     fn ways_out(&self) -> Option<String> {
-        let agreeing = self.found[ReportSection::Agreeing as usize];
-        if !self.arguments.staged || self.found.iter().sum::<usize>() <= agreeing {
+        if !self.arguments.staged || !self.found.has_differences() {
             return None;
         }
         let program = called_program();
@@ -300,7 +334,7 @@ impl<'a> CommandRun<'a> {
             ReportSection::Statistics => *statistics,
             ReportSection::Bindings => *name_policy != NamePolicy::Never,
             ReportSection::Agreeing => *agreeing,
-            ReportSection::Numbers | ReportSection::Units | ReportSection::Doubts => true,
+            ReportSection::Numbers | ReportSection::Units | ReportSection::Doubts | ReportSection::LessCertain => true,
         })
     }
 
@@ -336,25 +370,33 @@ impl<'a> CommandRun<'a> {
             .collect();
         before.iter_mut().for_each(|findings| self.retain_listed(findings));
         since::remove_known(&mut findings, &before);
+        let mut apart = 0;
         if self.arguments.accept.is_some() {
+            // Whoever accepts the first one accepts the share, too, so that the next one isn't listed in its place.
+            let is_by_share = |of: &ChainFinding| matches!(of.caveat, Some(Caveat::Share { .. }));
+            findings.retain(|of| self.is_listed(of) || is_by_share(of));
             findings.iter().for_each(|finding| self.baseline.accept(document, finding));
         } else {
             let path = document.path.as_deref();
             findings.retain(|finding| !self.baseline.is_accepted(&document.name, path, finding));
+            list_first_by_share(&mut findings);
+            let found = findings.len();
+            let in_list = |of: &&ChainFinding| of.section == ReportSection::LessCertain;
+            self.less_certain += findings.iter().filter(in_list).count();
+            findings.retain(|finding| self.is_listed(finding));
+            apart = found - findings.len();
         }
         self.sum.add(&report.tally);
         self.not_checked.add(&report.not_checked);
         report.not_read.add(&document.not_read);
         self.not_read.add(&report.not_read);
         self.documents += 1;
-        for finding in &findings {
-            self.found[finding.section as usize] += 1;
-            self.less_certain += usize::from(finding.caveat.is_some());
-        }
+        let findings = group_findings(findings);
+        findings.iter().for_each(|group| self.found.add(group));
         if self.arguments.accept.is_none() {
             let CheckReport { tally, not_checked, not_read, unchecked, .. } = report;
             let unchecked = self.arguments.unchecked.then_some(unchecked);
-            let checked = CheckedDocument { document, findings, tally, not_checked, not_read, unchecked };
+            let checked = CheckedDocument { document, findings, apart, tally, not_checked, not_read, unchecked };
             let text = self.writer.document(&checked);
             self.streams.print(&text)?;
         }
@@ -402,15 +444,22 @@ impl<'a> CommandRun<'a> {
         Ok(report)
     }
 
-    /// Keeps the findings on the lists that were asked for.
+    /// Keeps the findings on the lists that were asked for, and those that are less certain: what was so before a change may be
+    /// on the list of numbers behind it, and is nothing new there.
     fn retain_listed(&self, findings: &mut Vec<ChainFinding>) {
-        findings.retain(|finding| match finding.section {
+        findings.retain(|finding| finding.section == ReportSection::LessCertain || self.is_listed(finding));
+    }
+
+    /// Whether a finding is on a list that was asked for.
+    fn is_listed(&self, finding: &ChainFinding) -> bool {
+        match finding.section {
             ReportSection::Units => self.arguments.units,
             ReportSection::Doubts => self.arguments.doubts,
+            ReportSection::LessCertain => self.arguments.less_certain,
             ReportSection::Numbers | ReportSection::Bindings | ReportSection::Agreeing | ReportSection::Statistics => {
                 true
             }
-        });
+        }
     }
 }
 

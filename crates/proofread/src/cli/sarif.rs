@@ -7,9 +7,11 @@ use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::section::ReportSection;
 use crate::tell::finding::ChainFinding;
+use crate::tell::finding_group::FindingGroup;
 use crate::tell::hint::Hint;
 use crate::tell::line_index::LineIndex;
 use crate::tell::sarif::{encoded, file_uri, help_uri, location, log, region};
+use crate::tell::summary::describe_count;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -34,7 +36,7 @@ fn level(finding: &ChainFinding) -> &'static str {
     match (finding.section, finding.verdict) {
         // Nothing is wrong there.
         (ReportSection::Agreeing, _) => "none",
-        (ReportSection::Doubts | ReportSection::Units, _) => "note",
+        (ReportSection::Doubts | ReportSection::Units | ReportSection::LessCertain, _) => "note",
         (ReportSection::Numbers, _) if finding.caveat.is_some() => "warning",
         (ReportSection::Bindings, _) | (ReportSection::Numbers, ChainVerdict::LastDigit | ChainVerdict::Truncated) => {
             "warning"
@@ -42,6 +44,9 @@ fn level(finding: &ChainFinding) -> &'static str {
         (ReportSection::Numbers | ReportSection::Statistics, _) => "error",
     }
 }
+
+/// Most further places of a result that are named.
+const MOST_RELATED: usize = 100;
 
 /// The edit that a hint offers, if it is known to the character.
 fn fix(uri: &str, hint: &Hint, document: &Document, lines: &LineIndex<'_>) -> Option<Value> {
@@ -57,7 +62,8 @@ fn fix(uri: &str, hint: &Hint, document: &Document, lines: &LineIndex<'_>) -> Op
 }
 
 /// A finding; `occurrence` counts those of its document with this fingerprint, from 1.
-fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Document, lines: &LineIndex<'_>) -> Value {
+fn result(uri: &str, group: &FindingGroup, occurrence: usize, document: &Document, lines: &LineIndex<'_>) -> Value {
+    let finding = &group.finding;
     let [start, end] = lines.line_columns(finding.at);
     let mut message = format!("{}: {}.", finding.chain, finding.verdict.description());
     message += &format!(" {}.", capitalised(&finding.values_in_words()));
@@ -65,7 +71,8 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
         message += &format!(" {} would agree.", hint.words);
     }
     if let Some(caveat) = finding.caveat {
-        message += &format!(" Less certain: {}.", caveat.reason());
+        let what = if finding.section == ReportSection::LessCertain { "Less certain" } else { "Note" };
+        message += &format!(" {what}: {}.", caveat.reason());
     }
     if let Some(doubt) = finding.doubt {
         message += &format!(" Set aside: {}.", doubt.reason());
@@ -81,6 +88,9 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
             format!("In {label}: {message}")
         };
     }
+    if !group.others.is_empty() {
+        message += &format!(" At {} of the same shape, too.", describe_count(group.others.len(), "more place"));
+    }
     let level = level(finding);
     let mut out = json!({
         "ruleId": finding.verdict.name(),
@@ -95,6 +105,19 @@ fn result(uri: &str, finding: &ChainFinding, occurrence: usize, document: &Docum
         finding.hint.as_ref().filter(|_| document.made.is_none()).and_then(|hint| fix(uri, hint, document, lines))
     {
         out["fixes"] = json!([fix]);
+    }
+    let related = group.others.iter().map(|of| {
+        let [start, end] = lines.line_columns(of.at);
+        let mut place = location(uri, start, end);
+        if let Some(label) = document.label(start.line) {
+            place["logicalLocations"] = json!([{ "name": label }]);
+        }
+        place["message"] = json!({ "text": format!("{}. {}.", of.chain, capitalised(&of.values_in_words())) });
+        place
+    });
+    let related: Vec<Value> = related.take(MOST_RELATED).collect();
+    if !related.is_empty() {
+        out["relatedLocations"] = related.into();
     }
     out
 }
@@ -159,10 +182,10 @@ impl ReportWriter for SarifWriter {
         let lines = LineIndex::new(text);
         let uri = if checked.findings.is_empty() { String::new() } else { uri(checked.document) };
         let mut occurrences: HashMap<String, usize> = HashMap::new();
-        let results = checked.findings.iter().map(|finding| {
-            let occurrence = occurrences.entry(fingerprint(finding)).or_default();
+        let results = checked.findings.iter().map(|group| {
+            let occurrence = occurrences.entry(fingerprint(&group.finding)).or_default();
             *occurrence += 1;
-            result(&uri, finding, *occurrence, checked.document, &lines)
+            result(&uri, group, *occurrence, checked.document, &lines)
         });
         self.results.extend(results);
         String::new()

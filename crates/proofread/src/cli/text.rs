@@ -6,6 +6,7 @@ use super::project::UncheckedParts;
 use super::{CheckedDocument, ReportWriter, RunTotals};
 use crate::judge::section::ReportSection;
 use crate::tell::finding::ChainFinding;
+use crate::tell::finding_group::FindingGroup;
 use crate::tell::line_index::{LineColumn, LineIndex};
 use crate::tell::summary::{self, describe_count};
 use crate::tell::unchecked_chain::UncheckedChain;
@@ -27,7 +28,7 @@ impl ReportWriter for TextWriter {
             return String::new();
         }
         let lines = LineIndex::new(&checked.document.text);
-        let findings = checked.findings.iter().map(|finding| finding_text(finding, &lines, checked, self.0));
+        let findings = checked.findings.iter().map(|group| finding_text(group, &lines, checked, self.0));
         findings.chain(unchecked.iter().map(|chain| unchecked_text(chain, &lines, checked, self.0))).collect()
     }
 
@@ -47,9 +48,7 @@ impl ReportWriter for TextWriter {
 
 /// How many findings there are and on which lists; none if there are none.
 pub(super) fn findings_sentence(sum: &RunTotals) -> Option<String> {
-    let said = summary::describe_findings(|list| sum.found[list as usize])?;
-    let less = (sum.less_certain > 0).then(|| format!("; {} less certain", summary::digits(sum.less_certain)));
-    Some(said + less.as_deref().unwrap_or_default() + ".")
+    Some(summary::describe_findings(|list| sum.found.on(list), sum.found.differing_places())? + ".")
 }
 
 /// All that is said of a run beside [`findings_sentence`], to somebody who did not start it and has no options to set.
@@ -94,13 +93,15 @@ fn unchecked_parts_sentence(of: &[UncheckedParts]) -> Option<String> {
 fn left_out_sentences(sum: &RunTotals, with_options: bool) -> Vec<String> {
     let units = summary::describe_unit_differences(&sum.tally).filter(|_| !sum.units_listed);
     let doubts = summary::describe_doubts(&sum.tally).filter(|_| !sum.doubts_listed);
+    let less_certain = summary::describe_less_certain(sum.less_certain).filter(|_| !sum.less_certain_listed);
     let accepted =
         (sum.accepted > 0).then(|| format!("{} left out as accepted.", describe_count(sum.accepted, "case")));
     let end = |option: &str| if with_options { format!("; {option} lists them.") } else { ".".to_owned() };
     let units = units.map(|said| said + &end("--units"));
     let doubts = doubts.map(|said| said + &end("--doubts"));
+    let less_certain = less_certain.map(|said| said + &end("--less-certain"));
     let idle = idle_case_sentences(&sum.idle_cases);
-    [units, doubts, accepted].into_iter().flatten().chain(idle).collect()
+    [less_certain, units, doubts, accepted].into_iter().flatten().chain(idle).collect()
 }
 
 /// Most files that a sentence names.
@@ -158,11 +159,12 @@ fn place(checked: &CheckedDocument<'_>, from: LineColumn) -> String {
 }
 
 fn finding_text(
-    finding: &ChainFinding,
+    group: &FindingGroup,
     lines: &LineIndex<'_>,
     checked: &CheckedDocument<'_>,
     layout: TextLayout,
 ) -> String {
+    let finding = &group.finding;
     let (bold, blue) = (bold_style(), AnsiColor::Blue.on_default().bold());
     let colour = if matches!(finding.section, ReportSection::Numbers | ReportSection::Statistics) {
         AnsiColor::Red
@@ -223,12 +225,21 @@ fn finding_text(
     if !is_markup {
         note("read as", &finding.chain);
     }
-    for (what, words) in notes(finding) {
+    for (what, mut words) in notes(finding) {
+        if what == NOTE && checked.apart > 0 {
+            words += "; --less-certain lists the others";
+        }
         note(what, &words);
+    }
+    if let Some(places) = other_places(group, lines, checked) {
+        note("also", &places);
     }
     text.push('\n');
     text
 }
+
+/// What is said before a caveat about a finding that is listed all the same.
+const NOTE: &str = "note";
 
 /// What else is to be said of a finding, each with the words before it.
 pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
@@ -237,7 +248,8 @@ pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
         notes.push(("set aside", doubt.reason().to_owned()));
     }
     if let Some(caveat) = finding.caveat {
-        notes.push(("less certain", caveat.reason().to_owned()));
+        let what = if finding.section == ReportSection::LessCertain { "less certain" } else { NOTE };
+        notes.push((what, caveat.reason()));
     }
     if let Some(why) = &finding.why {
         notes.push(("why", why.clone()));
@@ -252,6 +264,35 @@ pub(super) fn notes(finding: &ChainFinding) -> Vec<(&'static str, String)> {
         notes.push(("with values from elsewhere", finding.names.join(", ")));
     }
     notes
+}
+
+/// Most places of one shape that are named.
+const MOST_PLACES: usize = 8;
+
+/// Where else a finding is, in words; none if it is at one place alone.
+pub(super) fn other_places(
+    group: &FindingGroup,
+    lines: &LineIndex<'_>,
+    checked: &CheckedDocument<'_>,
+) -> Option<String> {
+    let of = |finding: &ChainFinding| {
+        let line = lines.line_columns(finding.at)[0].line;
+        checked.document.label(line).map_or_else(|| line.to_string(), |label| escaped(&label).into_owned())
+    };
+    let (named, others) = group.others.split_at(group.others.len().min(MOST_PLACES));
+    let count = describe_count(group.others.len(), "more place");
+    let mut places: Vec<String> = named.iter().map(of).collect();
+    places.dedup();
+    // The lines of a document of an office program have names.
+    let is_numbered = places.first()?.bytes().all(|byte| byte.is_ascii_digit());
+    let line = match (is_numbered, places.len()) {
+        (false, _) => "",
+        (true, 1) if others.is_empty() => "line ",
+        (true, _) => "lines ",
+    };
+    places.extend((!others.is_empty()).then(|| "…".to_owned()));
+    let between = if is_numbered { ", " } else { "; " };
+    Some(format!("at {count} of the same shape: {line}{}", places.join(between)))
 }
 
 /// A part of a line around a place in it, how many characters are before the place, and how many it takes. A line may be as long

@@ -8,7 +8,7 @@ use crate::evaluate::printed::{Mode, PrintedNumber, power_of_ten};
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use crate::token::{Token, TokenKind, any};
-use crate::unit::{is_ambiguous, unit};
+use crate::unit::{currency, is_ambiguous, unit};
 use std::f64::consts::PI;
 
 /// Numbers that a mixed number may have above and below its stroke: thousandths, but no more.
@@ -142,6 +142,15 @@ impl Evaluator<'_> {
             }
             if matches!(name, "°C" | "°F") || unit(name).is_none() {
                 return Err(Obstacle::Word(name.to_owned()));
+            }
+            // The sign of a currency comes before its number, which is printed all the same.
+            let (next, at) = cursor.token_from(cursor.at + 1);
+            if currency(name).is_some()
+                && let Some(digits) = next.and_then(Token::number)
+            {
+                cursor.at = at;
+                let price = self.number(digits, cursor)?;
+                return Ok(SideValue { has_unit: true, ..price });
             }
             // A letter beside a sign of a sum is no unit: 25 + 4 = A + 1.
             let is_sign = |token: Option<&Token>| token.is_some_and(|token| token.is_one_of("+-"));

@@ -10,7 +10,7 @@ use crate::evaluate::step_rounding::StepRounding;
 use crate::evaluate::value::{AngleUnit, Evaluated, Literal, Obstacle, SideValue};
 use crate::evaluate::whole::double_factorial;
 use crate::token::{Token, TokenKind, has_number, trim_space};
-use crate::unit::{currency, unit};
+use crate::unit::unit;
 use std::collections::HashMap;
 
 /// Names with their values.
@@ -269,13 +269,6 @@ impl<'b> Evaluator<'b> {
     fn quotient(&mut self, above: SideValue, cursor: &mut Cursor<'_>) -> Evaluated<SideValue> {
         let (next, _) = cursor.token_from(cursor.at);
         let mut divisor = self.signed(cursor)?;
-        // A price below the stroke: $6/$13.
-        if divisor.literal == Literal::Unit
-            && next.and_then(Token::word).is_some_and(|word| currency(word).is_some())
-            && cursor.peek().is_some_and(|token| token.number().is_some())
-        {
-            divisor = self.factor(cursor)?.product(&divisor, None, false)?;
-        }
         while let Some(token) = cursor.peek().filter(|token| self.follows_stroke(token, &divisor)) {
             self.noticed.insert(ReadingChoices::ALL_BELOW);
             if !self.is_chosen(ReadingChoices::ALL_BELOW) {

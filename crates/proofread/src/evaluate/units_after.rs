@@ -219,7 +219,9 @@ impl Evaluator<'_> {
         }
         cursor.at = at;
         let units = self.units(cursor)?;
-        let mut with = match units.scale.filter(|_| self.is_chosen(ReadingChoices::POINTS) && number) {
+        // So are the ends of a spread: (20 ± 1) °C.
+        let is_point = number || value.is_tuple;
+        let mut with = match units.scale.filter(|_| self.is_chosen(ReadingChoices::POINTS) && is_point) {
             Some('C') => SideValue { parts: value.parts.map(|part| part.shifted(273.15)), ..value },
             Some(_) => {
                 let kelvin = |part: Interval| part.shifted(-32.0).scaled(5.0 / 9.0).shifted(273.15);

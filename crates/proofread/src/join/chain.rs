@@ -59,9 +59,9 @@ fn relation(token: &Token) -> Option<Relation> {
     match token.kind {
         TokenKind::Operator('=') => Some(Relation::Equal),
         TokenKind::Operator('≈' | '≅' | '≃' | '≒' | '≐') => Some(Relation::Approximate),
-        TokenKind::Operator('<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔') => {
-            Some(Relation::Other)
-        }
+        TokenKind::Operator(
+            '<' | '>' | '≤' | '≥' | '≠' | '∝' | '≡' | '∼' | '~' | '≫' | '≪' | '≮' | '⇔' | '↔' | '∈' | '∉',
+        ) => Some(Relation::Other),
         _ => None,
     }
 }
@@ -77,7 +77,7 @@ fn ends_equation(token: &Token) -> bool {
 fn separates(token: &Token) -> bool {
     const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
-        below above From For Given Noting Since are not und oder et ou och og en mit avec où also donc dus и или von van de di av af ";
+        below above From For Given Noting Since are not für wenn falls bei pour si quand para cuando när und oder et ou och og en mit avec où also donc dus и или von van de di av af ";
     match &token.kind {
         TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
         TokenKind::Word(word) => word.len() > 1 && WORDS.split_ascii_whitespace().any(|known| known == word),

@@ -58,6 +58,8 @@ pub(crate) fn without_row_remarks(tokens: &[Token]) -> Option<Vec<Token>> {
     for row in &mut rows {
         let aligned = row.len() > 2 && begins_with_relation(row[1]) && trim_space(row[1]).len() > 1;
         let keep = row.iter().skip(2).position(|cell| is_remark(cell)).filter(|_| aligned);
+        // A word between two equations is none.
+        let keep = keep.filter(|keep| !row[2 + keep..].iter().any(|cell| begins_with_relation(cell)));
         if let Some(keep) = keep.filter(|keep| row[2..2 + keep].iter().all(|cell| trim_space(cell).is_empty())) {
             row.truncate(2 + keep);
             found = true;
@@ -172,6 +174,37 @@ fn without_relation_columns(tokens: &[Token]) -> Option<Vec<Token>> {
     Some(out)
 }
 
+/// The tokens without the columns between equations side by side that are empty or have nothing but words, or none if there are no such
+/// columns.
+fn without_word_columns(tokens: &[Token]) -> Option<Vec<Token>> {
+    let rows = cells(tokens);
+    let is_word = |token: &Token| token.is_space() || token.word().is_some_and(|word| word.chars().count() > 1);
+    let widest = rows.iter().map(Vec::len).max().unwrap_or(0).min(2 * MOST_COLUMNS);
+    let is_dropped = |at: usize| {
+        at > 1 && at + 2 < widest && rows.iter().all(|row| row.get(at).is_none_or(|of| of.iter().all(is_word)))
+    };
+    let dropped: Vec<bool> = (0..widest).map(is_dropped).collect();
+    if !dropped.contains(&true) {
+        return None;
+    }
+    let at = tokens.first()?.span;
+    let mut out = Vec::with_capacity(tokens.len());
+    for (which, row) in rows.iter().enumerate() {
+        if which > 0 {
+            out.push(Token::new(TokenKind::Line, at));
+        }
+        let kept = row.iter().enumerate().filter(|(place, _)| !dropped.get(*place).is_some_and(|dropped| *dropped));
+        let kept: Vec<&[Token]> = kept.map(|(_, cell)| *cell).collect();
+        for (count, cell) in kept.into_iter().enumerate() {
+            if count > 0 {
+                out.push(Token::new(TokenKind::Cell, at));
+            }
+            out.extend_from_slice(cell);
+        }
+    }
+    Some(out)
+}
+
 /// The tokens with a wide space before each aligned equation that begins behind a whole one: in the same row, where all rows have whole
 /// equations side by side, or in a row of its own. None if there is no such equation.
 pub(crate) fn part_equations(tokens: &[Token]) -> Option<Vec<Token>> {
@@ -231,6 +264,10 @@ pub(crate) fn read_down(tokens: &[Token]) -> Option<Vec<Token>> {
     if !tokens.iter().any(|token| token.kind == TokenKind::Cell) {
         return None;
     }
+    read_columns(tokens).or_else(|| read_columns(&without_word_columns(tokens)?))
+}
+
+fn read_columns(tokens: &[Token]) -> Option<Vec<Token>> {
     let rows = cells(tokens);
     if are_solutions(&rows) {
         return Some(column_by_column(&rows, tokens.first()?.span));

@@ -437,6 +437,12 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
             {
                 Some((2, format!("{before},{text}")))
             }
+            // Digits of one number of which some are marked: 1\mathbf{4}5.
+            [.., Token { kind: TokenKind::Number(before), span, .. }]
+                if span.end == token.span.start && span.end > span.start && digits(text) && !before.ends_with('…') =>
+            {
+                Some((1, format!("{before}{text}")))
+            }
             // Thousands that narrow space parts: 12 000.
             [.., Token { kind: TokenKind::Number(before), .. }, Token { kind: TokenKind::Space(0..=5), .. }]
                 if groups_of_three(before) && starts_with_three(text) =>

@@ -25,6 +25,17 @@ pub(crate) fn is_derived_from_false(text: &str, chains: &[Chain], at: usize) -> 
     { pairs }.any(|pair| follows(pair) && pair.iter().all(is_false))
 }
 
+/// Whether empty brackets stand before a formula, into which the reader writes whether it holds: `( ) $2 + 2 = 5$`.
+fn follows_empty_brackets(before: &str) -> bool {
+    let before = before.trim_end().trim_end_matches(['$', ' ']);
+    let before = before.strip_suffix("\\(").unwrap_or(before).trim_end();
+    let Some(inside) = before.strip_suffix(')') else { return false };
+    let inside = inside.trim_end_matches([' ', '~', '_', '\u{a0}']);
+    let inside = inside.strip_suffix("\\quad").unwrap_or(inside).trim_end();
+    // Not of a call without arguments.
+    inside.strip_suffix('(').is_some_and(|rest| !rest.ends_with(|c: char| c.is_alphanumeric()))
+}
+
 /// Whether the text asks if the formula holds, or says that it does not.
 pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
@@ -46,6 +57,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     }
     // Data of an exercise that say so: [4, false, "2 + 4 = 8"].
     if before.trim_end_matches(|c: char| c.is_whitespace() || "$({[\\\"'".contains(c)).ends_with("false,") {
+        return true;
+    }
+    if follows_empty_brackets(&before) {
         return true;
     }
     // Its denial stands beside it.

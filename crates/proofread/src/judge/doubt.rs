@@ -12,6 +12,7 @@ use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::flattened;
+use crate::judge::joining_words;
 use crate::judge::local_notation;
 use crate::judge::money::starts_with_money;
 use crate::judge::notation;
@@ -107,10 +108,7 @@ impl PlacedPair<'_> {
         if self.is_other_notation(judgement) {
             return Some(Doubt::Unknown);
         }
-        if self.is_fragment(judgement) {
-            return Some(Doubt::Fragment);
-        }
-        if self.leaves_sign_out(judgement) || self.is_change_to_percent() {
+        if self.is_fragment(judgement) || self.leaves_sign_out(judgement) || self.is_change_to_percent() {
             return Some(Doubt::Fragment);
         }
         if self.is_coarse_approximation()
@@ -187,7 +185,7 @@ impl PlacedPair<'_> {
                 ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
                 ChainSeparation::FromNumbers => true,
             };
-            let by_word = surroundings::is_joined_by_word(self.text, self.left.span)
+            let by_word = joining_words::is_joined_by_word(self.text, self.left.span)
                 || plain && surroundings::is_joined_by_sign(self.text, self.left.span);
             // What is named, with a number in its name: the interest on 8000 = 8820 − 8000.
             let result = judgement.values.as_ref().is_some_and(|(_, right)| right.is_literal());
@@ -249,6 +247,7 @@ impl PlacedPair<'_> {
             || notation::has_phasor(right)
             || self.is_minor()
             || other_arithmetic::has_own_operation(self.text, self.left.span)
+            || other_arithmetic::is_exclusive_or(self.text, left, right, self.left.span)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)
             || ((plain || notation::is_bracketed_number(right)) && notation::are_references(left))
@@ -269,7 +268,7 @@ impl PlacedPair<'_> {
             || other_answers::leads_to_logarithm(left, right)
             || other_answers::is_one_of_choices(self.text, self.left, self.right)
             || (plain && self.begins_chain() && self.is_station())
-            || local_notation::is_dated_label(left)
+            || local_notation::is_label(left, plain, judgement.values.as_ref())
             || (plain && flattened::is_doubled(self.text, around))
             || local_notation::agree_with_decimal_commas(self.left, self.right, Relation::Equal)
             || local_notation::lacks_percent_sign(self.text, around, judgement.values.as_ref())
@@ -344,15 +343,6 @@ impl PlacedPair<'_> {
         let digits = tokens.next().and_then(Token::number).filter(|_| tokens.next().is_none());
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
-        // A price, beside what so many cost: 50 dimes at $0.10 = $5.00.
-        let price = left.is_literal()
-            && right.is_literal()
-            && starts_with_money(self.left)
-            && starts_with_money(self.right)
-            && self.begins_chain();
-        if price && apart {
-            return true;
-        }
         // What the text names in words has its unit there, or the working leaves it out.
         let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
         // The dollar is also a unit of other things.

@@ -19,6 +19,16 @@ pub(super) fn most_digits(tokens: &[Token]) -> usize {
     tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
 }
 
+/// The most digits of a number anywhere in these tokens, without the zeros at either end of a whole one.
+pub(super) fn most_digits_of_any(tokens: &[Token]) -> usize {
+    let own = |token: &Token| {
+        let digits = token.number().unwrap_or_default();
+        significant(if digits.contains('.') { digits } else { digits.trim_end_matches(['0', ',']) })
+    };
+    let inner = |token: &Token| token.inner().map(most_digits_of_any).max().unwrap_or(0);
+    tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
+}
+
 /// What explains a difference by digits that were lost on the way. Their errors hardly ever all point the same way.
 #[derive(Clone, Copy)]
 pub(super) struct StepLikelihood {

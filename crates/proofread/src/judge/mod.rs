@@ -3,6 +3,7 @@
 mod binary_numbers;
 mod bracket_symbols;
 pub(crate) mod caveat;
+pub(crate) mod chain_shape;
 pub(crate) mod chain_verdict;
 pub(crate) mod counted_nouns;
 pub(crate) mod denial;
@@ -11,6 +12,7 @@ mod equals_conventions;
 pub(crate) mod explanation;
 mod flattened;
 mod function_arguments;
+mod joining_words;
 pub(crate) mod letter_units;
 mod local_notation;
 mod lost_digits;

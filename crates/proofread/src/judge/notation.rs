@@ -57,7 +57,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&as_columns);
     each(&under_function);
     each(&|side| with_braced_arguments(text, side));
-    each(&with_low_points);
+    each(&local_notation::with_low_points);
     each(&with_whole_radicand);
     each(&in_degrees_by_factor);
     each(&from_left_to_right);
@@ -69,6 +69,9 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&local_notation::with_binary_logarithm);
     each(&local_notation::in_hours);
     each(&local_notation::with_bare_kelvins);
+    each(&local_notation::with_bare_prefixes);
+    let source = text.get(formula.span.range()).unwrap_or_default();
+    each(&|side| local_notation::with_points_of_thousands(source, side));
     if formula.style == FormulaStyle::Plain {
         each(&flattened::under_root_sign);
         each(&flattened::with_whole_exponents);
@@ -304,31 +307,6 @@ fn all_in_degrees(left: &[Token], right: &[Token]) -> Option<Sides> {
         out
     });
     Some([one, other])
-}
-
-/// A side with the points behind exponents as signs of products, `2^2.3^2`; none if there are none.
-fn with_low_points(side: &[Token]) -> Option<Vec<Token>> {
-    let mut out: Vec<Token> = Vec::with_capacity(side.len() + 1);
-    let mut found = false;
-    for token in side {
-        let mut copy = token.clone();
-        for list in copy.kind.lists() {
-            if let Some(changed) = with_low_points(list) {
-                (*list, found) = (changed, true);
-            }
-        }
-        let is_raised = out.last().is_some_and(|last| matches!(last.kind, TokenKind::Power(_)));
-        if let TokenKind::Number(digits) = &mut copy.kind
-            && is_raised
-            && let Some(behind) = digits.strip_prefix('.').map(str::to_owned)
-        {
-            *digits = behind;
-            out.push(Token::new(TokenKind::Operator('·'), token.span));
-            found = true;
-        }
-        out.push(copy);
-    }
-    found.then_some(out)
 }
 
 /// A side that a factor 180/π changes to degrees without their sign, with it; none if there is no such factor.

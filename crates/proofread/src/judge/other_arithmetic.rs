@@ -7,7 +7,7 @@ use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, TokenKind, show};
 
-const WORDS: [&str; 15] = [
+const WORDS: [&str; 20] = [
     "significand",
     "guard bit",
     "overflow",
@@ -15,6 +15,11 @@ const WORDS: [&str; 15] = [
     "saturation",
     "uint",
     "boolean",
+    "boolesch",
+    "boolesche",
+    "boolescher",
+    "booleana",
+    "booleano",
     "xor",
     "binary",
     "octal",
@@ -177,7 +182,9 @@ pub(crate) fn may_be_remainder(
     let numbers = values.and_then(|(left, right)| left.number().ok().zip(right.number().ok()));
     let Some((value, remainder)) = numbers.map(|(left, right)| (left.point, right.point)) else { return false };
     let fits = |modulus: f64| {
-        remainder.abs() < modulus && value.abs() >= modulus && are_multiples(&[value - remainder], modulus)
+        // Below the modulus, too, if it is the negative one: 162 = −59 for 221.
+        let is_reduced = value.abs() >= modulus || remainder < 0.0;
+        remainder.abs() < modulus && is_reduced && are_multiples(&[value - remainder], modulus)
     };
     if value.fract() != 0.0 || remainder.fract() != 0.0 || value.abs() < LEAST_FAR {
         return false;
@@ -231,6 +238,24 @@ pub(crate) fn is_proverbial(left: &[Token], right: &[Token], speaks_of_truth: im
     }
 }
 
+/// Whether a side is the exclusive or of two bits, `1^0`, in a section that names this operation, and the other one is a bit.
+pub(crate) fn is_exclusive_or(text: &str, left: &[Token], right: &[Token], place: Span) -> bool {
+    let bit = |token: &Token| matches!(token.number(), Some("0" | "1"));
+    let is_of_bits = match without_space(left).as_slice() {
+        [base, Token { kind: TokenKind::Power(power), .. }] => {
+            bit(base) && matches!(power.as_slice(), [one] if bit(one))
+        }
+        _ => false,
+    };
+    if !is_of_bits || !matches!(without_space(right).as_slice(), [one] if bit(one)) {
+        return false;
+    }
+    let end = (place.start as usize).min(text.len());
+    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
+    effort::count_steps(section.len() / 32);
+    section.to_ascii_lowercase().contains("xor")
+}
+
 /// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`, 13 of `\times_{13}`.
 fn named_moduli(text: &str) -> Vec<f64> {
     let lower = text.to_ascii_lowercase();
@@ -262,11 +287,27 @@ fn moduli_in_words(text: &str) -> Vec<f64> {
     let of_words =
         { BEFORE_MODULUS }.into_iter().flat_map(|word| lower.match_indices(word)).filter_map(|(at, word)| {
             let is_word = !lower[..at].ends_with(|c: char| c.is_ascii_alphabetic());
-            number_at(&lower[at + word.len()..]).filter(|_| is_word)
+            let behind = &lower[at + word.len()..];
+            number_at(behind).or_else(|| number_of_letter(behind, &lower)).filter(|_| is_word)
         });
     let in_words = IN_WORDS.iter().filter(|(words, _)| lower.contains(words)).map(|(_, modulus)| *modulus);
     let of_two = OF_TWO.iter().filter(|sign| lower.contains(**sign)).map(|_| 2.0);
     of_words.chain(in_words).chain(of_two).collect()
+}
+
+/// The value that a text in small letters gives to the one letter that follows: 13 for `p` where the text has `p = 13`.
+fn number_of_letter(behind: &str, text: &str) -> Option<f64> {
+    let behind = behind.trim_start_matches(|c: char| c.is_whitespace() || "{($~".contains(c));
+    let letter = behind.get(..1).filter(|of| of.starts_with(|c: char| c.is_ascii_lowercase()))?;
+    if behind[1..].starts_with(|c: char| c.is_alphanumeric()) {
+        return None;
+    }
+    let assigned = text.match_indices(letter).filter_map(|(at, _)| {
+        let is_part = text[..at].ends_with(|c: char| c.is_alphanumeric() || "\\_^".contains(c));
+        let value = text[at + 1..].trim_start().strip_prefix('=')?;
+        number_at(value.trim_start()).filter(|_| !is_part)
+    });
+    assigned.last()
 }
 
 /// The number that follows, in braces, brackets or marks of a formula; none if something else does, or a power.

@@ -17,6 +17,8 @@ pub enum ReportSection {
     Doubts,
     /// p-values, confidence intervals, shares and totals that do not follow from the numbers beside them.
     Statistics,
+    /// Printed numbers that do not follow from what is printed beside them, where that is less often a fault of the text.
+    LessCertain,
 }
 
 impl ReportSection {
@@ -47,6 +49,7 @@ impl ReportSection {
             Self::Agreeing => "agreeing",
             Self::Doubts => "doubts",
             Self::Statistics => "statistics",
+            Self::LessCertain => "less-certain",
         }
     }
 }

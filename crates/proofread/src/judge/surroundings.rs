@@ -202,7 +202,7 @@ fn goes_on_behind_factorial(text: &str, span: Span) -> bool {
 }
 
 /// The text close before a place, up to the marks with which a formula begins.
-fn words_before(text: &str, span: Span) -> &str {
+pub(super) fn words_before(text: &str, span: Span) -> &str {
     let start = (span.start as usize).min(text.len());
     let mut from = start.saturating_sub(NEAR / 2);
     while !text.is_char_boundary(from) {
@@ -361,54 +361,6 @@ pub(crate) fn follows_preposition(text: &str, span: Span) -> bool {
     }
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
     PREPOSITIONS.contains(&word.to_ascii_lowercase().as_str())
-}
-
-/// Whether a number and a word just before a place join it to what stands there: `5 times 3 = 15`, `80 % of 20 = 16`.
-pub(crate) fn is_joined_by_word(text: &str, span: Span) -> bool {
-    const JOINTS: [&str; 11] =
-        ["divided by", "multiplied by", "of", "to", "times", "plus", "minus", "over", "per", "by", "less"];
-    const OPERATIONS: [&str; 12] = [
-        "root",
-        "square",
-        "cube",
-        "half",
-        "third",
-        "quarter",
-        "logarithm",
-        "sine",
-        "cosine",
-        "tangent",
-        "reciprocal",
-        "inverse",
-    ];
-    const BOTH: [&str; 6] = ["sum of", "mean of", "average of", "product of", "difference of", "between"];
-    let before = words_before(text, span);
-    // The sum of 3 and 4 = 7.
-    let clause = before.rsplit(['.', '=', ';']).next().unwrap_or_default();
-    let both = BOTH.iter().any(|words| clause.contains(words));
-    // The square root of 100 · 300 = 173.
-    if let Some(before) = before.strip_suffix(" of")
-        && OPERATIONS.contains(&before.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default())
-    {
-        return true;
-    }
-    let joint = JOINTS.iter().find_map(|joint| before.strip_suffix(joint));
-    let joint = joint.or_else(|| before.strip_suffix("and").filter(|_| both));
-    let Some(rest) = joint.filter(|rest| rest.ends_with(|c: char| c.is_whitespace() || c == '~')) else { return false };
-    let rest = rest.trim_end_matches(|c: char| c.is_whitespace() || "$)\\~".contains(c));
-    const PARTS: [&str; 12] = [
-        "half", "third", "thirds", "quarter", "quarters", "fourth", "fourths", "fifth", "fifths", "sixth", "eighth",
-        "tenth",
-    ];
-    let part = rest.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    if PARTS.contains(&part) {
-        return true;
-    }
-    let counted = |rest: &str| rest.ends_with(|c: char| c.is_ascii_digit());
-    let word = rest.rsplit(|c: char| !(c.is_alphabetic() || c == '%')).next().unwrap_or_default();
-    let before_word =
-        rest[..rest.len() - word.len()].trim_end_matches(|c: char| c.is_whitespace() || "$\\~".contains(c));
-    counted(rest) || (unit(word).is_some() && counted(before_word))
 }
 
 /// Whether the word *and* joins what stands at a place to a number with its noun: 7 shillings and 85 cents.

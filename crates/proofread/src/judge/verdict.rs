@@ -13,10 +13,13 @@ use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::lost_digits::{
     FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, has_words_of,
-    is_as_coarse, is_cut, is_exact, is_near, is_plain_sum, is_round, is_within, most_digits, relative_width,
+    is_as_coarse, is_cut, is_exact, is_near, is_plain_sum, is_round, is_within, most_digits, most_digits_of_any,
+    relative_width,
 };
+use crate::judge::money::has_money;
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
+use crate::unit::currency;
 use std::f64::consts::PI;
 
 /// A verdict, and the values behind it.
@@ -324,7 +327,7 @@ impl<'t> ComparedSides<'t> {
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
         // A function of an angle or a ratio is mostly of something measured.
         let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
-        let bare = points.iter().all(|point| !point.has_unit && point.angle.is_none())
+        let bare = (points.iter().all(|point| !point.has_unit && point.angle.is_none()) || self.is_all_money())
             && !self.sides.iter().any(|side| any(side, &is_function));
         if bare && self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
             let printed = usize::from(literal[1]);
@@ -416,7 +419,8 @@ impl<'t> ComparedSides<'t> {
         let meets = left.meets(right, 0.0) && !exact_steps && steps;
         let [operands, result] = self.digits_of_operands_and_result(literal);
         // They are whole, or have so few digits beside the result that they must be meant as they are.
-        let has_exact_operands = result > 0 && (operands == 0 || result >= operands + 2);
+        let has_exact_operands =
+            (result > 0 && (operands == 0 || result >= operands + 2)) || self.has_long_result(literal);
         // A bare number is given as it is, or it has the digits of the others and one more was dropped.
         let likelihood = match literal[0] == literal[1] || !bare {
             true => StepLikelihood { share: LIKELY, of_one_digit: Some(f64::INFINITY) },
@@ -484,9 +488,22 @@ impl<'t> ComparedSides<'t> {
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
     }
 
+    /// Whether both sides have a currency and no other unit.
+    fn is_all_money(&self) -> bool {
+        let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if currency(word).is_none());
+        self.sides.iter().all(|side| has_money(side) && !any(side, &is_other))
+    }
+
     /// The most digits of a decimal number that goes into a result, and of the printed one.
     fn digits_of_operands_and_result(&self, literal: [bool; 2]) -> [usize; 2] {
         literal.map(|of| most_digits(self.sides[usize::from(of)]))
+    }
+
+    /// Whether a whole result shows so many digits more than any number that goes into it that these must be meant as they are:
+    /// `294/0.0001 = 2940000`.
+    fn has_long_result(&self, literal: [bool; 2]) -> bool {
+        let [operands, result] = literal.map(|of| most_digits_of_any(self.sides[usize::from(of)]));
+        literal[0] != literal[1] && most_digits(self.sides[usize::from(literal[1])]) == 0 && result >= operands + LONGER
     }
 
     /// Whether bare numbers give a whole one that is small enough to be printed in full, or is printed to its last digit: then the printed
@@ -526,6 +543,9 @@ impl<'t> ComparedSides<'t> {
         value.is_ok_and(|value| evaluator.steps.result(value).meets(right, 0.0))
     }
 }
+
+/// How many digits more than its operands a whole result shows if they are exact.
+const LONGER: usize = 3;
 
 /// Whole numbers below this are printed in full where they are reckoned with.
 const FULL: f64 = 1e4;

@@ -31,13 +31,40 @@ impl Tex<'_> {
                     out.push(token(TokenKind::Operator(sign), span));
                 }
                 [Token { kind: TokenKind::Operator(_), .. }] if name.starts_with("math") => out.extend(inner),
-                _ => out.push(token(TokenKind::Group(inner), span)),
+                _ => self.push_group(inner, span, out),
             }
+        } else if name == "color" {
+            self.join_digits_around(span, out);
         } else if name.ends_with("left") || name.ends_with("right") {
             self.skip_space();
             if self.ahead(0) == Some('.') {
                 self.stack.pop();
             }
+        }
+    }
+
+    /// Keeps a group. Digits of a number that are marked, as in `1\mathbf{4}5`, touch those before and behind them, so that they
+    /// are joined later.
+    pub(super) fn push_group(&mut self, inner: Vec<Token>, span: Span, out: &mut Vec<Token>) {
+        let follows = out.last().is_some_and(|last| last.number().is_some() && last.span.end == span.start);
+        let goes_on = self.ahead(0).is_some_and(|c| c.is_ascii_digit());
+        match inner.as_slice() {
+            [Token { kind: TokenKind::Number(digits), span: place, .. }] if follows || goes_on => {
+                let end = self.peek().filter(|_| goes_on).map_or(place.end + 1, |next| next.span.start);
+                out.push(token(TokenKind::Number(digits.clone()), Span { start: span.start, end }));
+            }
+            _ => out.push(token(TokenKind::Group(inner), span)),
+        }
+    }
+
+    /// Lets the digits before a command for a colour touch those behind it, in braces or without: `1\color{red}{4}5`.
+    fn join_digits_around(&mut self, span: Span, out: &mut [Token]) {
+        let next = if self.ahead(0) == Some('{') { self.ahead(1) } else { self.ahead(0) };
+        let Some(last) = out.last_mut().filter(|last| last.number().is_some() && last.span.end == span.start) else {
+            return;
+        };
+        if next.is_some_and(|c| c.is_ascii_digit()) {
+            last.span.end = self.peek().map_or(last.span.end, |next| next.span.start);
         }
     }
 

@@ -53,6 +53,8 @@ pub(crate) fn symbol(name: &str) -> TokenKind {
         "Rightarrow" | "implies" | "therefore" | "Longrightarrow" | "Leftrightarrow" | "iff" => '⇒',
         "to" | "rightarrow" | "longrightarrow" | "mapsto" => '→',
         "ne" | "neq" => '≠',
+        "in" | "isin" => '∈',
+        "notin" => '∉',
         "sim" => '∼',
         "equiv" => '≡',
         "le" | "leq" | "leqslant" | "lt" | "ll" | "lesssim" => '<',

@@ -216,7 +216,7 @@ impl Tex<'_> {
                         continue;
                     }
                     let inner = self.tokens(depth + 1, &['}']);
-                    out.push(token(TokenKind::Group(inner), span));
+                    self.push_group(inner, span, &mut out);
                 }
                 // The end of a group that is none, or a mark of a formula in text in a formula.
                 '}' | '$' => {

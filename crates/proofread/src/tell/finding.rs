@@ -32,7 +32,8 @@ pub struct ChainFinding {
     pub section: ReportSection,
     /// Why it is set aside, if it is.
     pub doubt: Option<Doubt>,
-    /// What makes it less certain that the text is wrong there, in the section of numbers; none if nothing does.
+    /// What makes it less certain that the text is wrong there. If it is in the section of numbers all the same, it is the first
+    /// of a document in which a third of the pairs differ, or has the shape of that one.
     pub caveat: Option<Caveat>,
     /// The chain, as one line; of a long one, the part around the two sides.
     pub chain: String,

@@ -14,6 +14,8 @@ pub struct Hint {
     pub words: String,
     /// Where.
     pub at: Span,
+    /// The kind of slip that the edit takes back.
+    pub(crate) kind: EditKind,
 }
 
 impl Hint {
@@ -239,7 +241,7 @@ impl HintSearch<'_> {
                     // Where a power of ten agrees that did not, that is as good as a digit.
                     let known = known + usize::from(edit.kind.is_of_size());
                     let accident = NO_EDIT * libm::pow(10.0, -(known.clamp(1, 8) as f64));
-                    let hint = Hint { words: edit.words, at: edit.at };
+                    let hint = Hint { words: edit.words, at: edit.at, kind: edit.kind };
                     found.push(Fit { hint, side: which, weight, accident });
                 }
                 ControlFlow::Continue(())
@@ -357,7 +359,7 @@ mod tests {
 
     #[test]
     fn what_the_text_has_already_is_not_offered() {
-        let hint = Hint { words: "`6.928` for `6928`".to_owned(), at: Span::new(2, 7) };
+        let hint = Hint { words: "`6.928` for `6928`".to_owned(), at: Span::new(2, 7), kind: EditKind::Shift(3) };
         assert!(hint.stands_in("= 6.928") && !hint.stands_in("= 6928.") && !hint.stands_in("="));
     }
 

@@ -2,6 +2,7 @@
 
 mod edit;
 pub(crate) mod finding;
+pub(crate) mod finding_group;
 pub(crate) mod hint;
 pub(crate) mod line_index;
 mod number_form;

@@ -116,10 +116,11 @@ fn exponent(new: &str, old: &str, source: &str) -> Option<String> {
 mod tests {
     use super::*;
     use crate::check::{CheckOptions, proofread};
+    use crate::tell::edit::EditKind;
     use crate::token::Span;
 
     fn replaced(words: &str, source: &str) -> Option<String> {
-        let hint = Hint { words: words.to_owned(), at: Span::default() };
+        let hint = Hint { words: words.to_owned(), at: Span::default(), kind: EditKind::Digit };
         replacement(&hint, source, TextFormat::Markdown)
     }
 

@@ -25,22 +25,24 @@ pub(crate) fn digits(number: usize) -> String {
 }
 
 /// How many findings there are and on which lists, such as `2 findings: 1 on a number, 1 on units alone`; `number_on` tells how
-/// many a list has. None if there are none.
+/// many a list has, and `places` at how many places of the texts all of them are. None if there are none.
 ///
 /// ```
 /// use proofread::{ReportSection, summary::describe_findings};
 ///
 /// let found = |section| if section == ReportSection::Units { 2 } else { 0 };
-/// assert_eq!(describe_findings(found).as_deref(), Some("2 findings: 2 on units alone"));
-/// assert_eq!(describe_findings(|_| 0), None);
+/// assert_eq!(describe_findings(found, 2).as_deref(), Some("2 findings: 2 on units alone"));
+/// assert_eq!(describe_findings(found, 7).as_deref(), Some("2 findings at 7 places: 2 on units alone"));
+/// assert_eq!(describe_findings(|_| 0, 0), None);
 /// ```
-pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<String> {
-    const LISTS: [(ReportSection, &str); 5] = [
+pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize, places: usize) -> Option<String> {
+    const LISTS: [(ReportSection, &str); 6] = [
         (ReportSection::Numbers, "on a number"),
         (ReportSection::Statistics, "on a statistic or a total"),
         (ReportSection::Bindings, "with values from elsewhere in the text"),
         (ReportSection::Units, "on units alone"),
         (ReportSection::Doubts, "in doubt"),
+        (ReportSection::LessCertain, "less certain"),
     ];
     let numbers = LISTS.map(|(list, words)| (number_on(list), words));
     let parts: Vec<String> = numbers
@@ -49,7 +51,8 @@ pub fn describe_findings(number_on: impl Fn(ReportSection) -> usize) -> Option<S
         .map(|(number, words)| format!("{} {words}", digits(*number)))
         .collect();
     let all = numbers.iter().map(|(number, _)| number).sum();
-    (!parts.is_empty()).then(|| format!("{}: {}", describe_count(all, "finding"), parts.join(", ")))
+    let at = if places > all { format!(" at {}", describe_count(places, "place")) } else { String::new() };
+    (!parts.is_empty()).then(|| format!("{}{at}: {}", describe_count(all, "finding"), parts.join(", ")))
 }
 
 /// The statistics and totals that were compared, in a sentence; none if there are none.
@@ -269,6 +272,17 @@ pub fn describe_doubts(tally: &CheckTally) -> Option<String> {
     }
 }
 
+/// The differences that are less certain, in words without a full stop; none if there are none.
+///
+/// ```
+/// use proofread::summary::describe_less_certain;
+///
+/// assert_eq!([0, 1, 3].map(describe_less_certain), [None, Some("1 less certain difference".to_owned()), Some("3 less certain differences".to_owned())]);
+/// ```
+pub fn describe_less_certain(differences: usize) -> Option<String> {
+    (differences > 0).then(|| describe_count(differences, "less certain difference"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -276,14 +290,14 @@ mod tests {
     #[test]
     fn one_and_many_are_told_apart() {
         let one_each = |list| usize::from(matches!(list, ReportSection::Numbers | ReportSection::Units));
-        assert_eq!(describe_findings(one_each).as_deref(), Some("2 findings: 1 on a number, 1 on units alone"));
+        assert_eq!(describe_findings(one_each, 2).as_deref(), Some("2 findings: 1 on a number, 1 on units alone"));
         assert_eq!(
-            describe_findings(|list| 1200 * usize::from(list == ReportSection::Numbers)).as_deref(),
+            describe_findings(|list| 1200 * usize::from(list == ReportSection::Numbers), 1200).as_deref(),
             Some("1,200 findings: 1,200 on a number")
         );
-        assert_eq!(describe_findings(|_| 0), None);
+        assert_eq!(describe_findings(|_| 0, 0), None);
         let doubt = |list| usize::from(list == ReportSection::Doubts);
-        assert_eq!(describe_findings(doubt).as_deref(), Some("1 finding: 1 in doubt"));
+        assert_eq!(describe_findings(doubt, 1).as_deref(), Some("1 finding: 1 in doubt"));
         let tally = CheckTally { doubts: 2, ..CheckTally::default() };
         assert!(describe_doubts(&tally).is_some_and(|said| said.starts_with("2 differences are set aside")));
         let mut counts = NamedCounts::default();

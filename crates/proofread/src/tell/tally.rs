@@ -27,6 +27,8 @@ pub struct CheckTally {
     pub verdicts: [usize; 10],
     /// Differences that are set aside as doubts, of those that are kept.
     pub doubts: usize,
+    /// Differences that are less certain, of those that are kept.
+    pub less_certain: usize,
     /// Statistics and totals that were compared with what they follow from.
     pub statistics: StatisticsTally,
 }
@@ -71,6 +73,7 @@ impl CheckTally {
         self.partly += other.partly;
         self.pairs += other.pairs;
         self.doubts += other.doubts;
+        self.less_certain += other.less_certain;
         self.statistics.add(&other.statistics);
         for (mine, its) in self.verdicts.iter_mut().zip(other.verdicts) {
             *mine += its;

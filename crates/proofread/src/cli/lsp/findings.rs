@@ -40,9 +40,8 @@ impl EditorFeatures {
 /// for what keeps a text from being read.
 fn severity(finding: &ChainFinding) -> u8 {
     match finding.section {
-        ReportSection::Numbers if finding.caveat.is_some() => 3,
         ReportSection::Numbers | ReportSection::Statistics => 2,
-        ReportSection::Units | ReportSection::Bindings => 3,
+        ReportSection::Units | ReportSection::Bindings | ReportSection::LessCertain => 3,
         ReportSection::Doubts | ReportSection::Agreeing => 4,
     }
 }

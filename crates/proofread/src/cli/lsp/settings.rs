@@ -74,6 +74,8 @@ impl Settings {
             ReportSection::Units => self.units,
             ReportSection::Doubts => self.doubts,
             ReportSection::Agreeing => false,
+            // Whoever writes the text looks at the mark beside it, so that one which is less certain costs little.
+            ReportSection::LessCertain => true,
             ReportSection::Numbers | ReportSection::Bindings | ReportSection::Statistics => true,
         }
     }
