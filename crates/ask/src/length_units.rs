@@ -22,10 +22,13 @@ use crate::typed_number::unit_of;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct TypedLengths {
-    /// Names, texts, and the unit with its millimetres; none of what has no unit of its own.
-    typed: Vec<(String, String, Option<(&'static str, f64)>)>,
+    /// Names, texts and units; none of what is in millimetres.
+    typed: Vec<(String, String, Option<LengthUnit>)>,
     is_in_inches: bool,
 }
+
+/// A unit as it is typed, and its millimetres.
+type LengthUnit = (&'static str, f64);
 
 /// What a word of a sentence about an argument says of the number behind it.
 #[derive(Clone, Copy, PartialEq)]
@@ -39,7 +42,7 @@ enum Side {
 }
 
 /// Inches as they are typed, and their millimetres.
-const INCHES: (&str, f64) = ("in", MILLIMETRES_OF_AN_INCH);
+const INCHES: LengthUnit = ("in", MILLIMETRES_OF_AN_INCH);
 /// Significant digits to which a value in another unit is told if it is then the same value.
 const EXACT: usize = 8;
 /// Significant digits of a length in a sentence.
@@ -62,7 +65,7 @@ impl TypedLengths {
     }
 
     /// The unit of an argument that was typed or not, or of a length in a sentence; none for millimetres.
-    fn unit(&self, name: &str) -> Option<(&'static str, f64)> {
+    fn unit(&self, name: &str) -> Option<LengthUnit> {
         match self.typed.iter().find(|(of, ..)| of == name) {
             Some((.., unit)) => *unit,
             None => self.other_unit(),
@@ -70,7 +73,7 @@ impl TypedLengths {
     }
 
     /// The unit of what wasn't typed: inches if they are asked for, and otherwise that of all that was.
-    fn other_unit(&self) -> Option<(&'static str, f64)> {
+    fn other_unit(&self) -> Option<LengthUnit> {
         if self.is_in_inches {
             return Some(INCHES);
         }

@@ -357,7 +357,7 @@ fn solids_of_models_with_bores_that_cross_and_with_keyways_are_those_of_the_mesh
         let choices = Choices {
             driver_shaft: given(driver),
             plate_shaft: given(plate),
-            wheel_shaft: Some(9.0),
+            wheel_shaft: Some(5.0),
             ..Choices::default()
         };
         let sizes = sizes(stations, 1, &choices);
@@ -367,7 +367,7 @@ fn solids_of_models_with_bores_that_cross_and_with_keyways_are_those_of_the_mesh
         compare(&format!("{stations} stations, {driver} and {plate}"), &text, &solids);
     }
     for (plate, mounting) in [(90.0, &Mounting::default()), (20.0, &key)] {
-        let sizes = internal(6, &Choices { plate_shaft: Some(plate), wheel_shaft: Some(9.0), ..Choices::default() });
+        let sizes = internal(6, &Choices { plate_shaft: Some(plate), wheel_shaft: Some(5.0), ..Choices::default() });
         let list = internal_parts(&sizes, 6.0, mounting).unwrap().parts;
         let text = internal_scad(&sizes, 6.0, COARSE, mounting, 0.0).unwrap();
         let solids = [("ring", "wheel"), ("driver", "driver")];
