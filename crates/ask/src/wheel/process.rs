@@ -8,6 +8,8 @@ use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, Pro
 
 /// How many assemblies are drawn.
 pub const ASSEMBLIES: u64 = 1000;
+/// How many of them are drawn before it is looked whether too many jam.
+const PIECE: u64 = 50;
 /// The share of assemblies below which more play is advised: our choice.
 pub(super) const ENOUGH: f64 = 0.9;
 /// The seed under which they are drawn: any will do, and the same gives the same assemblies.
@@ -63,6 +65,26 @@ impl WheelDesign {
             });
             of_internal.map_or_else(|| self.count_assemblies(Yield::default(), ASSEMBLIES), |found| Ok(Some(found)))
         })
+    }
+}
+
+impl WheelDesign {
+    /// How many assemblies turn if enough of them do; none otherwise, which is known as soon as too many are jammed.
+    ///
+    /// # Errors
+    ///
+    /// As for [`count_assemblies`](Self::count_assemblies).
+    pub(super) fn enough_that_turn(&self) -> Result<Option<Yield>, Error> {
+        let may_jam = ASSEMBLIES - (ENOUGH * ASSEMBLIES as f64) as u64;
+        let mut found = Yield::default();
+        while found.tried < ASSEMBLIES {
+            let Some(more) = self.count_assemblies(found, PIECE)? else { break };
+            found = more;
+            if found.tried - found.turning > may_jam {
+                return Ok(None);
+            }
+        }
+        Ok(Some(found).filter(|found| found.tried == ASSEMBLIES && found.share() >= ENOUGH))
     }
 }
 

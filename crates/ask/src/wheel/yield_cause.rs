@@ -136,8 +136,8 @@ impl WheelDesign {
         changes.into_iter().find_map(|(words, other)| {
             let design = WheelDesign::new(WheelQuestion { is_trial: true, ..other }).ok()?;
             design.makeable_parts().ok()?;
-            let found = design.assemblies_that_turn().ok()??;
-            (found.share() >= ENOUGH).then(|| format!("with {words}, {} do", percent(found.share())))
+            let found = design.enough_that_turn().ok()??;
+            Some(format!("with {words}, {} do", percent(found.share())))
         })
     }
 }
