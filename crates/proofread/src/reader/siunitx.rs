@@ -136,8 +136,8 @@ pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar>
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
                 // A letter that touches the sign of a unit is its prefix: m\Omega.
-                let touches = name == "Omega" && out.last().is_some_and(|last| last.span.end == sign.span.start);
-                if !out.is_empty() && !(touches && out.last().is_some_and(|last| last.c.is_alphabetic())) {
+                let is_prefix = |last: &SourceChar| last.c.is_alphabetic() && last.span.end == sign.span.start;
+                if out.last().is_some_and(|last| name != "Omega" || !is_prefix(last)) {
                     write("\\,", sign, &mut out);
                 }
                 write(prefix, sign, &mut out);
