@@ -336,15 +336,6 @@ fn textbooks_round_angles_to_degrees() {
 }
 
 #[test]
-fn rows_of_augmented_matrices_are_operated_on() {
-    let sides = |columns: &str| {
-        let matrix = |row: &str| format!(r"\left[\begin{{array}}{{{columns}}} {row} \end{{array}}\right]");
-        format!("${} = {}$", matrix(r"1 & 2 & 3 \\ 4 - 1 & 5 & 6"), matrix(r"1 & 2 & 3 \\ 0 & -3 & -6"))
-    };
-    assert_told_apart(&sides("cc|c"), &sides("ccc"), TextFormat::Latex);
-}
-
-#[test]
 fn running_text_is_read_in_any_language_of_xml() {
     for text in ["<para>We need 252×16 = 4042 of them.</para>", "<p>So 2*3=7 joules <me>x</me></p>"] {
         assert_ne!(on_numbers(text, TextFormat::Xml), 0, "{text}");

@@ -34,7 +34,6 @@ impl PlacedPair<'_> {
             || self.adds_points()
             || self.follows_choices()
             || self.has_residue_symbol()
-            || has_augmented_matrices(self.text.get(self.formula.span.range()).unwrap_or_default())
     }
 
     /// Whether points of a curve are added by the law of its group, and not coordinate by coordinate.
@@ -264,15 +263,4 @@ fn is_of_complement(left: &[Token], right: &[Token]) -> bool {
     let is_two = base.first().and_then(Token::number) == Some("2");
     let places = bits.filter(|_| is_two).map(|bits| libm::exp2(bits.len() as f64));
     places.zip(number(left).zip(number(right))).is_some_and(|(places, (left, right))| left - places == right)
-}
-
-/// Whether a formula has two matrices with a line between their columns, so that one comes from the other by operations on rows.
-fn has_augmented_matrices(formula: &str) -> bool {
-    let formula = if formula.len() > LONGEST { "" } else { formula };
-    let arrays = formula.match_indices("\\begin{array}").map(|(at, sign)| &formula[at + sign.len()..]);
-    let is_augmented = |behind: &&str| {
-        let columns = behind.trim_start().strip_prefix('{').and_then(|rest| rest.split_once('}'));
-        columns.is_some_and(|(columns, _)| columns.trim_matches('|').contains('|'))
-    };
-    arrays.filter(is_augmented).nth(1).is_some()
 }

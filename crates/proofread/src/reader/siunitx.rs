@@ -131,13 +131,12 @@ pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar>
                     prefix = known;
                     continue;
                 }
-                let known = sign_of(name);
+                // Behind letters, the sign has a prefix that is no command: m\Omega.
+                let known = if name == "Omega" && !out.is_empty() { "" } else { sign_of(name) };
                 let letters = || macros.in_quantity(name).and_then(|of| unit_letters(of.body.trim()));
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
-                // A letter that touches the sign of a unit is its prefix: m\Omega.
-                let is_prefix = |last: &SourceChar| last.c.is_alphabetic() && last.span.end == sign.span.start;
-                if out.last().is_some_and(|last| name != "Omega" || !is_prefix(last)) {
+                if !out.is_empty() {
                     write("\\,", sign, &mut out);
                 }
                 write(prefix, sign, &mut out);
