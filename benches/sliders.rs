@@ -27,7 +27,8 @@ const STEPS: usize = 40;
 const FIRST: usize = 8;
 
 /// The figures and their sliders, as pages name them.
-const FIGURES: [(&str, &str); 3] = [("design", "stations"), ("polygon", "crank"), ("escapement", "friction")];
+const FIGURES: [(&str, &str); 4] =
+    [("design", "stations"), ("design", "crank-radius"), ("polygon", "crank"), ("escapement", "friction")];
 
 /// The name of an empty page's rows.
 const EMPTY: &str = "empty page";
@@ -45,7 +46,7 @@ struct Screen {
 
 const SCREENS: [Screen; 2] = [
     Screen { name: "1280 px", size: [1280, 800], pixels: 1, slowness: 1, bound: 50.0 },
-    Screen { name: "390 px, 4 × slower", size: [390, 844], pixels: 3, slowness: 4, bound: 100.0 },
+    Screen { name: "390 px, 4 × slower", size: [390, 664], pixels: 3, slowness: 4, bound: 100.0 },
 ];
 
 /// What pages have from the beginning: the module's thread tells how long an answer took, and the page keeps it.

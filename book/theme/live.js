@@ -178,7 +178,7 @@
             heard = numbers;
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
             outputs.forEach(output => output.value = texts[output.name] ?? '–');
-            say([words, progress && `${progress.done} of ${progress.all} ${progress.parts}`].filter(Boolean).join(' '), words);
+            say([words, progress?.parts && `${progress.done} of ${progress.all} ${progress.parts}`].filter(Boolean).join(' '), words);
             picture.replaceChildren(drawing);
             crop();
             // The same words written again would be laid out again.
@@ -205,6 +205,12 @@
             pending = Boolean(progress);
         };
 
+        // A fifth of a second, or until something is asked for.
+        let wake;
+        const quiet = () => new Promise(done => {
+            wake = done;
+            setTimeout(done, 200);
+        });
         const answered = async () => {
             try {
                 await load();
@@ -220,7 +226,8 @@
                     && inputs.every(({ name }) => asked[name] === drawnFor[name] || movedBy.includes(name));
                 before = asked;
                 try {
-                    const answer = JSON.parse(await ask(question(turns ? '.turned' : '')));
+                    // While it moves, what takes long is not asked for.
+                    const answer = JSON.parse(await ask(question(turns ? '.turned' : stays ? '' : '.motion')));
                     if (turns && answer.error === undefined) {
                         turn(answer);
                     } else {
@@ -231,8 +238,13 @@
                     pending = false;
                     refuse(`The figure has no answer for this setting: ${error.message}.`);
                 }
-                // What runs goes on instead of waiting for the rest.
-                again ||= pending && !playing;
+                // What runs goes on instead of waiting for the rest, which is counted once the setting stays for a while.
+                if (pending && !playing && !again) {
+                    if (!stays) {
+                        await quiet();
+                    }
+                    again ||= pending && !playing;
+                }
                 // A first question does not wait for a frame; those that follow it are asked once in each.
                 if (again) {
                     await new Promise(requestAnimationFrame);
@@ -241,6 +253,7 @@
         };
         const draw = async () => {
             again = true;
+            wake?.();
             if (!busy) {
                 busy = true;
                 // Nothing is read out before the last answer is there.

@@ -61,7 +61,6 @@ const NOT_EVALUATED: &[(&str, &str, &str)] = &[
     ("making", r"J_t = \tfrac12 m_t r_t^2", NO_LETTER),
     ("making", r"l = R/\sin\alpha", NO_LETTER),
     ("making", r"\alpha = \pi/N", NO_LETTER),
-    ("making", r"b R^4 = J_t/3", NO_LETTER),
     ("program", "y' = f(x, y)", NO_LETTER),
     ("terminal-speed", r"u = u_0/(1 - \lambda)", NO_LETTER),
     ("terminal-speed", r"\lambda < 1", NO_LETTER),

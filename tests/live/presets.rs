@@ -153,3 +153,30 @@ fn twice_the_torque_is_twice_what_it_was_each_time() {
     let names = of(&mut browser, name, "f.querySelector('.says').textContent");
     assert!(names.as_str().is_some_and(|told| told.contains("follower's moment of inertia")), "{names}");
 }
+
+#[test]
+fn the_presets_of_the_chapters_tasks_give_the_numbers_of_their_commands() {
+    for (words, task) in [("a table of", "table"), ("from a printer", "printed")] {
+        let design = geneva_live::DESIGN;
+        let preset = design.presets.iter().find(|preset| preset.name.starts_with(words)).expect(words);
+        let arguments = LiveArguments::parse(preset.arguments).expect("arguments");
+        let answer = design.answer(&arguments).expect("a wheel");
+        let question = geneva_chapters::questions::question(task).expect("a question");
+        let mut compared = 0;
+        for quantity in design.quantities.iter().chain(design.others) {
+            let shown = answer.numbers.iter().find(|number| number.name == quantity.name);
+            let (Some(shown), Some(key)) = (shown, quantity.key) else { continue };
+            // The page always has a table, and the command of the printed wheel has none.
+            if (task, key) == ("printed", "inertia_kgm2") {
+                continue;
+            }
+            // Without a load, none is told.
+            let Ok(told) = geneva_chapters::questions::value(&question, key) else { continue };
+            // A share is shown in hundredths.
+            let told = if shown.text.contains('%') { 100.0 * told } else { told };
+            approx::assert_relative_eq!(shown.value, told, max_relative = 1e-9);
+            compared += 1;
+        }
+        assert!(compared > 15, "{task}: {compared}");
+    }
+}

@@ -1,6 +1,8 @@
 //! Is every option that would change nothing refused, and does the message say what would make it count?
 
-use crate::{refused, stdout};
+use crate::{answered, refused, stdout};
+use geneva_ask::wheel::{ActsOn, Argument, ArgumentSlot, arguments};
+use geneva_kinematics::wheel::as_built::Process;
 
 const SIZE: [&str; 2] = ["--crank-radius", "50"];
 
@@ -118,4 +120,59 @@ fn every_option_that_is_taken_changes_the_answer() {
     let plate = stdout(&[&one[..], &["--thickness", "5", "--density", "7850"]].concat(), 0);
     let thick = stdout(&[&one[..], &["--thickness", "10", "--density", "7850"]].concat(), 0);
     assert_ne!(plate, thick);
+}
+
+/// Values of an option, none of which is what holds if it is not given.
+fn values(argument: &Argument) -> Vec<&'static str> {
+    match argument.place {
+        ArgumentSlot::Kind(_) => vec!["internal", "spherical"],
+        // What holds if nothing is said depends on the process where a page has an entry for that.
+        ArgumentSlot::Choice(choice) => choice.names[1..].to_vec(),
+        // One of each is enough, and each process asks for a thousand assemblies.
+        ArgumentSlot::Process(_) => vec![Process::Mill.name()],
+        ArgumentSlot::Material(_) => vec!["acetal"],
+        ArgumentSlot::Stations(_) => vec!["7"],
+        ArgumentSlot::Pins(_) | ArgumentSlot::Count(_) => vec!["2", "4"],
+        _ => vec!["0.3"],
+    }
+}
+
+/// Every option with each of its values changes what is said or made, or is refused in words that name it, whatever else is given.
+#[test]
+fn no_option_of_the_table_is_taken_without_an_effect() {
+    let (mut refused, mut silent) = (0, Vec::new());
+    for more in [
+        &[][..],
+        &["--crank-radius", "50"],
+        &["--type", "internal"],
+        &["--type", "internal", "--crank-radius", "50", "--thickness", "6"],
+        &["--type", "spherical", "--crank-radius", "50"],
+    ] {
+        let wheel = [&["wheel", "--stations", "6"][..], more].concat();
+        let in_format =
+            |format: &'static str, option: &[&str]| answered(&[&wheel[..], option, &["--format", format]].concat());
+        let plain = in_format("json", &[]).stdout;
+        for argument in arguments().filter(|argument| !more.contains(&format!("--{}", argument.name).as_str())) {
+            let option = format!("--{}", argument.name);
+            for value in values(argument).into_iter().filter(|_| argument.name != "stations") {
+                let given = [option.as_str(), value];
+                let told = in_format("json", &given);
+                if told.code != 0 {
+                    refused += 1;
+                    continue;
+                }
+                // Mountings are in the files, and materials on the drawings.
+                let is_filed = argument.acts_on.contains(&ActsOn::Files)
+                    && ["step", "parts"]
+                        .into_iter()
+                        .any(|format| in_format(format, &given).stdout != in_format(format, &[]).stdout);
+                let is_drawn = matches!(argument.place, ArgumentSlot::Material(_));
+                if told.stdout == plain && !is_filed && !is_drawn {
+                    silent.push(format!("{} {option} {value}", more.join(" ")));
+                }
+            }
+        }
+    }
+    assert!(silent.is_empty(), "passed over in silence: {silent:#?}");
+    assert!(refused > 200, "only {refused} are refused");
 }

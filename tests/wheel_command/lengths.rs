@@ -90,3 +90,29 @@ fn an_internal_wheel_without_a_thickness_is_refused_by_the_option_that_was_typed
     stdout(&[&asked[..], &["--thickness", "6"]].concat(), 0);
     assert!(out.join("wheel.dxf").exists());
 }
+
+#[test]
+fn what_is_refused_is_told_in_the_units_that_were_typed() {
+    let wheel = ["wheel", "--stations", "6"];
+    for (options, said) in [
+        (&["--crank-radius", "1in", "--pin-diameter", "1-1/2in"][..], "--pin-diameter 1-1/2in"),
+        (&["--crank-radius", "1in", "--play", "40000in"], "--play 40000in: that is too large to make sense"),
+        (&["--crank-radius", "25.4", "--pin-diameter", "38", "--unit", "in"], "--pin-diameter 38: "),
+        (&["--crank-radius", "2cm", "--centre-error", "-5in"], "--centre-error -5in: the axes would be "),
+        (&["--crank-radius", "-2in"], "-2in is not above zero; give a length above zero, such as 2in or 0.5in"),
+        (&["--pin-diameter", "1/4in"], "--pin-diameter 1/4in has no effect without a size"),
+    ] {
+        let told = refused(&[&wheel[..], options].concat());
+        assert!(told.contains(said), "{told}");
+    }
+    // What is said to be given is in inches, and fits.
+    let asked = [&wheel[..], &["--crank-radius", "1in", "--pin-diameter", "1-1/2in"]].concat();
+    let told = refused(&asked);
+    let (_, given) = told.split_once("give --pin-diameter up to ").expect(&told);
+    let most = given.split_whitespace().next().expect("a limit");
+    assert!(most.ends_with("in") && !told.contains(" mm"), "{told}");
+    stdout(&[&asked[..5], &["--pin-diameter", most]].concat(), 0);
+    let check = ["wheel", "check", "--stations", "6", "--crank-radius", "3in", "--centre-distance", "2in"];
+    let said = refused(&check);
+    assert!(said.contains("crank radius 3.000 in: it must be at most"), "{said}");
+}

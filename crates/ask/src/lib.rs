@@ -22,6 +22,7 @@ macro_rules! refused {
 
 pub mod escapement;
 mod field;
+pub mod length_units;
 pub mod number_format;
 pub mod pin;
 pub mod quick_return;

@@ -49,6 +49,19 @@ pub fn in_millimetres(text: &str) -> (Cow<'_, str>, f64) {
     (value.map_or(number.into(), |value| value.to_string().into()), size)
 }
 
+/// The unit with which a length is typed, and its millimetres; none for millimetres, and of a number alone.
+///
+/// ```
+/// use geneva_ask::typed_number::unit_of;
+///
+/// assert_eq!([unit_of("1/2 inch"), unit_of("2cm"), unit_of("8mm")], [Some(("in", 25.4)), Some(("cm", 10.0)), None]);
+/// ```
+pub fn unit_of(text: &str) -> Option<(&'static str, f64)> {
+    let (_, size) = in_millimetres(text);
+    // Of several signs for one unit the shortest word is told.
+    [("in", INCH), ("cm", 10.0), ("m", 1000.0)].into_iter().find(|(_, of)| *of == size)
+}
+
 /// Fractions that are one character.
 const ONE_CHARACTER: [(char, &str); 10] = [
     ('½', " 1/2"),

@@ -78,13 +78,9 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("instant", "wheel --stations 6 --rpm 200 --at -20"),
     ("eight", "wheel --stations 8 --rpm 25"),
     // Without friction, and of no size.
-    ("free-three", "wheel --stations 3 --rpm 60 --inertia 1"),
     ("free-four", "wheel --stations 4 --rpm 60 --inertia 1"),
-    ("free-five", "wheel --stations 5 --rpm 60 --inertia 1"),
     ("free-six", "wheel --stations 6 --rpm 60 --inertia 1"),
     ("free-eight", "wheel --stations 8 --rpm 60 --inertia 1"),
-    ("free-ten", "wheel --stations 10 --rpm 60 --inertia 1"),
-    ("free-twelve", "wheel --stations 12 --rpm 60 --inertia 1"),
     ("lever", lever!("{quick-return.lever-angle}")),
     ("lever-at-ten", lever!("10")),
     ("lever-near", lever!("{quick-return.lever-angle} --branch near")),

@@ -6,6 +6,7 @@ use crate::typed::CommandFormat;
 use anyhow::bail;
 use clap::{Args, ValueEnum};
 use geneva_ask::MechanismReport;
+use geneva_ask::length_units::TypedLengths;
 
 pub(crate) use geneva_press::fields::{DataRow, csv, json};
 
@@ -21,6 +22,14 @@ pub(crate) fn with_lengths_in(unit: SheetUnit, answer: MechanismReport) -> Mecha
         SheetUnit::Mm => answer,
         SheetUnit::In => answer.beside_inches(),
     }
+}
+
+/// A refusal with lengths in the units in which they were typed; `lengths` are the names of all options that are lengths.
+pub(crate) fn in_typed_units(refused: anyhow::Error, typed: &TypedLengths, lengths: &[&str]) -> anyhow::Error {
+    let said = refused.to_string();
+    let told = typed.in_their_units(&said, lengths);
+    // What the system says has causes, and no lengths.
+    if told == said || refused.chain().count() > 1 { refused } else { anyhow::Error::msg(told) }
 }
 
 /// Units of the lengths on a sheet.

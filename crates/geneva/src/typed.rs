@@ -16,7 +16,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 pub(crate) use geneva_ask::number_format::{as_typed, rounded};
-use geneva_ask::typed_number::{TypedNumber, advice, in_millimetres};
+use geneva_ask::typed_number::{TypedNumber, advice, in_millimetres, unit_of};
 
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -60,11 +60,21 @@ pub(crate) fn signed_millimetres(text: &str) -> Result<f64, String> {
     })
 }
 
-/// A length in millimetres whose number is read by `parse`; the unit may be behind it.
+/// A length in millimetres whose number is read by `parse`; the unit may be behind it, and is then told with what is wrong.
 fn length(text: &str, parse: impl Fn(&str) -> Result<f64, String>) -> Result<f64, String> {
-    let (typed, unit) = in_millimetres(text);
-    let wrong = if number(&typed).is_none() { advice(text, TypedNumber::Length) } else { None };
-    wrong.map_or_else(|| parse(&typed).map(|length| length * unit), Err)
+    let (typed, size) = in_millimetres(text);
+    if let Some(wrong) = number(&typed).is_none().then(|| advice(text, TypedNumber::Length)).flatten() {
+        return Err(wrong);
+    }
+    let in_unit = |said: String| match unit_of(text) {
+        // With the unit that was typed, an example is a length, too.
+        Some((unit, _)) => {
+            let said = said.replacen(typed.as_ref(), &escape_and_shorten(text.trim()), 1);
+            said.replace(LENGTH, "length").replace("25 or 0.5", &format!("2{unit} or 0.5{unit}"))
+        }
+        None => said,
+    };
+    parse(&typed).map(|length| length * size).map_err(in_unit)
 }
 
 /// A number, or what to write instead: where that can't be told, `otherwise` says what is wrong.
@@ -381,7 +391,12 @@ mod tests {
             assert!(said.contains("without lb") || said.contains("mm, cm, m or in"), "{said}");
         }
         assert_eq!([millimetres("2inch"), millimetres("5cm"), millimetres("0.05m")], [Ok(50.8), Ok(50.0), Ok(50.0)]);
-        assert!(millimetres("-2in").is_err_and(|said| said.contains("above zero")));
+        let said = millimetres("-2in").expect_err("below zero");
+        assert_eq!(said, "-2in is not above zero; give a length above zero, such as 2in or 0.5in");
+        assert!(millimetres("-1/2in").is_err_and(|said| said.starts_with("-1/2in is not above zero")));
+        assert!(
+            millimetres("-2").is_err_and(|said| said.contains("length in millimetres above zero, such as 25 or 0.5"))
+        );
     }
 
     #[test]

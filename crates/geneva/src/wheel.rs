@@ -5,12 +5,14 @@
 
 use crate::fields::{self, SheetUnit, SheetUnitArgument};
 use crate::output::TextLayout;
-use crate::typed::{self, CommandFormat, Output, as_typed, formats};
+use crate::printable::escape_and_shorten;
+use crate::typed::{self, CommandFormat, Output, formats};
 use crate::wheel_check::CheckArguments;
 use anyhow::{Context, Error, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use geneva_ask::MechanismReport;
+use geneva_ask::length_units::TypedLengths;
 use geneva_ask::wheel::{
     ActsOn, Argument, ArgumentSlot, GROUPS, NamedChoice, SHAPE_FILES, Times, WheelDesign, WheelKind, WheelQuestion,
     arguments, proposals, proposals_for_angle, speeds,
@@ -76,8 +78,15 @@ between slots or arcs.")]
 }
 
 /// The arguments of a question about a wheel as options: one for each row of the table of arguments.
-#[derive(Clone, Debug)]
-pub(crate) struct WheelOptions(WheelQuestion);
+#[derive(Clone, Debug, Default)]
+pub(crate) struct WheelOptions {
+    question: WheelQuestion,
+    /// What was typed for each option that was given; of repeated ones the first.
+    given: Vec<GivenOption>,
+}
+
+/// An option with what was typed for it.
+type GivenOption = (Argument, String);
 
 impl Args for WheelOptions {
     fn augment_args(command: Command) -> Command {
@@ -93,7 +102,7 @@ impl Args for WheelOptions {
 
 impl FromArgMatches for WheelOptions {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let mut asked = Self(WheelQuestion::default());
+        let mut asked = Self::default();
         asked.update_from_arg_matches(matches)?;
         Ok(asked)
     }
@@ -102,8 +111,10 @@ impl FromArgMatches for WheelOptions {
         fn typed<T: Clone + Send + Sync + 'static>(matches: &ArgMatches, name: &str) -> Option<T> {
             matches.get_one(name).cloned()
         }
-        let Self(question) = self;
-        for Argument { name, place, .. } in arguments() {
+        let Self { question, given } = self;
+        for argument @ Argument { name, place, .. } in arguments() {
+            let mut texts = matches.get_raw(name).into_iter().flatten();
+            given.extend(texts.next().map(|text| (*argument, text.to_string_lossy().into_owned())));
             match place {
                 ArgumentSlot::Stations(at) | ArgumentSlot::Pins(at) => *at(question) = typed(matches, name),
                 ArgumentSlot::Kind(at) => *at(question) = typed(matches, name),
@@ -166,9 +177,24 @@ fn materials() -> impl TypedValueParser<Value = Material> {
         .try_map(|name| MATERIALS.into_iter().find(|material| material.name == name).ok_or("not a known material"))
 }
 
-/// The wheel that is wanted, in the format that is wanted, or in all of them.
+/// The wheel that is wanted, in the format that is wanted, or in all of them. What is refused is told in the units that were typed.
 pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
-    let (format, question) = (wanted.format, wanted.asked.0.clone());
+    let is_length = |argument: &Argument| {
+        matches!(
+            argument.place,
+            ArgumentSlot::Length(_) | ArgumentSlot::LengthOrZero(_) | ArgumentSlot::SignedLength(_)
+        )
+    };
+    let mut typed = TypedLengths::new(wanted.unit.unit == SheetUnit::In);
+    for (argument, text) in wanted.asked.given.iter().filter(|(argument, _)| is_length(argument)) {
+        typed.add(argument.name, text);
+    }
+    let lengths = arguments().filter(|argument| is_length(argument)).map(|argument| argument.name).collect::<Vec<_>>();
+    answer(wanted, layout).map_err(|refused| fields::in_typed_units(refused, &typed, &lengths))
+}
+
+fn answer(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Result<String> {
+    let (format, question, given) = (wanted.format, wanted.asked.question.clone(), &wanted.asked.given);
     wanted.unit.reject_without_sheet(format)?;
     if let Some(proposed) = proposed(&question)? {
         reject_with_proposals(&question, wanted)?;
@@ -180,7 +206,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
     }
     if let Some(folder) = &wanted.out {
         let design = WheelDesign::new(WheelQuestion { recommends_size: true, ..question })?;
-        reject_without_effect(&design.question, CommandFormat::Text)?;
+        reject_without_effect(&design.question, given, CommandFormat::Text)?;
         return write_all(&design, folder, wanted.unit.unit, layout);
     }
     let recommends_size = question.process.is_some();
@@ -188,7 +214,7 @@ pub(crate) fn page(wanted: &WheelArguments, layout: TextLayout) -> anyhow::Resul
     if format == CommandFormat::Scad {
         design.require_parts(format.name())?;
     }
-    reject_without_effect(&design.question, format)?;
+    reject_without_effect(&design.question, given, format)?;
     Ok(match format {
         CommandFormat::Svg => design.drawing().standalone(),
         CommandFormat::Dxf => design.dxf()?,
@@ -275,39 +301,36 @@ fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextL
 const OUT: OutputOption = OutputOption { name: "--out", instead: "" };
 
 /// Refuses the first of these options that was given; `why` ends the sentence "… has no effect".
-fn reject_any(wanted: &WheelQuestion, refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
-    match wanted.numbers().into_iter().find(|(argument, _)| refused(argument)) {
-        Some((Argument { name, .. }, value)) => bail!("--{name} {} has no effect {why}", as_typed(value)),
+fn reject_any(given: &[GivenOption], refused: impl Fn(&Argument) -> bool, why: &str) -> anyhow::Result<()> {
+    match given.iter().find(|(argument, _)| refused(argument)) {
+        Some((Argument { name, .. }, text)) => {
+            bail!("--{name} {} has no effect {why}", escape_and_shorten(text.trim()))
+        }
         None => Ok(()),
     }
 }
 
-/// Refuses a material that was given; `why` ends the sentence "… has no effect".
-fn reject_materials(wanted: &WheelQuestion, why: &str) -> anyhow::Result<()> {
-    for (option, material) in [("wheel-material", wanted.wheel_material), ("pin-material", wanted.pin_material)] {
-        if let Some(material) = material {
-            bail!("--{option} {} has no effect {why}", material.name);
-        }
-    }
-    Ok(())
-}
+/// The materials, which count where there are loads.
+const MATERIAL_OPTIONS: &[&str] = &["wheel-material", "pin-material"];
 
 /// Refuses options that have no effect where wheels are proposed.
 fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> anyhow::Result<()> {
     let (by, counts): (_, &[&str]) = if wanted.dwell_angle.is_some() {
-        ("--dwell-angle", &["dwell-angle"])
+        ("--dwell-angle", &["type", "dwell-angle"])
     } else {
-        ("--index-time and --dwell-time", &["stations", "index-time", "dwell-time"])
+        ("--index-time and --dwell-time", &["type", "stations", "index-time", "dwell-time"])
     };
+    let given = &options.asked.given;
     reject_any(
-        wanted,
-        |argument| !counts.contains(&argument.name),
+        given,
+        |argument| ![counts, MATERIAL_OPTIONS].concat().contains(&argument.name),
         &format!(
             "with {by}, which propose wheels; leave it out now, and give it with the --stations and --rpm of the wheel you \
              choose"
         ),
     )?;
-    reject_materials(wanted, &format!("with {by}, which propose wheels without loads; leave it out"))?;
+    let why = format!("with {by}, which propose wheels without loads; leave it out");
+    reject_any(given, is_named(MATERIAL_OPTIONS), &why)?;
     if options.unit.unit == SheetUnit::In {
         bail!("--unit in has no effect with {by}, which propose wheels without a size; leave it out");
     }
@@ -333,17 +356,17 @@ fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> an
 }
 
 /// Refuses options that have no effect for this one wheel. What only numbers need is no fault beside a file of shapes.
-fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyhow::Result<()> {
+fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: CommandFormat) -> anyhow::Result<()> {
     let is_external = wanted.kind.is_none_or(|kind| kind == WheelKind::External);
     let is_internal = wanted.kind == Some(WheelKind::Internal);
     let has_parts = is_external || (is_internal && (is_of_parts(format) || wanted.scale().is_some()));
     if is_internal && has_parts && !is_of_parts(format) {
         let why = "on the numbers of an internal wheel, of whose pin and axes no more is worked out; leave it out, or choose --type external";
-        reject_any(wanted, is_named(NOT_OF_INTERNAL), why)?;
+        reject_any(given, is_named(NOT_OF_INTERNAL), why)?;
         if wanted.thickness.is_none() {
             let why = "on the numbers of an internal wheel without a thickness; add --thickness MM for its inertia";
-            reject_any(wanted, is_named(&["density"]), why)?;
-            reject_materials(wanted, why)?;
+            reject_any(given, is_named(&["density"]), why)?;
+            reject_any(given, is_named(MATERIAL_OPTIONS), why)?;
         }
     }
     if !has_parts {
@@ -352,45 +375,43 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
         } else {
             "because the parts of a spherical wheel are not worked out; leave it out, or choose --type external"
         };
-        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
-        reject_materials(wanted, why)?;
+        reject_any(given, acts_on(ActsOn::Parts), why)?;
     }
     if format == CommandFormat::Svg && !is_external {
         let why = "on --format svg, whose drawing of this kind is not to scale; leave it out, or choose --format text, json or csv";
-        reject_any(wanted, acts_on(ActsOn::Size), why)?;
+        reject_any(given, acts_on(ActsOn::Size), why)?;
     }
     if format == CommandFormat::Csv {
         let why = "on --format csv, which has the cycle only; add --out DIR for all files, or choose --format text";
         let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
-        reject_any(wanted, is_of_files, why)?;
+        reject_any(given, is_of_files, why)?;
     }
     if wanted.process.is_none() {
-        reject_any(wanted, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
+        reject_any(given, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
     }
     if is_shape(format) && format != CommandFormat::Parts {
         let why = format!(
             "on --format {}, whose lines are the outlines; leave it out, or choose --format parts",
             format.name()
         );
-        reject_any(wanted, is_named(&["kerf"]), &why)?;
+        reject_any(given, is_named(&["kerf"]), &why)?;
     }
     if format == CommandFormat::Fields {
         let why =
             "on --format fields, which has no instants; leave it out, or choose --format csv, which has a row for each";
-        reject_any(wanted, is_named(&["at", "at-wheel"]), why)?;
+        reject_any(given, is_named(&["at", "at-wheel"]), why)?;
     }
     let is_given = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Size));
     let is_sized = is_given || (wanted.recommends_size && is_external);
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
-        reject_any(wanted, acts_on(ActsOn::Parts), why)?;
-        reject_materials(wanted, why)?;
-        reject_any(wanted, is_named(&["bearing-friction"]), why)?;
+        reject_any(given, acts_on(ActsOn::Parts), why)?;
+        reject_any(given, is_named(&["bearing-friction"]), why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
         reject_any(
-            wanted,
+            given,
             |argument| argument.acts_on.contains(&ActsOn::Inertia) || argument.acts_on.contains(&ActsOn::Load),
             why,
         )?;
@@ -398,18 +419,25 @@ fn reject_without_effect(wanted: &WheelQuestion, format: CommandFormat) -> anyho
     let has_inertia = wanted.numbers().iter().any(|(argument, _)| argument.acts_on.contains(&ActsOn::Inertia));
     if !(has_inertia || is_sized && is_external) {
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
-        reject_any(wanted, acts_on(ActsOn::Load), why)?;
+        reject_any(given, acts_on(ActsOn::Load), why)?;
     }
-    for (names, needed, given) in [
+    if wanted.speed().is_none() && wanted.arm_torque.is_none() && !is_shape(format) {
+        let why = "without a force on the pin; add --arm-torque NM, or a speed by --rpm R or --index-time S";
+        reject_any(given, is_named(ELASTICITY), why)?;
+    }
+    for (names, needed, value) in [
         (&["wheel-bearing", "driver-bearing"][..], "--bearing-friction MU", wanted.bearing_friction),
         (&["drive-torque"], "--driver-inertia KGM2", wanted.driver_inertia),
     ] {
-        if given.is_none() {
-            reject_any(wanted, is_named(names), &format!("without {needed}; add that"))?;
+        if value.is_none() {
+            reject_any(given, is_named(names), &format!("without {needed}; add that"))?;
         }
     }
     Ok(())
 }
+
+/// What acts on the pressure between pin and slot alone.
+const ELASTICITY: &[&str] = &["pin-modulus", "pin-poisson", "wheel-modulus", "wheel-poisson"];
 
 /// What acts on numbers that only external wheels have.
 const NOT_OF_INTERNAL: &[&str] = &[
@@ -464,7 +492,8 @@ mod tests {
         let words: String = arguments().map(|argument| format!("--{} {} ", argument.name, value(argument))).collect();
         let command = WheelArguments::augment_args(Command::new("wheel"));
         let line = ["wheel"].into_iter().chain(words.split_whitespace());
-        let WheelOptions(asked) = WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
+        let WheelOptions { question: asked, .. } =
+            WheelOptions::from_arg_matches(&command.get_matches_from(line)).expect("options");
         assert_eq!(format!("{asked:?}"), format!("{:?}", WheelQuestion::parse(&words).expect("arguments")));
     }
 

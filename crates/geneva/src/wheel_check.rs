@@ -1,11 +1,12 @@
 //! A wheel that exists: does it turn, and which of its measured sizes contradicts the others?
 
-use crate::fields::{self, SheetUnitArgument};
+use crate::fields::{self, SheetUnit, SheetUnitArgument};
 use crate::output::TextLayout;
 use crate::typed::{self, CommandFormat, Output, formats};
 use anyhow::{Context, bail};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use geneva_ask::wheel::{CHECK_ARGUMENTS, CheckQuestion, LayerNames, UNCERTAINTY};
+use geneva_ask::length_units::TypedLengths;
+use geneva_ask::wheel::{CHECK_ARGUMENTS, CheckQuestion, LayerNames, UNCERTAINTY, mouth_arguments};
 use std::fs;
 use std::path::PathBuf;
 
@@ -54,13 +55,17 @@ pub(crate) struct CheckArguments {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MeasuredSizes(Vec<(&'static str, String)>);
 
+/// The sizes that can be typed, each with its name, the word for its value, and its help: those that are measured, and those of the mouths.
+fn typed_sizes() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let measured = CHECK_ARGUMENTS.iter().map(|of| (of.name, of.value, of.help));
+    measured.chain(mouth_arguments().map(|of| (of.name, of.unit, of.help)))
+}
+
 impl Args for MeasuredSizes {
     fn augment_args(command: Command) -> Command {
-        command.args(
-            CHECK_ARGUMENTS
-                .iter()
-                .map(|of| Arg::new(of.name).long(of.name).value_name(of.value).help(of.help).allow_hyphen_values(true)),
-        )
+        command.args(typed_sizes().map(|(name, value, help)| {
+            Arg::new(name).long(name).value_name(value).help(help).allow_hyphen_values(true)
+        }))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -76,15 +81,23 @@ impl FromArgMatches for MeasuredSizes {
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        let given =
-            CHECK_ARGUMENTS.iter().filter_map(|of| Some((of.name, matches.get_one::<String>(of.name)?.clone())));
+        let given = typed_sizes().filter_map(|(name, ..)| Some((name, matches.get_one::<String>(name)?.clone())));
         self.0 = given.collect();
         Ok(())
     }
 }
 
-/// What is said of the wheel, in the format that is wanted.
+/// What is said of the wheel, in the format that is wanted. What is refused is told in the units that were typed.
 pub(crate) fn page(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Result<String> {
+    let mut typed = TypedLengths::new(wanted.unit.unit == SheetUnit::In);
+    let lengths: Vec<&str> = typed_sizes().filter(|(_, value, _)| *value == "MM").map(|(name, ..)| name).collect();
+    for (name, text) in wanted.sizes.0.iter().filter(|(name, _)| lengths.contains(name)) {
+        typed.add(name, text);
+    }
+    answer(wanted, layout).map_err(|refused| fields::in_typed_units(refused, &typed, &lengths))
+}
+
+fn answer(wanted: &CheckArguments, layout: TextLayout) -> anyhow::Result<String> {
     wanted.unit.reject_without_sheet(wanted.format)?;
     let uncertainty = wanted.uncertainty.unwrap_or(UNCERTAINTY);
     let mut question = match (&wanted.dxf, wanted.stations) {

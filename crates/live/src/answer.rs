@@ -66,7 +66,7 @@ impl LiveQuantity {
     }
 }
 
-/// So many of so many parts of a long calculation.
+/// So many of so many parts of a long calculation, of which the last answer of a setting has none left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// What its parts are called.
@@ -75,6 +75,11 @@ pub struct Progress {
     pub done: usize,
     /// All parts.
     pub all: usize,
+}
+
+impl Progress {
+    /// That something is left, of which no parts are counted.
+    pub const UNCOUNTED: Self = Self { parts: "", done: 0, all: 1 };
 }
 
 impl LiveReply {

@@ -274,6 +274,7 @@ pub struct ToleranceTable {
 pub struct Settings<'a> {
     controls: &'a [Control],
     arguments: &'a LiveArguments,
+    is_in_motion: bool,
 }
 
 impl Live {
@@ -283,7 +284,20 @@ impl Live {
     ///
     /// What is wrong with the arguments, and what to give.
     pub fn answer(&self, arguments: &LiveArguments) -> Result<LiveReply, String> {
-        let answer = (self.draw)(&self.settings(arguments)?)?;
+        self.answer_to(&self.settings(arguments)?)
+    }
+
+    /// The figure while a reader moves it: what takes long and has no part in the drawing is missing, and the answer has `progress`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`answer`](Self::answer).
+    pub fn answer_in_motion(&self, arguments: &LiveArguments) -> Result<LiveReply, String> {
+        self.answer_to(&Settings { is_in_motion: true, ..self.settings(arguments)? })
+    }
+
+    fn answer_to(&self, settings: &Settings) -> Result<LiveReply, String> {
+        let answer = (self.draw)(settings)?;
         let is_shown = |text: &str| !text.contains("NaN") && !text.contains("inf");
         if answer.numbers.iter().all(|number| is_shown(&number.text)) && !answer.figure.svg.contains("NaN") {
             Ok(answer)
@@ -323,7 +337,12 @@ impl<'a> Settings<'a> {
             let names = names().collect::<Vec<_>>().join(", ");
             return Err(format!("no argument `{}`: there are {names}", quoted(unknown)));
         }
-        Ok(Self { controls, arguments })
+        Ok(Self { controls, arguments, is_in_motion: false })
+    }
+
+    /// Whether the next setting is expected at once: what takes long can wait until one stays.
+    pub fn is_in_motion(&self) -> bool {
+        self.is_in_motion
     }
 
     /// The value of a control, in its unit.

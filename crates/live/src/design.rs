@@ -2,19 +2,21 @@
 
 use crate::answer::{LiveNumber, LiveQuantity, LiveReply, Progress};
 use crate::arguments::LiveArguments;
+use crate::assemblies::{Counts, counted};
 use crate::control::{Control, Live, LiveFile, Preset, Settings, ToleranceTable};
+use crate::given::given;
+use crate::page_words::{label, with_labels, words};
 use crate::turned::{ToleranceRow, ToleranceState, TurnedParts};
 use crate::watch::{ERRORS, TURNING, WatchedWheel, WrongSizes};
 use geneva_ask::wheel::{
-    ASSEMBLIES, Argument, ArgumentSlot, FittingValues, GROUPS, Knob, MountingQuestion, SHAPE_FILES, SearchEffort,
-    WRONG_SIZES, WheelDesign, WheelQuestion, arguments, yield_fields,
+    ASSEMBLIES, Argument, ArgumentSlot, GROUPS, Knob, SHAPE_FILES, SearchEffort, WRONG_SIZES, WheelDesign,
+    WheelQuestion, arguments, yield_fields,
 };
-use geneva_ask::{Error, ReportField, Rounding};
+use geneva_ask::{ReportField, Rounding};
 use geneva_dynamics::line_contact::{MATERIALS, Material};
 use geneva_figures::stations;
-use geneva_kinematics::wheel::as_built::{Process, Yield};
-use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes, SizesError};
-use std::cell::RefCell;
+use geneva_kinematics::wheel::as_built::Process;
+use geneva_kinematics::wheel::{ClosestApproach, ContactPair, Sizes};
 
 /// The designer of wheels.
 pub const LIVE: Live = Live {
@@ -29,6 +31,17 @@ pub const LIVE: Live = Live {
     presets: &[
         Preset::whole("six stations", "stations=6&crank-radius=25"),
         Preset::whole("eight stations, two pins", "stations=8&pins=2&crank-radius=20"),
+        // The first two tasks of the chapter.
+        Preset::whole(
+            "a table of 2 kg, in 0.4 s",
+            "stations=6&index-time=0.4&crank-radius=45&table-mass=2&table-diameter=300&friction-torque=0&process=2&wheel-material=13\
+             &pin-material=13&thickness=12",
+        ),
+        Preset::whole(
+            "from a printer, four stations",
+            "stations=4&crank-radius=25&process=6&pin-screw=1&wheel-hub-circle=20&hub-holes=4&hub-screw=1&wheel-material=13\
+             &pin-material=13&thickness=6",
+        ),
         Preset::whole("a pin too thick", "stations=6&crank-radius=25&pin-diameter=20"),
         Preset::whole(
             "slots out of place, 20 times as large",
@@ -193,50 +206,6 @@ const fn control(argument: &Argument, knob: Knob) -> Control {
     }
 }
 
-/// The side of a group that the reader gave last: the first unless another was moved.
-fn given_side(settings: &Settings, group: &str) -> Result<usize, String> {
-    for argument in arguments() {
-        if let Some(Knob { side: Some((of, number)), .. }) = argument.knob
-            && of == group
-            && number > 0
-            && settings.value_if_moved(argument.name)?.is_some()
-        {
-            return Ok(number);
-        }
-    }
-    Ok(0)
-}
-
-/// The arguments that these settings give, each with its value: of a choice its number.
-fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>, String> {
-    let mut given = Vec::new();
-    for argument in arguments() {
-        let Some(knob) = argument.knob else { continue };
-        let is_given = match knob.side {
-            Some((group, number)) => number == given_side(settings, group)?,
-            None => true,
-        };
-        if !is_given {
-            continue;
-        }
-        let value = match (argument.place, knob.first) {
-            (
-                ArgumentSlot::Stations(_)
-                | ArgumentSlot::Pins(_)
-                | ArgumentSlot::Material(_)
-                | ArgumentSlot::Count(_)
-                | ArgumentSlot::Choice(_)
-                | ArgumentSlot::Process(_),
-                _,
-            ) => Some(f64::from(settings.count(argument.name)?)),
-            (_, Some(_)) => Some(settings.value(argument.name)?),
-            (_, None) => settings.value_if_moved(argument.name)?,
-        };
-        given.extend(value.map(|value| (argument, value)));
-    }
-    Ok(given)
-}
-
 /// A material by its number; behind the last is none, which leaves it to how the parts are made.
 fn material(number: f64) -> Option<Material> {
     MATERIALS.get(number as usize).copied()
@@ -297,7 +266,10 @@ const SOON: SearchEffort = SearchEffort { clearance: 40_000, tolerance: 12_000 }
 
 /// The wheel of these settings.
 fn design(settings: &Settings) -> Result<WheelDesign, String> {
-    WheelDesign::new(question(settings, SOON)?).map_err(words)
+    // With axes out of their place, a warning tells how far they may be.
+    let waits = settings.is_in_motion() && settings.value("centre-error")? == 0.0;
+    let effort = if waits { SearchEffort { tolerance: 0, ..SOON } } else { SOON };
+    WheelDesign::new(question(settings, effort)?).map_err(words)
 }
 
 /// The wheel of the designer's arguments, for a file, which may take as long as the command's.
@@ -312,28 +284,6 @@ pub fn wheel_for_a_file(arguments: &LiveArguments) -> Result<WheelDesign, String
 
 /// A wheel without a size, which the controls always give.
 const NO_SIZES: &str = "a wheel without a size has no drawing; give a crank radius or a centre distance";
-
-/// An error of a wheel in words, without the arguments that only the command line has.
-pub fn words(error: Error) -> String {
-    match error {
-        Error::Sizes { error, remedies } => sizes_words(&error, &remedies),
-        Error::Kinematics(error) => error.to_string(),
-        Error::Dynamics(error) => error.to_string(),
-        Error::Argument(message) => message,
-        Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
-    }
-}
-
-/// An error about parts that don't fit in words, with the controls that make them fit.
-fn sizes_words(error: &SizesError, remedies: &[FittingValues]) -> String {
-    let control = |of: &FittingValues| {
-        let knob = arguments().find(|argument| argument.name == of.name)?.knob?;
-        let label = knob.label.strip_prefix("or ").unwrap_or(knob.label);
-        Some(format!("{label}: {} {}", of.range(), knob.unit))
-    };
-    let controls: Vec<String> = remedies.iter().filter_map(control).collect();
-    if controls.is_empty() { error.to_string() } else { format!("{}. Give {}", error.reason(), controls.join(", or ")) }
-}
 
 /// Decimals of a number that is known to a tolerance, four at most.
 fn decimals(tolerance: f64) -> usize {
@@ -350,8 +300,9 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     let design = design(settings)?;
     let sizes = design.sizes.as_ref().ok_or(NO_SIZES)?;
     let mut fields = design.live_fields(&sizes.wheel).map_err(words)?;
-    let counted = counted(&design)?;
-    fields.extend(yield_fields(counted.filter(|counted| counted.tried == ASSEMBLIES), design.wheel.kind()));
+    let Counts { turning, cause, progress } = counted(settings, &design)?;
+    let progress = if settings.is_in_motion() { Some(Progress::UNCOUNTED) } else { progress };
+    fields.extend(yield_fields(turning.filter(|turning| turning.tried == ASSEMBLIES), design.wheel.kind()));
     let clearance = design.clearance().map_err(words)?;
     let number = |of: &LiveQuantity| match of.key {
         Some(key) => {
@@ -373,10 +324,11 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
         .collect();
     let numbers: Vec<LiveNumber> =
         LIVE.quantities.iter().chain(LIVE.others).chain(&further).filter_map(number).collect();
-    let warnings = design.warnings().map_err(words)?;
-    let is_late = clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none();
+    let warnings = design.warnings_with_cause(cause).map_err(words)?;
+    let is_late =
+        !settings.is_in_motion() && (clearance.is_none() || design.centre_tolerance().map_err(words)?.is_none());
     let watched = WatchedWheel::new(settings, sizes)?;
-    let message = message(&warnings, design.centre_error(), is_late, watched.verdict()?);
+    let message = message(&warnings, design.centre_error(), is_late, watched.verdict()?, metal_from_a_printer(&design));
     let followers = followers(&design, &fields);
     let (made, slots_turned) = watched.drawn();
     let figure = if made == *sizes && slots_turned == 0.0 {
@@ -384,11 +336,6 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
     } else {
         stations::dimensions_of_a_wrong_wheel(sizes, &made, slots_turned)
     };
-    let progress = counted.filter(|counted| counted.tried < ASSEMBLIES).map(|counted| Progress {
-        parts: "assemblies",
-        done: counted.tried as usize,
-        all: ASSEMBLIES as usize,
-    });
     Ok(LiveReply {
         further,
         followers,
@@ -397,31 +344,6 @@ fn draw(settings: &Settings) -> Result<LiveReply, String> {
         turned: Some(watched.parts()?),
         command: Some(command(settings)?),
         ..LiveReply::new(figure, numbers)
-    })
-}
-
-/// Assemblies that are counted at one asking: few, so that a slider never waits for them.
-const AT_ONCE: u64 = 50;
-
-/// The sizes, plays, process and mounting of a question, by which its assemblies are drawn, and how many are counted.
-type Counted = (Option<(Sizes, Process, Option<f64>, MountingQuestion)>, Yield);
-
-thread_local! {
-    static COUNTED: RefCell<Counted> = const { RefCell::new((None, Yield { tried: 0, turning: 0 })) };
-}
-
-/// How many assemblies turn, as far as they are counted: at each asking some more, at the first of a wheel none. None without a process.
-fn counted(design: &WheelDesign) -> Result<Option<Yield>, String> {
-    let named = design.sizes.zip(design.question.process);
-    let Some((sizes, process)) = named else { return Ok(None) };
-    COUNTED.with_borrow_mut(|(of, counted)| {
-        let asked = Some((sizes, process, design.question.measured_play, design.question.mounting));
-        if *of == asked {
-            *counted = design.count_assemblies(*counted, AT_ONCE).map_err(words)?.unwrap_or_default();
-        } else {
-            (*of, *counted) = (asked, Yield::default());
-        }
-        Ok(Some(*counted))
     })
 }
 
@@ -479,8 +401,15 @@ fn place(nearest: &ClosestApproach) -> LiveNumber {
 }
 
 /// What is to be said of the setting: what errors do, the warnings of the command, and which numbers are for other axes or are missing.
-fn message(warnings: &[String], error: f64, is_late: bool, verdict: Option<String>) -> Option<String> {
+fn message(
+    warnings: &[String],
+    error: f64,
+    is_late: bool,
+    verdict: Option<String>,
+    material: Option<String>,
+) -> Option<String> {
     let warnings = warnings.iter().map(|warning| {
+        let warning = with_labels(warning);
         let mut letters = warning.chars();
         let first = letters.next().map(|letter| letter.to_ascii_uppercase());
         format!("{}{}.", first.unwrap_or_default(), letters.as_str())
@@ -494,9 +423,26 @@ fn message(warnings: &[String], error: f64, is_late: bool, verdict: Option<Strin
          computes them.",
     );
     let own = [moved, late].into_iter().flatten().map(str::to_owned);
-    let all: Vec<String> = verdict.into_iter().chain(warnings).chain(own).collect();
+    let all: Vec<String> = verdict.into_iter().chain(warnings).chain(material).chain(own).collect();
     Some(all.join(" ")).filter(|text| !text.is_empty())
 }
+
+/// That a printer makes no wheel of the metal for which loads are told: the choice of a material is another one than that of a process.
+fn metal_from_a_printer(design: &WheelDesign) -> Option<String> {
+    let wheel = design.materials[1];
+    let is_printed = matches!(design.question.process, Some(Process::Fdm | Process::Resin));
+    (is_printed && wheel.density > LEAST_OF_METAL).then(|| {
+        format!(
+            "Inertia, loads and pressure are for a wheel of {}. Choose “{}” in “{}” for one from the printer.",
+            wheel.name,
+            NAMES[MATERIALS.len()],
+            arguments().find(|argument| argument.name == "wheel-material").and_then(label).unwrap_or_default()
+        )
+    })
+}
+
+/// The density in kg/m³ from which on a material counts as a metal, which is none of what printers print.
+const LEAST_OF_METAL: f64 = 2000.0;
 
 /// By how much each size may be wrong, alone and with all others, and by how much it is.
 fn tolerances(settings: &Settings) -> Result<Vec<ToleranceRow>, String> {

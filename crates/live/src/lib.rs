@@ -11,13 +11,16 @@
 
 mod answer;
 mod arguments;
+mod assemblies;
 mod control;
 mod design;
 mod escapement;
 #[cfg(all(target_family = "wasm", feature = "exports"))]
 mod exports;
+mod given;
 mod json;
 mod mistake;
+mod page_words;
 mod pin;
 mod polygon;
 mod question;
@@ -28,8 +31,9 @@ mod wheel;
 pub use answer::{LiveNumber, LiveQuantity, LiveReply, Progress, round_for_box};
 pub use arguments::LiveArguments;
 pub use control::{Control, ControlKind, ControlSide, Live, LiveFile, PointerDrag, Preset, ToleranceTable};
-pub use design::{LIVE as DESIGN, NUMBERS_FILE, SHEET_FILE, wheel_for_a_file, words as refusal};
+pub use design::{LIVE as DESIGN, NUMBERS_FILE, SHEET_FILE, wheel_for_a_file};
 pub use json::text_object;
+pub use page_words::words as refusal;
 pub use question::LiveQuestion;
 pub use turned::{ToleranceRow, ToleranceState, TurnedParts};
 
@@ -50,8 +54,8 @@ pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.turned?arguments`
-/// asks for `turned` alone, and `name.tolerances` for the rows of tolerances. A question that cannot be answered gets `error`:
+/// The answer to a question, `name?arguments`, as a JSON object: see [`LiveReply::to_json`]. The question `name.motion?arguments`
+/// asks for what [`Live::answer_in_motion`] gives, `name.turned` for `turned` alone, and `name.tolerances` for the rows of tolerances. A question that cannot be answered gets `error`:
 /// what is wrong, and what to give. Files are made by `geneva-live-files`.
 pub fn answer(question: &str) -> String {
     answer_among(&LIVE, question)
@@ -79,7 +83,10 @@ fn asked(figures: &[&Live], question: &str) -> Result<String, String> {
             let rows = live.tolerance_rows(&arguments)?;
             Ok(json::array(rows.iter().map(ToleranceRow::to_json)))
         }
-        Some(part) => Err(format!("no part `{}` of a figure: there are turned, tolerances", arguments::quoted(part))),
+        Some("motion") => live.answer_in_motion(&arguments).map(|answer| answer.to_json()),
+        Some(part) => {
+            Err(format!("no part `{}` of a figure: there are motion, turned, tolerances", arguments::quoted(part)))
+        }
         None => live.answer(&arguments).map(|answer| answer.to_json()),
     }
 }

@@ -241,7 +241,7 @@ impl<'a> WatchedWheel<'a> {
         let pin_centre = axis + at(sizes.crank_radius + self.larger * self.errors.crank_radius, PI - crank);
         match limit.contact {
             BuiltContact::PinOnWall => Some(pin_centre - at(pin, slot + side * PI / 2.0)),
-            BuiltContact::PinAtMouth => {
+            BuiltContact::PinAtMouth | BuiltContact::PinOnFace => {
                 let half = libm::asin((sizes.slot_width / 2.0 / sizes.tip_radius).min(1.0));
                 Some(at(sizes.tip_radius, slot - side * half))
             }
@@ -317,6 +317,7 @@ fn named(contact: BuiltContact) -> &'static str {
     match contact {
         BuiltContact::PinOnWall => "the pin on the wall of its slot",
         BuiltContact::PinAtMouth => "the pin at a corner of its slot",
+        BuiltContact::PinOnFace => "the pin on the mouth of its slot",
         BuiltContact::PinAtBottom => "the pin at the bottom of its slot",
         BuiltContact::DiscInArc => "the locking disc in its arc",
         BuiltContact::OpeningEdge => "an edge of the disc's opening in an arc",

@@ -19,7 +19,7 @@ const GIVEN: [(&str, &str); 2] = [
 ];
 
 /// Endings of questions: parts of an answer, and what is none.
-const ENDINGS: [&str; 4] = [".turned", ".tolerances", ".wheel.dxf", "."];
+const ENDINGS: [&str; 5] = [".motion", ".turned", ".tolerances", ".wheel.dxf", "."];
 
 /// Values that are no numbers, or numbers that no mechanism has.
 const HOSTILE: [&str; 20] = [
@@ -112,8 +112,17 @@ fn says_what_to_give(error: &str) -> bool {
     let own: String = error.split('`').step_by(2).collect();
     let has_range = own.contains(|sign: char| sign.is_ascii_digit());
     let is_of_a_number = error.contains("not a number") || error.contains("not an integer");
-    let words =
-        ["there are", "there is none", "give one of", "give others", "give it once", "is missing", "write % as"];
+    let words = [
+        "there are",
+        "there is none",
+        "give one",
+        "give others",
+        "give it once",
+        "is missing",
+        "write % as",
+        "add ",
+        "; give ",
+    ];
     if is_of_a_number { own.contains(" to ") } else { has_range || words.iter().any(|words| own.contains(words)) }
 }
 
@@ -187,7 +196,7 @@ fn a_value_that_is_none_is_refused_with_the_range_or_the_choices_of_its_control(
             "design?pin-material=0.5",
             "pin-material `0.5`: none of the choices; give one of 0 (steel), 1 (stainless-steel)",
         ),
-        ("design.wheel.dxf?", "no part `wheel.dxf` of a figure: there are turned, tolerances"),
+        ("design.wheel.dxf?", "no part `wheel.dxf` of a figure: there are motion, turned, tolerances"),
     ] {
         assert!(answer(question).contains(words), "{question}: {}", answer(question));
     }

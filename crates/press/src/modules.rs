@@ -4,10 +4,11 @@ use crate::book::{Book, LaterModule, PageModule};
 use crate::cache::{Shelf, digest};
 use crate::data::{FOLDER, PageFile};
 use crate::seven_bits::seven_bits;
-use miniz_oxide::deflate::compress_to_vec;
 use std::fs;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use zopfli::{Format, Options};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
 const TARGET: &str = "wasm32-wasip1";
@@ -16,8 +17,8 @@ pub(crate) const PROFILE: &str = "live";
 pub(crate) const PROFILE_SETTINGS: &str = "[profile.live]\ninherits = \"release\"\nopt-level = \"z\"\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = true\n";
 /// What asks a module, in a thread of its own: the first part of every script that has one.
 pub(crate) const THREAD: &str = include_str!("../theme/thread.js");
-/// Of ten levels, the one that packs best.
-const LEVEL: u8 = 10;
+/// How often it is looked for a smaller packing: further times save less than a thousandth.
+const TRIES: NonZeroU64 = NonZeroU64::MIN;
 
 /// The style sheets of all modules of a book, from a page.
 pub(crate) fn styles(book: &Book) -> impl Iterator<Item = String> {
@@ -90,7 +91,12 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
 
 /// A module as text.
 pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> anyhow::Result<String> {
-    shelf.text("module", &[&digest(module)], || Ok(seven_bits(&compress_to_vec(module, LEVEL))))
+    let pack = || {
+        let (mut packed, options) = (Vec::new(), Options { iteration_count: TRIES, ..Options::default() });
+        zopfli::compress(options, Format::Deflate, module, &mut packed)?;
+        Ok(seven_bits(&packed))
+    };
+    shelf.text("module", &[&digest(module)], pack)
 }
 
 /// A compiled module, and those that its controls load later.

@@ -218,6 +218,30 @@ impl Body {
 /// [`MountingError::Floating`], and [`MountingError::TooDeep`].
 pub fn validate_solids(parts: &[Part]) -> Result<(), MountingError> {
     validate_pockets(parts)?;
+    validate_joined(parts)
+}
+
+/// Refuses a locking disc or segment in one piece with a plate that it touches nowhere, whatever the thickness of the parts.
+///
+/// ```
+/// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+/// use geneva_workshop::{Mounting, parts, validate_joined};
+///
+/// let with = |plate_shaft, is_stacked| {
+///     let choices = Choices { plate_shaft: Some(plate_shaft), ..Choices::default() };
+///     let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(60.0), &choices)?; // mm
+///     let mounting = Mounting { is_stacked, ..Mounting::default() };
+///     Ok::<_, Box<dyn std::error::Error>>(validate_joined(&parts(&sizes, 6.0, &mounting)?.parts))
+/// };
+/// assert!(with(30.0, false)?.is_ok() && with(90.0, false)?.is_err()); // the disc would hang over the bore
+/// assert!(with(90.0, true)?.is_ok()); // a piece of its own hangs on its shaft or its dowels
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// [`MountingError::Floating`].
+pub fn validate_joined(parts: &[Part]) -> Result<(), MountingError> {
     let Some(plate) = parts.iter().find(|part| part.layer == Layer::Plate) else { return Ok(()) };
     let is_disc = |part: &&Part| matches!(part.layer, Layer::LockingDisc | Layer::LockingSegment);
     for part in parts.iter().filter(|part| part.is_joined).filter(is_disc) {

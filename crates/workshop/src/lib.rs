@@ -25,7 +25,7 @@ mod stl;
 mod svg;
 mod three_mf;
 
-pub use body::validate_solids;
+pub use body::{validate_joined, validate_solids};
 pub use drawing::PartLayout;
 pub use drawn_wheel::{DrawnWheel, LayerNames};
 pub use dxf::dxf;

@@ -7,7 +7,7 @@ use crate::body::{Body, bodies};
 use crate::crossings::{BoundPiece, PieceKey};
 use crate::geometry::{Point, turned};
 use crate::parts::{MountingError, Part, Place};
-use geneva_kinematics::wheel::Edge;
+use geneva_kinematics::wheel::{Edge, Loop};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -88,11 +88,27 @@ struct File {
 /// Which entity an edge is, and whether it is used from its start to its end.
 type Oriented = (u32, bool);
 
-/// The edges of a solid: by line, piece and height, and by line, corner and wall.
-#[derive(Default)]
-struct Edges {
+/// A solid in its place, with the entities of its corners and of its edges along lines that are written so far.
+struct PlacedSolid<'a> {
+    body: &'a Body,
+    place: Place,
+    /// The solid's lines where they are, in pieces.
+    lines: Vec<Vec<Edge>>,
+    /// Entities by line, piece and height.
     corners: BTreeMap<(usize, usize, u64), u32>,
-    around: BTreeMap<(usize, usize, u64), u32>,
+    edges: BTreeMap<(usize, usize, u64), u32>,
+}
+
+impl<'a> PlacedSolid<'a> {
+    fn new(body: &'a Body, place: Place) -> Self {
+        let pieces = |of: &Loop| of.edges.iter().map(|edge| edge.transform(place.turn, place.at)).collect();
+        let lines = body.lines.iter().map(pieces).collect();
+        Self { body, place, lines, corners: BTreeMap::new(), edges: BTreeMap::new() }
+    }
+
+    fn pieces(&self, line: usize) -> &[Edge] {
+        self.lines.get(line).map_or(&[], Vec::as_slice)
+    }
 }
 
 impl File {
@@ -133,13 +149,7 @@ impl File {
     }
 
     fn solid(&mut self, body: &Body, place: Place) -> u32 {
-        let mut edges = Edges::default();
-        // The lines where they are, in pieces.
-        let lines: Vec<Vec<Edge>> = body
-            .lines
-            .iter()
-            .map(|of| of.edges.iter().map(|edge| edge.transform(place.turn, place.at)).collect())
-            .collect();
+        let mut solid = PlacedSolid::new(body, place);
         let mut faces = Vec::new();
         for cap in &body.caps {
             let mut bounds: Vec<Vec<Oriented>> = Vec::new();
@@ -149,7 +159,7 @@ impl File {
                 let is_backward = of.iter().all(|side| !side.is_forward);
                 let sides: Vec<&BoundPiece> = if is_backward { of.iter().rev().collect() } else { of.iter().collect() };
                 for side in sides {
-                    let (edge, is_forward) = self.around(&mut edges, body, &lines, side.piece, cap.height, place);
+                    let (edge, is_forward) = self.around(&mut solid, side.piece, cap.height);
                     bound.push((edge, is_forward == (side.is_forward == cap.is_up)));
                 }
                 // Seen from outside the outer line runs counter-clockwise, and the holes clockwise.
@@ -164,14 +174,14 @@ impl File {
             faces.push(self.face(&bounds, plane, true));
         }
         for wall in &body.walls {
-            let Some(pieces) = lines.get(wall.line) else { continue };
+            let pieces = solid.pieces(wall.line).to_vec();
             let count = pieces.len();
             let upright: Vec<u32> = pieces
                 .iter()
                 .enumerate()
                 .map(|(piece, edge)| {
-                    let ends = [wall.bottom, wall.top]
-                        .map(|height| self.corner(&mut edges, body, &lines, (wall.line, piece), height, place));
+                    let ends =
+                        [wall.bottom, wall.top].map(|height| self.corner(&mut solid, (wall.line, piece), height));
                     let at = self.point(edge.start_point(), wall.bottom + place.bottom);
                     let vector = self.entity(format!("VECTOR('',#{UP},1.)"));
                     let line = self.entity(format!("LINE('',#{at},#{vector})"));
@@ -179,8 +189,8 @@ impl File {
                 })
                 .collect();
             for (piece, edge) in pieces.iter().enumerate() {
-                let [low, high] = [wall.bottom, wall.top]
-                    .map(|height| self.around(&mut edges, body, &lines, (wall.line, piece), height, place));
+                let [low, high] =
+                    [wall.bottom, wall.top].map(|height| self.around(&mut solid, (wall.line, piece), height));
                 let [from, to] = [piece, (piece + 1) % count].map(|k| upright.get(k).copied().unwrap_or_default());
                 let bound = vec![low, (to, true), (high.0, !high.1), (from, false)];
                 let (surface, is_same) = self.surface(edge, wall.bottom + place.bottom);
@@ -229,58 +239,43 @@ impl File {
     }
 
     /// The corner at the start of a piece of a line, at a height.
-    fn corner(
-        &mut self,
-        edges: &mut Edges,
-        body: &Body,
-        lines: &[Vec<Edge>],
-        piece: PieceKey,
-        height: f64,
-        place: Place,
-    ) -> u32 {
-        let (line, piece) = body.cut.corner(piece);
+    fn corner(&mut self, solid: &mut PlacedSolid, piece: PieceKey, height: f64) -> u32 {
+        let (line, piece) = solid.body.cut.corner(piece);
         let key = (line, piece, (height + 0.0).to_bits());
-        if let Some(id) = edges.corners.get(&key) {
+        if let Some(id) = solid.corners.get(&key) {
             return *id;
         }
-        let at = lines.get(line).and_then(|of| of.get(piece)).map_or(Point::zeros(), Edge::start_point);
-        let at = self.point(at, height + place.bottom);
+        let at = solid.pieces(line).get(piece).map_or(Point::zeros(), Edge::start_point);
+        let at = self.point(at, height + solid.place.bottom);
         let id = self.entity(format!("VERTEX_POINT('',#{at})"));
-        edges.corners.insert(key, id);
+        solid.corners.insert(key, id);
         id
     }
 
     /// The edge along a piece of a line, at a height, and whether it runs as the piece does.
-    fn around(
-        &mut self,
-        edges: &mut Edges,
-        body: &Body,
-        lines: &[Vec<Edge>],
-        piece: PieceKey,
-        height: f64,
-        place: Place,
-    ) -> Oriented {
-        let BoundPiece { piece: (line, piece), is_forward } = body.cut.piece(piece);
+    fn around(&mut self, solid: &mut PlacedSolid, piece: PieceKey, height: f64) -> Oriented {
+        let BoundPiece { piece: (line, piece), is_forward } = solid.body.cut.piece(piece);
         let key = (line, piece, (height + 0.0).to_bits());
-        if let Some(id) = edges.around.get(&key) {
+        if let Some(id) = solid.edges.get(&key) {
             return (*id, is_forward);
         }
-        let Some((pieces, edge)) = lines.get(line).and_then(|of| Some((of, of.get(piece)?))) else { return (0, true) };
-        let ends = [piece, (piece + 1) % pieces.len()]
-            .map(|piece| self.corner(edges, body, lines, (line, piece), height, place));
-        let (curve, is_same) = match *edge {
+        let Some(edge) = solid.pieces(line).get(piece).copied() else { return (0, true) };
+        let next = (piece + 1) % solid.pieces(line).len();
+        let ends = [piece, next].map(|piece| self.corner(solid, (line, piece), height));
+        let level = height + solid.place.bottom;
+        let (curve, is_same) = match edge {
             Edge::Line { from, to } => {
-                let (at, along) = (self.point(from, height + place.bottom), self.direction((to - from).normalize()));
+                let (at, along) = (self.point(from, level), self.direction((to - from).normalize()));
                 let vector = self.entity(format!("VECTOR('',#{along},1.)"));
                 (self.entity(format!("LINE('',#{at},#{vector})")), true)
             }
             Edge::Arc { centre, radius, sweep, .. } => {
-                let axes = self.axes(centre, height + place.bottom, UP);
+                let axes = self.axes(centre, level, UP);
                 (self.entity(format!("CIRCLE('',#{axes},{})", real(radius))), sweep > 0.0)
             }
         };
         let id = self.entity(format!("EDGE_CURVE('',#{},#{},#{curve},{})", ends[0], ends[1], logical(is_same)));
-        edges.around.insert(key, id);
+        solid.edges.insert(key, id);
         (id, is_forward)
     }
 }

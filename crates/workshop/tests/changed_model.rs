@@ -5,8 +5,8 @@ use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::{Choices, Edge, Face, Mouth, Scale, Sizes, Wheel};
 use geneva_workshop::{
-    Drawing, Fastener, HolePurpose, Layer, Mounting, PartLayout, Pattern, PinMount, ScrewHole, ShaftFit, Thread, dxf,
-    internal_parts, internal_scad, scad,
+    Drawing, Fastener, HolePurpose, Layer, Mounting, Part, PartLayout, Pattern, PinMount, ScrewHole, ShaftFit, Thread,
+    dxf, internal_parts, internal_scad, meshes, parts, scad,
 };
 use nalgebra::Vector2;
 use std::path::PathBuf;
@@ -323,6 +323,56 @@ fn the_solids_of_an_internal_model_are_as_large_as_the_parts() {
             assert!(is_done, "{said}");
             approx::assert_relative_eq!(volume(&result.unwrap()), ours, max_relative = 1e-3);
         }
+    }
+}
+
+/// The volume of the solid of this name in the mesh of a list of parts, in mm³.
+fn mesh_volume(list: &[Part], name: &str, tolerance: f64) -> f64 {
+    let all = meshes(list, tolerance).expect("meshes");
+    all.iter().find(|(of, _)| *of == name).unwrap_or_else(|| panic!("no {name}")).1.volume()
+}
+
+/// A bore of the plate that crosses the disc's outline or the disc's own bore, keyways, and internal wheels.
+#[test]
+fn solids_of_models_with_bores_that_cross_and_with_keyways_are_those_of_the_meshes() {
+    if !has_openscad() {
+        return;
+    }
+    const COARSE: f64 = 0.05;
+    let key = Mounting { driver_fit: ShaftFit::Key, ..Mounting::default() };
+    let given = |shaft: f64| Some(shaft).filter(|shaft| *shaft > 0.0);
+    let compare = |name: &str, text: &str, solids: &[(&str, f64)]| {
+        for (show, ours) in solids {
+            let (is_done, said, result) = run("crossing", text, &[], show, "part.stl");
+            assert!(is_done && !said.contains("WARNING"), "{name}: {said}");
+            approx::assert_relative_eq!(volume(&result.unwrap()), *ours, max_relative = 2e-3);
+        }
+    };
+    for (stations, driver, plate, mounting) in [
+        (6, 0.0, 27.0, &Mounting::default()),
+        (6, 15.0, 30.0, &Mounting::default()),
+        (3, 0.0, 66.0, &Mounting::default()),
+        (6, 12.0, 16.0, &key),
+    ] {
+        let choices = Choices {
+            driver_shaft: given(driver),
+            plate_shaft: given(plate),
+            wheel_shaft: Some(5.0),
+            ..Choices::default()
+        };
+        let sizes = sizes(stations, 1, &choices);
+        let list = parts(&sizes, 6.0, mounting).unwrap().parts;
+        let text = scad(&sizes, 6.0, COARSE, mounting, 0.0).unwrap();
+        let solids = ["wheel", "driver"].map(|name| (name, mesh_volume(&list, name, COARSE)));
+        compare(&format!("{stations} stations, {driver} and {plate}"), &text, &solids);
+    }
+    for (plate, mounting) in [(90.0, &Mounting::default()), (20.0, &key)] {
+        let sizes = internal(6, &Choices { plate_shaft: Some(plate), wheel_shaft: Some(5.0), ..Choices::default() });
+        let list = internal_parts(&sizes, 6.0, mounting).unwrap().parts;
+        let text = internal_scad(&sizes, 6.0, COARSE, mounting, 0.0).unwrap();
+        let solids = [("ring", "wheel"), ("driver", "driver")];
+        let solids = solids.map(|(show, name)| (show, mesh_volume(&list, name, COARSE)));
+        compare(&format!("internal, {plate}"), &text, &solids);
     }
 }
 

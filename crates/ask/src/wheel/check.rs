@@ -3,19 +3,21 @@
 
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
 use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
-use super::check_doubts::{doubt_words, measuring_words, stations_words};
+use super::check_doubts::{doubt_words, measuring_words, stations_words, untold_words};
+use super::check_mouth::TypedMouth;
 use super::check_needs::{
     DEPTH, ENTRY, UnmeasuredSize, all_sizes, options, taken_as_right, unmeasured, unmeasured_of_verdict,
 };
 use super::check_remedies::{WheelRemedy, first_change, remedies};
 use super::check_words::{corners, entry_words, named, shallow_words, turning_words, typed, with_unit};
+use super::mouth::mouth_arguments;
 use crate::number_format::{as_typed, count, number, to_digits};
 use crate::typed_number::length;
 use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Rounding, pairs};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltError, BuiltTurn, Culprit, DoubtReason, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
-    UndecidedCulprit,
+    UndecidedCulprit, UntoldWear,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
@@ -31,6 +33,8 @@ pub struct CheckQuestion {
     pub screw_hole: Option<f64>,
     /// Whether a drawing has chamfered, rounded or widened mouths.
     pub has_mouths: bool,
+    /// What is said of the mouths.
+    mouth: TypedMouth,
 }
 
 /// The standard uncertainty of a size without one, in millimetres: that of a calliper, our choice.
@@ -78,7 +82,7 @@ impl CheckQuestion {
     /// Numbers of stations and pins that no wheel has.
     pub fn new(stations: u32, pins: u32) -> Result<Self, Error> {
         let measured = MeasuredWheel::new(Wheel::with_pins(stations, pins)?);
-        Ok(Self { measured, rpm: None, screw_hole: None, has_mouths: false })
+        Ok(Self { measured, rpm: None, screw_hole: None, has_mouths: false, mouth: TypedMouth::default() })
     }
 
     /// A wheel of which a drawing in DXF has the sizes, each with this standard uncertainty in millimetres.
@@ -90,17 +94,29 @@ impl CheckQuestion {
         let in_words = |error: DrawingError| Error::Argument(error.to_string());
         let drawing = Drawing::read(text).map_err(in_words)?;
         let drawn = drawing.measure(layers, uncertainty).map_err(in_words)?;
-        Ok(Self { measured: drawn.measured, rpm: None, screw_hole: drawn.screw_hole, has_mouths: drawn.has_mouths })
+        Ok(Self {
+            measured: drawn.measured,
+            rpm: None,
+            screw_hole: drawn.screw_hole,
+            has_mouths: drawn.has_mouths,
+            mouth: TypedMouth::default(),
+        })
     }
 
     /// Adds a size as it is typed, `6.1`, `6.1+-0.02`, `1/4in` or `1:6.1,2:6.0`; one without an uncertainty has this one, in millimetres.
+    /// A size of the mouths, of which there is one shape for all, has none.
     ///
     /// # Errors
     ///
     /// A size that is not measured, and a value that it can't have.
     pub fn add(&mut self, name: &str, text: &str, uncertainty: f64) -> Result<(), Error> {
+        if self.mouth.set(name, text)? {
+            return Ok(());
+        }
         let Some(argument) = CHECK_ARGUMENTS.iter().find(|argument| argument.name == name) else {
-            let all: Vec<String> = CHECK_ARGUMENTS.iter().map(|argument| format!("--{}", argument.name)).collect();
+            let names = CHECK_ARGUMENTS.iter().map(|argument| argument.name);
+            let names = names.chain(mouth_arguments().map(|argument| argument.name));
+            let all: Vec<String> = names.map(|name| format!("--{name}")).collect();
             return Err(refused!("--{name}: not a size that is measured; give {}", all.join(", ")));
         };
         argument.add(&mut self.measured, text, uncertainty)
@@ -113,7 +129,8 @@ impl CheckQuestion {
     /// Sizes that don't tell how large the wheel is, or that no wheel has.
     pub fn answer(&self) -> Result<MechanismReport, Error> {
         let nearest = self.measured.nearest().map_err(measured_error)?;
-        let built = self.measured.as_built(&nearest);
+        let mut built = self.measured.as_built(&nearest);
+        built.mouth = self.mouth.shape()?;
         let in_words = |error: BuiltError| Error::Argument(error.to_string());
         let turn = built.turn().map_err(in_words)?;
         let shallow = shallow_slots(&self.measured, &built);
@@ -129,6 +146,7 @@ impl CheckQuestion {
                 .map_err(in_words)?,
             mistakes: self.measured.known_mistakes(&nearest, jam.map(|_| &turn)),
             fitting_stations: self.measured.fitting_stations(&nearest),
+            untold_wear: self.measured.untold_wear(&nearest),
             culprits,
             doubts,
             open,
@@ -215,6 +233,7 @@ impl CheckQuestion {
             ReportField::new("culprit", first_culprit.map(|culprit| named(culprit.size)))
                 .words("contradiction", self.contradiction_words(checked)),
             ReportField::new("in_doubt", in_doubt(&checked.doubts)),
+            untold_wear_field(&checked.untold_wear),
             ReportField::new(
                 "fitting_stations",
                 FieldValue::List(checked.fitting_stations.iter().map(|of| FieldValue::from(*of as usize)).collect()),
@@ -235,7 +254,7 @@ impl CheckQuestion {
             ),
             ReportField::new("change_first", first.clone())
                 .words("change first", first.unwrap_or_else(|| nothing.to_owned())),
-            design_field(remedies),
+            design_field(remedies, &self.mouth),
         ]
     }
 
@@ -295,11 +314,18 @@ fn in_doubt(doubts: &[UndecidedCulprit]) -> FieldValue {
     FieldValue::List(doubts.iter().flat_map(|doubt| &doubt.sizes).map(|size| named(*size).into()).collect())
 }
 
+/// The wear that these sizes can't tell from an ordinary play, and what to give so that they do; missing where they tell all wear.
+fn untold_wear_field(untold: &[UntoldWear]) -> ReportField {
+    let most = untold.iter().map(|wear| wear.below).reduce(f64::max);
+    let field = ReportField::in_unit("untold_wear_mm", most, "mm");
+    if untold.is_empty() { field } else { field.line("wear", untold_words(untold)) }
+}
+
 /// The commands that design new parts, in the order of the remedies.
-fn design_field(remedies: &[WheelRemedy]) -> ReportField {
+fn design_field(remedies: &[WheelRemedy], mouth: &TypedMouth) -> ReportField {
     let mut commands: Vec<String> = Vec::new();
     for arguments in remedies.iter().filter_map(|remedy| remedy.design.as_ref()) {
-        let command = format!("geneva wheel {arguments}");
+        let command = format!("geneva wheel {}", mouth.beside(arguments));
         if !commands.contains(&command) {
             commands.push(command);
         }
@@ -351,6 +377,8 @@ struct CheckedWheel<'a> {
     culprits: Vec<Culprit>,
     /// Sizes of which one is wrong, or worn.
     doubts: Vec<UndecidedCulprit>,
+    /// Wear that can't be told from play.
+    untold_wear: Vec<UntoldWear>,
     /// Other numbers of stations with which nothing is wrong.
     fitting_stations: Vec<u32>,
 }
@@ -438,13 +466,19 @@ fn note(question: &CheckQuestion, nearest: &NearestWheel) -> String {
             number(hole)
         )
     });
-    let mouths = if question.has_mouths {
-        "The drawing has slots with chamfered, rounded or widened mouths, but their corners count as sharp here."
-    } else {
-        "The corners of the slots count as sharp."
+    let mouths = match (question.has_mouths, question.mouth.is_given()) {
+        (_, true) => "All slots count as having the mouths that are given.",
+        (true, false) => {
+            "The drawing has slots with chamfered, rounded or widened mouths, but their corners count as sharp here; for their blows, give \
+             --mouth-chamfer, --mouth-radius or --lead-in. A mouth only takes material away, so a wheel that turns still turns with it, and \
+             the blows are softer."
+        }
+        (false, false) => {
+            "The corners of the slots count as sharp; if they aren't, give --mouth-chamfer, --mouth-radius or --lead-in. A mouth only takes \
+             material away, so a wheel that turns still turns with it, and the blows are softer."
+        }
     };
-    let model = "A chamfer, a radius or a lead-in only takes material away, so a wheel that turns still turns with it, and the blows are \
-                 softer. The bores count as without play; play there moves the axes as an error of the centre distance does.";
+    let model = "The bores count as without play; play there moves the axes as an error of the centre distance does.";
     let speed = question.rpm.is_none().then_some("For blows in mm/s, add --rpm R.");
     let fixed = few.into_iter().chain([mouths, model]).chain(speed);
     hole.into_iter().chain(fixed.map(str::to_owned)).collect::<Vec<_>>().join(" ")

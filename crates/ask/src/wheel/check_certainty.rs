@@ -31,7 +31,7 @@ fn meeting(contact: BuiltContact, size: MeasuredSize) -> bool {
     use MeasuredSize as Size;
     let of_axes = matches!(size, Size::CentreDistance | Size::CrankRadius);
     match contact {
-        BuiltContact::PinOnWall | BuiltContact::PinAtMouth => {
+        BuiltContact::PinOnWall | BuiltContact::PinAtMouth | BuiltContact::PinOnFace => {
             of_axes || matches!(size, Size::PinDiameter | Size::SlotWidth(_) | Size::SlotDirection(_) | Size::TipRadius)
         }
         BuiltContact::PinAtBottom => {

@@ -2,8 +2,8 @@
 
 use super::check_needs::UnmeasuredSize;
 use super::check_words::named;
-use crate::number_format::number;
-use geneva_kinematics::wheel::as_built::{DoubtReason, MeasuredSize, NearestWheel, UndecidedCulprit};
+use crate::number_format::{number, rounded_up};
+use geneva_kinematics::wheel::as_built::{DoubtReason, MeasuredSize, NearestWheel, UndecidedCulprit, UntoldWear};
 
 /// Measurements that are named at most, each of which would tell.
 const MOST_NAMED: usize = 3;
@@ -38,6 +38,22 @@ pub(super) fn doubt_words(doubt: &UndecidedCulprit, nearest: &NearestWheel) -> S
     format!("{what}. Which one cannot be told from these sizes; {}", measuring_words(doubt))
 }
 
+/// Wear that can't be told from play, in words, and what to give so that it is told.
+pub(super) fn untold_words(untold: &[UntoldWear]) -> String {
+    let of_pair = |wear: &UntoldWear| {
+        let [wide, thin] = wear.sizes;
+        let names = if thin == MeasuredSize::PinDiameter { "slots or pins" } else { "arcs or disc" };
+        let sizes = [wide, thin].into_iter().filter_map(MeasuredSize::size_when_new).map(UnmeasuredSize::of_all);
+        let options: Vec<String> = sizes.map(|size| format!("--{}", size.option())).collect();
+        format!(
+            "{names} worn by less than {} mm cannot be told from play without a size when new; give {}",
+            rounded_up(wear.below),
+            options.join(" or ")
+        )
+    };
+    untold.iter().map(of_pair).collect::<Vec<_>>().join("; ")
+}
+
 /// What to measure so that it is told which size is wrong.
 pub(super) fn measuring_words(doubt: &UndecidedCulprit) -> String {
     let telling = doubt.telling.iter().take(MOST_NAMED);
@@ -62,4 +78,30 @@ pub(super) fn stations_words(fitting: &[u32], given: u32) -> Option<String> {
         "all sizes fit a wheel of {} stations, so count the slots again and try --stations {first}. With {given}",
         all.join(" or ")
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::MechanismReport;
+    use crate::wheel::CheckQuestion;
+
+    #[test]
+    fn wear_that_cannot_be_told_from_play_is_bounded_until_a_size_when_new_is_given() {
+        let asked = |more: &str| {
+            let sizes = "--stations 6 --crank-radius 50+-0.01 --centre-distance 100+-0.01 --pin-diameter 10+-0.01 --slot-width 10.2+-0.01";
+            CheckQuestion::parse(&format!("{sizes} {more}")).expect(more).answer().expect(more)
+        };
+        let bound = |report: &MechanismReport| report.field("untold_wear_mm").and_then(|field| field.number());
+        let open = asked("");
+        assert!(bound(&open).is_some_and(|bound| bound > 0.2 && bound < 0.26), "{:?}", bound(&open));
+        let sheet = open.plain_sheet();
+        assert!(sheet.contains("cannot be told from play") && sheet.contains("--new-slot-width"), "{sheet}");
+        assert_eq!(bound(&asked("--new-slot-width 10.1+-0.01")), None);
+        // What is more than an ordinary play is told as wear, and not bounded.
+        let worn =
+            CheckQuestion::parse("--stations 6 --crank-radius 50 --pin-diameter 10 --slot-width 13").expect("sizes");
+        assert_eq!(bound(&worn.answer().expect("a wheel")), None);
+        let both = asked("--locking-disc-radius 34.5 --locking-arc-radius 34.7").plain_sheet();
+        assert!(both.contains("arcs or disc worn by less than"), "{both}");
+    }
 }

@@ -111,7 +111,7 @@ fn deciding(contact: BuiltContact) -> &'static [MeasuredSize] {
     use MeasuredSize as Size;
     match contact {
         BuiltContact::PinOnWall => INDEX,
-        BuiltContact::PinAtMouth => ENTRY,
+        BuiltContact::PinAtMouth | BuiltContact::PinOnFace => ENTRY,
         BuiltContact::PinAtBottom => DEPTH,
         BuiltContact::DiscInArc => DWELL,
         BuiltContact::OpeningEdge => {

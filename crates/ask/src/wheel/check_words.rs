@@ -26,6 +26,7 @@ fn contact(contact: BuiltContact) -> &'static str {
     match contact {
         BuiltContact::PinOnWall => "the pin on a wall of slot",
         BuiltContact::PinAtMouth => "the pin at the mouth of slot",
+        BuiltContact::PinOnFace => "the pin on the face of the mouth of slot",
         BuiltContact::PinAtBottom => "the pin at the end of slot",
         BuiltContact::DiscInArc => "the disc in arc",
         BuiltContact::OpeningEdge => "an edge of the crescent in arc",
@@ -67,6 +68,7 @@ pub(super) fn entry_words(turn: &BuiltTurn) -> String {
                 if further == 0 { String::new() } else { format!(", and so at {}", count(further, "further slot")) };
             format!("the pin lands on the corner of the mouth of slot {}{also}", station.slot + 1)
         }
+        BuiltContact::PinOnFace => format!("the pin lands on the face of the mouth of slot {}", station.slot + 1),
         BuiltContact::PinAtBottom => format!("the pin meets the end of slot {}", station.slot + 1),
         _ => format!("the pin meets a wall inside slot {}", station.slot + 1),
     };

@@ -159,6 +159,7 @@ impl WheelDesign {
     /// A spherical wheel, one that has no size, or can't be mounted as it is asked for.
     pub fn drawings(&self) -> Result<Vec<Sheet>, Error> {
         let sizes = self.made_sizes("drawings")?;
+        self.listed("drawings")?;
         let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
         let names = self.materials.map(|material| material.name.replace('-', " "));
         let hardness = self.materials.map(|material| (material.modulus >= METAL).then_some("not specified"));
@@ -222,6 +223,7 @@ impl WheelDesign {
     /// A spherical wheel, one that has no size or no thickness, or can't be mounted as it is asked for.
     pub fn scad(&self) -> Result<String, Error> {
         let sizes = self.made_sizes("scad")?;
+        self.listed("scad")?;
         let (thickness, mounting, chords) = (self.thickness("scad")?, self.mounting()?, sizes.chords());
         let model = match sizes {
             MadeSizes::External(sizes) => scad(sizes, thickness, chords, &mounting, self.hole_allowance()?),
@@ -476,6 +478,26 @@ mod tests {
         for file in [spherical.step(), spherical.scad(), spherical.drawings_svg()] {
             let said = file.expect_err("no parts").to_string();
             assert!(said.contains("spherical wheels"), "{said}");
+        }
+    }
+
+    #[test]
+    fn what_one_file_of_parts_refuses_all_refuse_in_the_same_words() {
+        for (text, words) in [
+            ("--stations 6 --crank-radius 60 --plate-shaft 90", "can't be one piece"),
+            ("--stations 6 --type internal --crank-radius 40 --thickness 6 --plate-shaft 70", "can't be one piece"),
+            (
+                "--stations 6 --crank-radius 60 --thickness 2 --pin-screw M6 --pin-screw-hole nut-trap",
+                "only 2 mm thick",
+            ),
+        ] {
+            let design = WheelDesign::new(WheelQuestion::parse(text).expect("a question")).expect("a wheel");
+            let of_parts = |file: &&ShapeFile| file.of != MadeOf::Any && !file.name.starts_with("test-piece");
+            for file in SHAPE_FILES.iter().filter(of_parts) {
+                let said = (file.make)(&design).expect_err(file.name).to_string();
+                let first = design.step().expect_err("refused").to_string();
+                assert!(said == first && said.contains(words), "{}: {said}; {first}", file.name);
+            }
         }
     }
 

@@ -86,7 +86,117 @@ fn through_words(thread: Thread, hole: ScrewHole) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crate::wheel::{WheelDesign, WheelQuestion};
     use crate::{FieldValue, answer};
+    use geneva_kinematics::wheel::as_built::SplitMix64;
+    use geneva_workshop::{HolePurpose, Part};
+    use std::collections::BTreeMap;
+
+    /// Holes of a part by what they are for and their diameter in hundredths of a millimetre; of a hole that isn't round, 0.
+    fn drawn(part: &Part) -> BTreeMap<(&'static str, i64), usize> {
+        let mut holes = BTreeMap::new();
+        for hole in part.holes.iter().filter(|hole| hole.purpose != HolePurpose::Inside) {
+            let name = match hole.purpose {
+                HolePurpose::Bore => "bore ",
+                HolePurpose::Pin => "pin ",
+                HolePurpose::PinScrew if part.layer == geneva_workshop::Layer::Pins => "hole ",
+                HolePurpose::PinScrew => "pin ",
+                HolePurpose::Hub => "hub ",
+                HolePurpose::DiscDowel => "dowels ",
+                _ => "fixing ",
+            };
+            let diameter = hole.diameter().map_or(0, |diameter| libm::round(100.0 * diameter) as i64);
+            *holes.entry((name, diameter)).or_default() += 1;
+        }
+        holes
+    }
+
+    /// Whether an entry of the list is of so many holes of this diameter.
+    fn is_listed(entries: &[&str], (name, hundredths): (&str, i64), count: usize) -> bool {
+        entries.iter().filter_map(|entry| entry.strip_prefix(name)).any(|rest| {
+            let (number, size) = rest.split_once("× ").unwrap_or(("1", rest));
+            let diameter =
+                size.trim_start_matches('Ø').split([' ', '°']).next().and_then(|text| text.parse::<f64>().ok());
+            let is_it =
+                diameter.is_some_and(|found| hundredths == 0 || (100.0 * found - hundredths as f64).abs() < 5.1);
+            is_it && number.parse() == Ok(count)
+        })
+    }
+
+    #[test]
+    fn every_hole_of_the_files_is_listed_with_its_limits() {
+        let mut random = SplitMix64::new(3);
+        let mut one_of = |all: &[&'static str]| all[(random.next_u64() % all.len() as u64) as usize];
+        let (mut tried, mut holes) = (0, BTreeMap::<&str, u32>::new());
+        while tried < 40 {
+            let kind = one_of(&["", "", "--type internal"]);
+            let words = [
+                one_of(&["--stations 4", "--stations 6", "--stations 8"]),
+                kind,
+                one_of(&[
+                    "",
+                    "--wheel-shaft 12",
+                    "--wheel-shaft 12 --wheel-bore-shape key",
+                    "--wheel-shaft 12 --wheel-flat 11",
+                ]),
+                one_of(&["", "--plate-shaft 10", "--plate-shaft 10 --driver-bore-shape key"]),
+                one_of(&["", "--wheel-hub-circle 26", "--wheel-hub-circle 30 --driver-hub-circle 24"]),
+                one_of(&[
+                    "",
+                    "--hub-screw M3",
+                    "--hub-screw M4 --hub-screw-hole tapped",
+                    "--hub-screw M3 --hub-screw-hole nut-trap",
+                    "--hub-dowel 3 --hub-holes 4",
+                ]),
+                one_of(&[
+                    "",
+                    "--pin-mount dowel",
+                    "--pin-diameter 8 --pin-screw M4",
+                    "--pin-diameter 5 --pin-screw M5 --pin-screw-hole nut-trap",
+                    "--pin-diameter 4 --pin-screw M4 --pin-screw-hole tapped",
+                ]),
+                one_of(&[
+                    "",
+                    "--disc-dowel 2 --disc-dowel-circle 16",
+                    "--disc-dowel 3 --disc-dowel-circle 40 --disc-dowels 3",
+                    "--disc-dowel 3 --disc-dowel-circle 250 --disc-dowels 6",
+                ]),
+                one_of(&[
+                    "",
+                    "--base-thickness 8 --base-screw M4",
+                    "--base-thickness 8 --shoulder-diameter 16 --shoulder-depth 3",
+                ]),
+                one_of(&["", "--process laser", "--driver-pieces two-pieces"]),
+            ];
+            let text = format!("{} --crank-radius 60 --thickness 10", words.join(" "));
+            let made = WheelQuestion::parse(&text).and_then(WheelDesign::new);
+            let Some(design) = made.ok().filter(|design| design.makeable_parts().is_ok()) else { continue };
+            let Ok(Some(list)) = design.part_list() else { continue };
+            let purposes = list.parts.iter().flat_map(|part| &part.holes).map(|hole| hole.purpose);
+            if purposes.clone().all(|of| matches!(of, HolePurpose::Pin | HolePurpose::Inside)) {
+                continue;
+            }
+            tried += 1;
+            let listed = super::holes_of_parts(&design).expect("a list");
+            // Pins in one piece with the plate fill their holes.
+            let fills = |part: &Part| part.layer == geneva_workshop::Layer::Pins && part.is_joined;
+            let is_filled = list.parts.iter().any(fills);
+            for part in &list.parts {
+                let start = format!("{}: ", part.words());
+                let entries = listed.iter().find_map(|row| row.strip_prefix(&start)).unwrap_or_default();
+                let entries: Vec<&str> = entries.split(", ").collect();
+                for (hole, count) in drawn(part).into_iter().filter(|(hole, _)| hole.0 != "pin " || !is_filled) {
+                    assert!(
+                        is_listed(&entries, hole, count),
+                        "{text}: {count} {hole:?} of the {}: {listed:?}",
+                        part.words()
+                    );
+                    *holes.entry(hole.0).or_default() += 1;
+                }
+            }
+        }
+        assert!(holes.len() == 6 && holes.values().all(|count| *count > 2), "{holes:?}");
+    }
 
     #[test]
     fn the_sheet_has_the_holes_with_their_limits_and_what_goes_through_them() {

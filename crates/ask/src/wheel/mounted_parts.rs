@@ -15,40 +15,42 @@ use crate::number_format::as_typed;
 use geneva_kinematics::internal_sizes::InternalSizes;
 use geneva_kinematics::wheel::as_built::Process;
 use geneva_workshop::{
-    Layer, Mounting, MountingError, Part, PartList, ShaftFit, internal_parts, parts, svg_parts, validate_solids,
+    Layer, Mounting, MountingError, Part, PartList, ShaftFit, internal_parts, parts, svg_parts, validate_joined,
+    validate_solids,
 };
 
 impl WheelDesign {
-    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel.
+    /// The parts with all their holes, of an external or an internal wheel; none without a size, or of a spherical wheel. All files are of
+    /// these parts, so what one of them can't have, none has.
     ///
     /// # Errors
     ///
-    /// What can't be mounted as it is asked for, and sizes of an internal wheel that don't fit.
+    /// What can't be mounted as it is asked for or is deeper than its part is thick, and sizes of an internal wheel that don't fit.
     pub fn part_list(&self) -> Result<Option<PartList>, Error> {
         self.refuse_mounting_out_of_range()?;
         let internal = self.internal_sizes()?;
-        let found = self.listed_with(internal.as_ref(), &self.mounting()?).transpose();
-        found.map_err(|error| self.refused_mounting(error))
+        let Some(found) = self.listed_with(internal.as_ref(), &self.mounting()?) else { return Ok(None) };
+        // Without a thickness, only outlines can be wrong.
+        let validate = if self.made_thickness().is_some() { validate_solids } else { validate_joined };
+        let found = found.and_then(|list| validate(&list.parts).map(|()| list));
+        found.map(Some).map_err(|error| self.refused_mounting(error))
     }
 
-    /// The parts as all files have them, of which none is then refused; none as of [`part_list`](Self::part_list), and of an internal wheel
+    /// The parts of which no file is then refused; none as of [`part_list`](Self::part_list), and of an internal wheel
     /// whose usual parts don't fit while nothing of them is chosen.
     ///
     /// # Errors
     ///
-    /// What any of the files refuses: what can't be mounted or cut as it is asked for, or is deeper than its part is thick.
+    /// As of [`part_list`](Self::part_list), and a kerf that is too wide.
     pub(super) fn makeable_parts(&self) -> Result<Option<PartList>, Error> {
         if self.sizes.is_none() && self.reported_internal_sizes()?.is_none() {
             return self.mounting().map(|_| None);
         }
         let list = self.part_list()?;
-        if let (Some(list), Some(_)) = (&list, self.made_thickness()) {
-            validate_solids(&list.parts).map_err(|error| self.refused_mounting(error))?;
-            // Without a kerf nothing is moved.
-            if self.kerf()? != 0.0 {
-                self.svg_parts()?;
-                self.test_piece_svg()?;
-            }
+        // Without a kerf nothing is moved.
+        if list.is_some() && self.made_thickness().is_some() && self.kerf()? != 0.0 {
+            self.svg_parts()?;
+            self.test_piece_svg()?;
         }
         Ok(list)
     }

@@ -114,6 +114,9 @@ impl MountingQuestion {
                 "the holes of a hub need a circle; add --wheel-hub-circle MM, --driver-hub-circle MM or both"
             ));
         }
+        if self.hub_screw.is_none() && self.hub_screw_hole.is_some() {
+            return Err(refused!("--hub-screw-hole needs a screw; add --hub-screw M3 to M8"));
+        }
         let Some(circle) = circle else { return Ok(None) };
         let fastener = match (self.hub_screw, self.hub_dowel) {
             (Some(screw), None) => Fastener::Screw(screw, self.hub_screw_hole.unwrap_or(ScrewHole::Clearance)),
@@ -238,6 +241,7 @@ mod tests {
             (MountingQuestion { hub_screw: Some(Thread::M3), ..none }, "--wheel-hub-circle MM"),
             (MountingQuestion { wheel_hub_circle: Some(30.0), ..none }, "--hub-screw M3"),
             (MountingQuestion { pin_screw_hole: Some(ScrewHole::Tapped), ..none }, "--pin-screw M3"),
+            (MountingQuestion { hub_screw_hole: Some(ScrewHole::Tapped), ..none }, "--hub-screw M3"),
             (MountingQuestion { disc_dowel: Some(3.0), ..none }, "--disc-dowel-circle MM"),
             (MountingQuestion { base_screw: Some(Thread::M5), ..none }, "--base-thickness MM"),
             (MountingQuestion { shoulder_depth: Some(3.0), ..none }, "--shoulder-diameter MM"),

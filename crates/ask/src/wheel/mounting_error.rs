@@ -15,6 +15,9 @@ const HALF: f64 = 0.5;
 /// The shaft of a plate over the width of the disc on it with which the disc is told to rest on the plate: our choice.
 const LEDGES: [f64; 3] = [0.9, 0.75, 0.5];
 
+/// The depth of a shoulder over the thickness of its base plate with which it is told to leave enough below it: our choice.
+const OF_THICKNESS: f64 = 0.9;
+
 /// How many changes are named at most.
 const NAMED: usize = 3;
 
@@ -105,18 +108,38 @@ fn changes(error: &MountingError, question: &WheelQuestion) -> Vec<Change> {
             thinner.into_iter().filter(|(_, other)| can_be_made(other)).take(1).chain([apart]).collect()
         }
         MountingError::Keyed { shaft, least, most, .. } => keyed_changes(question, *shaft, shaft.clamp(*least, *most)),
-        MountingError::TooDeep { part, depth, .. } => {
+        MountingError::TooDeep { part, hole, depth, thickness, .. } => {
             // The next half millimetre that leaves as much below the pocket.
             let thick = libm::floor(2.0 * depth + 1.0) / 2.0;
-            let mut other = question.clone();
-            let name = if *part == "base plate" {
-                other.mounting.base_thickness = Some(thick);
-                "base-thickness"
+            let (mut thicker, mut flatter, mut without) = (question.clone(), question.clone(), question.clone());
+            if *part == "base plate" {
+                thicker.mounting.base_thickness = Some(thick);
+                let depth = rounded_down(OF_THICKNESS * thickness);
+                flatter.mounting.shoulder_depth = depth.parse().ok();
+                let thicker = (format!("--base-thickness {} or more", as_typed(thick)), thicker);
+                return vec![thicker, (format!("--shoulder-depth up to {depth}"), flatter)];
+            }
+            thicker.thickness = Some(thick);
+            let option = if *hole == "a hole of the hub" {
+                without.mounting.hub_screw_hole = None;
+                "hub-screw-hole"
             } else {
-                other.thickness = Some(thick);
-                "thickness"
+                without.mounting.pin_screw_hole = None;
+                "pin-screw-hole"
             };
-            vec![(format!("--{name} {} or more", as_typed(thick)), other)]
+            let mut changes = vec![(format!("--thickness {} or more", as_typed(thick)), thicker)];
+            // A thinner screw has a flatter nut.
+            let screw =
+                if option == "hub-screw-hole" { question.mounting.hub_screw } else { question.mounting.pin_screw };
+            let thinner =
+                Thread::ALL.into_iter().rev().filter(|other| screw.is_some_and(|of| other.diameter() < of.diameter()));
+            changes.extend(thinner.filter(|_| option == "hub-screw-hole").map(|other| {
+                let mut changed = question.clone();
+                changed.mounting.hub_screw = Some(other);
+                (format!("--hub-screw {}", other.name()), changed)
+            }));
+            changes.push((format!("--{option} clearance"), without));
+            changes
         }
         _ => Vec::new(),
     }
@@ -244,6 +267,21 @@ mod tests {
                 "--stations 6 --type internal --crank-radius 40 --thickness 6",
                 "--disc-dowel 30 --disc-dowel-circle 150",
                 "",
+            ),
+            (
+                "--stations 6 --crank-radius 60 --wheel-hub-circle 40",
+                "--thickness 3 --hub-screw M4 --hub-screw-hole nut-trap",
+                "--hub-screw M4 --hub-screw-hole nut-trap",
+            ),
+            (
+                "--stations 6 --type internal --crank-radius 60 --wheel-hub-circle 30 --hub-screw-hole nut-trap",
+                "--thickness 2 --hub-screw M5",
+                "--hub-screw M5",
+            ),
+            (
+                "--stations 6 --crank-radius 60 --wheel-shaft 6 --plate-shaft 6 --base-thickness 10 --shoulder-diameter 12",
+                "--shoulder-depth 12",
+                "--shoulder-depth 12",
             ),
             ("--stations 6 --crank-radius 40", "--plate-shaft 60", ""),
             ("--stations 6 --crank-radius 40", "--plate-shaft 60 --driver-shaft 8", "--driver-shaft 8"),

@@ -1,5 +1,6 @@
 //! The mouths of the slots: what is asked of them, and what they do to play and blow.
 
+use super::arguments::{Argument, FIT};
 use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::as_typed;
@@ -10,6 +11,16 @@ pub(super) const ANGLE: f64 = 45.0;
 /// Flare of a lead-in over its length unless it is given, dimensionless; our choice. On wheels of four to twelve stations with the
 /// play that the program chooses, no other flare of that length makes the hardest blow softer by more than a third.
 const OF_LENGTH: f64 = 0.1;
+
+/// The arguments that say which mouths the slots have, and no others.
+///
+/// ```
+/// let names: Vec<&str> = geneva_ask::wheel::mouth_arguments().map(|argument| argument.name).collect();
+/// assert_eq!(names, ["mouth-chamfer", "mouth-angle", "mouth-radius", "lead-in", "lead-in-flare"]);
+/// ```
+pub fn mouth_arguments() -> impl Iterator<Item = &'static Argument> {
+    FIT.iter().filter(|argument| argument.name.starts_with("mouth-") || argument.name.starts_with("lead-in"))
+}
 
 /// The mouth that a question describes, if it names one.
 pub(super) fn asked_mouth(question: &WheelQuestion) -> Option<Mouth> {

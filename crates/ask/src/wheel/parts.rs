@@ -1,12 +1,10 @@
 //! The parts of an external wheel in millimetres, as they are reported.
 
 use super::design::WheelDesign;
-use super::drive::droop_warning;
 use super::{looseness, mouth_rows};
 use crate::number_format::degrees as degrees_told;
 use crate::{Error, FieldValue, Needs, ReportField, Rounding};
 use geneva_kinematics::wheel::{ClosestApproach, ContactPair, SharedTolerance, Sizes};
-use geneva_workshop::ThinWall;
 
 /// Between which parts a least distance is, and where.
 fn nearest_words(design: &WheelDesign, nearest: &ClosestApproach) -> String {
@@ -225,11 +223,7 @@ pub(super) fn together(design: &WheelDesign) -> Result<Vec<ReportField>, Error> 
 ///
 /// A distance of the axes at which the parts can't work together, and what can't be made.
 pub(super) fn warnings(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
-    let mut found = design.warnings()?;
-    found.extend(droop_warning(design)?);
-    found.extend(design.yield_cause()?);
-    let thin = design.makeable_parts()?.map(|list| list.thin_walls).unwrap_or_default();
-    found.extend(thin.iter().map(ThinWall::to_string));
+    let found = design.warnings_with_cause(design.yield_cause()?)?;
     let said = found.join("; ");
     let texts: Vec<FieldValue> = found.into_iter().map(FieldValue::Text).collect();
     let field = ReportField::new("warnings", texts);

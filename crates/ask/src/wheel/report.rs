@@ -63,8 +63,9 @@ impl WheelDesign {
     ///
     /// # Errors
     ///
-    /// Speeds and inertias that no wheel has.
+    /// What the files from which it is made refuse, as the whole answer does; speeds and inertias that no wheel has.
     pub fn live_fields(&self, wheel: &(impl Indexing + ?Sized)) -> Result<Vec<ReportField>, Error> {
+        self.makeable_parts()?;
         let mut fields = given(self);
         fields.extend(geometry(self, wheel));
         fields.extend(parts::parts(self));

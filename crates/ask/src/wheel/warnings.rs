@@ -1,12 +1,14 @@
 //! What a maker should know before the parts are made.
 
 use super::design::WheelDesign;
+use super::drive::droop_warning;
 use super::kind::AnyWheel;
 use super::pin_load::weaknesses;
 use crate::Error;
 use crate::number_format::{as_typed, number, rounded_down};
 use crate::worked::DriverSpeed;
 use geneva_kinematics::wheel::{Sizes, Warning};
+use geneva_workshop::ThinWall;
 
 /// Stations up to which parts can be made: the same as are proposed for times.
 const MOST_MADE: u32 = 60;
@@ -43,6 +45,21 @@ impl WheelDesign {
         };
         let shape = self.thick_wheel(sizes).into_iter().chain(self.fast_rim(sizes));
         Ok(placed.into_iter().chain(of_sizes).chain(self.loose_parts()).chain(weak).chain(shape).chain(many).collect())
+    }
+
+    /// All that the sheet says to know before the parts are made, in its order: these warnings, what it says of the motor, why too few
+    /// assemblies turn as far as that is known, and walls that are thin.
+    ///
+    /// # Errors
+    ///
+    /// As for [`warnings`](Self::warnings), and what can't be made.
+    pub fn warnings_with_cause(&self, cause: Option<String>) -> Result<Vec<String>, Error> {
+        let thin = self.makeable_parts()?.map(|list| list.thin_walls).unwrap_or_default();
+        let mut found = self.warnings()?;
+        found.extend(droop_warning(self)?);
+        found.extend(cause);
+        found.extend(thin.iter().map(ThinWall::to_string));
+        Ok(found)
     }
 
     /// What is odd about the thickness; none of a wheel that is a disc.

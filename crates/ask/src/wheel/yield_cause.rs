@@ -4,15 +4,17 @@
 //! named was tried with all 1000 assemblies.
 
 use super::design::WheelDesign;
-use super::process::{ENOUGH, SEED};
+use super::process::{ASSEMBLIES, ENOUGH, SEED};
 use super::question::WheelQuestion;
 use crate::Error;
 use crate::number_format::{as_typed, to_digits};
-use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors};
+use geneva_kinematics::wheel::as_built::{Assemblies, ErrorShape, SizeErrors, Yield};
 use geneva_workshop::ScrewHole;
 
 /// Assemblies that are counted without each of the causes.
 const COUNTED: u64 = 300;
+/// Assemblies that are counted before it is looked whether they are enough.
+const AT_ONCE: u64 = 100;
 /// Tried values over the one of the design, from that on which costs least.
 const LESS: [f64; 7] = [0.75, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05];
 const MORE: [f64; 6] = [1.2, 1.5, 1.75, 2.0, 2.5, 3.0];
@@ -20,7 +22,7 @@ const MORE: [f64; 6] = [1.2, 1.5, 1.75, 2.0, 2.5, 3.0];
 const DIGITS: usize = 2;
 
 /// What keeps assemblies from turning.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum JamCause {
     BorePlay,
     PinScrew,
@@ -48,6 +50,115 @@ impl JamCause {
     }
 }
 
+/// A search for why too few assemblies of an external wheel turn, and for a change that helps. It goes on by a few assemblies at each
+/// step, so that a page can answer in between.
+#[derive(Debug)]
+pub struct CauseSearch {
+    /// The assemblies of the design itself.
+    found: Yield,
+    /// Assemblies without each of the causes; the largest cause is first once all are counted.
+    causes: Vec<(JamCause, Yield)>,
+    /// Changes that are still to be tried, the next one last; none until the causes are sorted.
+    changes: Option<Vec<Change>>,
+    /// How many changes have been tried.
+    tried: usize,
+    /// The change that is being tried.
+    trial: Option<(String, WheelDesign, Yield)>,
+}
+
+/// A change in words, and the question so changed.
+type Change = (String, WheelQuestion);
+
+impl CauseSearch {
+    /// A search that has not begun, for a design of which so many assemblies turn; none where enough do, or no process is named.
+    ///
+    /// # Errors
+    ///
+    /// A measured play that is not above zero.
+    pub fn new(design: &WheelDesign, found: Yield) -> Result<Option<Self>, Error> {
+        let Some((sizes, _)) = design.sizes.as_ref().zip(design.process_numbers()?) else { return Ok(None) };
+        let is_there = |cause: &JamCause| match cause {
+            JamCause::BorePlay => sizes.play.bore > 0.0,
+            JamCause::PinScrew => sizes.play.pin > 0.0,
+            JamCause::DiscOnPlate => design.disc_turn() > 0.0,
+            JamCause::Errors => true,
+        };
+        let causes = JamCause::ALL.into_iter().filter(is_there).map(|cause| (cause, Yield::default()));
+        let search = Self { found, causes: causes.collect(), changes: None, tried: 0, trial: None };
+        Ok((found.share() < ENOUGH).then_some(search))
+    }
+
+    /// Counts at most so many further assemblies for the same design; the finding in words, once there is one.
+    ///
+    /// # Errors
+    ///
+    /// A measured play that is not above zero.
+    pub fn step(&mut self, design: &WheelDesign, more: u64) -> Result<Option<String>, Error> {
+        if let Some((cause, counted)) = self.causes.iter_mut().find(|(_, counted)| counted.tried < COUNTED) {
+            let most = COUNTED.min(counted.tried.saturating_add(more));
+            let none = Yield { tried: COUNTED, turning: 0 };
+            *counted = match design.assemblies_without(*cause)? {
+                Some(assemblies) => assemblies.count(counted.tried..most).map_or(none, |found| counted.plus(found)),
+                None => none,
+            };
+            return Ok(None);
+        }
+        let changes = match &mut self.changes {
+            Some(changes) => changes,
+            empty => {
+                self.causes.sort_by(|one, other| other.1.share().total_cmp(&one.1.share()));
+                // What helps against the largest cause goes before what helps against the next.
+                let all: Vec<Change> = self.causes.iter().flat_map(|(cause, _)| design.changes(*cause)).collect();
+                empty.insert(all.into_iter().rev().collect())
+            }
+        };
+        let Some((words, trial, counted)) = &mut self.trial else {
+            let Some((words, other)) = changes.pop() else {
+                return Ok(Some(self.words(
+                    design,
+                    "no one change is enough: give tighter bores and more --play, or choose a process with smaller errors",
+                )));
+            };
+            self.tried += 1;
+            let trial = WheelDesign::new(WheelQuestion { is_trial: true, ..other }).ok();
+            let trial = trial.filter(|trial| trial.makeable_parts().is_ok());
+            self.trial = trial.map(|trial| (words, trial, Yield::default()));
+            return Ok(None);
+        };
+        let counts = trial.count_assemblies(*counted, more).ok().flatten();
+        // Where more fail than may, the rest needs no counting.
+        let may_fail = ((1.0 - ENOUGH) * ASSEMBLIES as f64) as u64 + 1;
+        match counts.filter(|now| now.tried - now.turning <= may_fail) {
+            Some(now) if now.tried < ASSEMBLIES => *counted = now,
+            Some(now) if now.share() >= ENOUGH => {
+                let helps = format!("with {words}, {} do", percent(now.share()));
+                return Ok(Some(self.words(design, &helps)));
+            }
+            _ => self.trial = None,
+        }
+        Ok(None)
+    }
+
+    /// What is counted at the moment, how much of it is done, and how much there is of it at most.
+    pub fn progress(&self) -> (&'static str, u64, u64) {
+        match &self.changes {
+            None => {
+                let counted = self.causes.iter().map(|(_, counted)| counted.tried).sum();
+                ("assemblies without one of the causes", counted, COUNTED * self.causes.len() as u64)
+            }
+            Some(left) => ("changes tried that may help", self.tried as u64, (self.tried + left.len()) as u64),
+        }
+    }
+
+    fn words(&self, design: &WheelDesign, helps: &str) -> String {
+        let largest = self.causes.first().map_or_else(String::new, |(cause, counted)| {
+            let (cause, share) = (cause.words(design), percent(counted.share()));
+            format!("the largest cause is {cause}: without it, {share} would; ")
+        });
+        format!("only {} of the assemblies turn; {largest}{helps}", percent(self.found.share()))
+    }
+}
+
 impl WheelDesign {
     /// Why too few assemblies of an external wheel turn, with what helps; none where enough do, or no process is named.
     ///
@@ -55,46 +166,36 @@ impl WheelDesign {
     ///
     /// As for [`count_assemblies`](Self::count_assemblies).
     pub(super) fn yield_cause(&self) -> Result<Option<String>, Error> {
-        let Some((sizes, numbers)) = self.sizes.as_ref().zip(self.process_numbers()?) else { return Ok(None) };
-        let Some(found) = self.assemblies_that_turn()?.filter(|found| found.share() < ENOUGH) else { return Ok(None) };
-        let without = |cause: JamCause| {
-            let unless = |other: JamCause, value: f64| if cause == other { 0.0 } else { value };
-            let errors = if cause == JamCause::Errors { SizeErrors::from_greatest(0.0) } else { numbers.errors() };
-            let assemblies = Assemblies::new(sizes, errors, ErrorShape::Normal, SEED)
-                .with_bore_play(unless(JamCause::BorePlay, sizes.play.bore))
-                .with_pin_shift(unless(JamCause::PinScrew, sizes.play.pin))
-                .with_disc_turn(unless(JamCause::DiscOnPlate, self.disc_turn()));
-            assemblies.count(0..COUNTED).map_or(0.0, |found| found.share())
-        };
-        let is_there = |cause: &JamCause| match cause {
-            JamCause::BorePlay => sizes.play.bore > 0.0,
-            JamCause::PinScrew => sizes.play.pin > 0.0,
-            JamCause::DiscOnPlate => self.disc_turn() > 0.0,
-            JamCause::Errors => true,
-        };
-        let mut causes: Vec<(JamCause, f64)> =
-            JamCause::ALL.into_iter().filter(is_there).map(|cause| (cause, without(cause))).collect();
-        causes.sort_by(|one, other| other.1.total_cmp(&one.1));
-        // What helps against the largest cause goes before what helps against the next.
-        let remedy = causes.iter().find_map(|(cause, _)| self.remedy(*cause));
-        let Some((cause, share)) = causes.first() else { return Ok(None) };
-        let helps = remedy.unwrap_or_else(|| {
-            "no one change is enough: give tighter bores and more --play, or choose a process with smaller errors"
-                .to_owned()
-        });
-        Ok(Some(format!(
-            "only {} of the assemblies turn; the largest cause is {}: without it, {} would; {helps}",
-            percent(found.share()),
-            cause.words(self),
-            percent(*share)
-        )))
+        if self.sizes.is_none() {
+            return Ok(None);
+        }
+        let Some(found) = self.assemblies_that_turn()? else { return Ok(None) };
+        let Some(mut search) = CauseSearch::new(self, found)? else { return Ok(None) };
+        loop {
+            if let Some(words) = search.step(self, AT_ONCE)? {
+                return Ok(Some(words));
+            }
+        }
     }
 
-    /// A change with which enough assemblies turn, and how many then do; none if nothing that was tried is enough.
-    fn remedy(&self, cause: JamCause) -> Option<String> {
-        let play = self.sizes?.play;
+    /// The assemblies of this design without one of the causes; none without sizes or a process.
+    fn assemblies_without(&self, cause: JamCause) -> Result<Option<Assemblies>, Error> {
+        let Some((sizes, numbers)) = self.sizes.as_ref().zip(self.process_numbers()?) else { return Ok(None) };
+        let unless = |other: JamCause, value: f64| if cause == other { 0.0 } else { value };
+        let errors = if cause == JamCause::Errors { SizeErrors::from_greatest(0.0) } else { numbers.errors() };
+        let assemblies = Assemblies::new(sizes, errors, ErrorShape::Normal, SEED)
+            .with_bore_play(unless(JamCause::BorePlay, sizes.play.bore))
+            .with_pin_shift(unless(JamCause::PinScrew, sizes.play.pin))
+            .with_disc_turn(unless(JamCause::DiscOnPlate, self.disc_turn()));
+        Ok(Some(assemblies))
+    }
+
+    /// Changes that may help against a cause, from the one that costs least.
+    fn changes(&self, cause: JamCause) -> Vec<Change> {
+        let Some(sizes) = &self.sizes else { return Vec::new() };
+        let play = sizes.play;
         let value = |part: f64, length: f64| to_digits(part * length, DIGITS).parse().ok();
-        let changes: Vec<(String, WheelQuestion)> = match cause {
+        match cause {
             JamCause::BorePlay => {
                 let with = |bore: f64| {
                     let other = WheelQuestion { bore_play: Some(bore), ..self.question.clone() };
@@ -132,13 +233,7 @@ impl WheelDesign {
                 one.mounting.stacked = Some(false);
                 vec![("--driver-pieces one-piece".to_owned(), one)]
             }
-        };
-        changes.into_iter().find_map(|(words, other)| {
-            let design = WheelDesign::new(WheelQuestion { is_trial: true, ..other }).ok()?;
-            design.makeable_parts().ok()?;
-            let found = design.assemblies_that_turn().ok()??;
-            (found.share() >= ENOUGH).then(|| format!("with {words}, {} do", percent(found.share())))
-        })
+        }
     }
 }
 

@@ -83,6 +83,17 @@ pub(super) struct MouthProfile {
     pub rim: Point,
 }
 
+/// What a pin rests on at a mouth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MouthPart {
+    /// The straight wall before it.
+    Wall,
+    /// The face between wall and rim, or the corner where it begins at the wall.
+    Face,
+    /// The corner of face and rim.
+    Corner,
+}
+
 /// Whether a direction is between straight down and another one, both in radians.
 fn is_from_below(direction: f64, end: f64) -> bool {
     let turned = direction + FRAC_PI_2;
@@ -209,9 +220,14 @@ impl MouthProfile {
     /// The greatest angle from the slot's middle, in radians, of the centre of a pin of this radius that is at this distance
     /// from the wheel's axis, with a gap to the straight wall of half the play.
     pub(super) fn room(&self, r: f64, rho: f64, gap: f64) -> f64 {
-        let wall = libm::asin((gap / r).min(1.0));
+        self.room_with_part(r, rho, gap).0
+    }
+
+    /// The [room](Self::room), and what ends it.
+    pub(super) fn room_with_part(&self, r: f64, rho: f64, gap: f64) -> (f64, MouthPart) {
+        let wall = libm::asin((gap / r).clamp(-1.0, 1.0));
         if r * libm::cos(wall) <= self.wall_end.x {
-            return wall;
+            return (wall, MouthPart::Wall);
         }
         // Of a circle of this radius about a point that the pin must not enter: the law of cosines.
         let beside = |centre: &Point, reach: f64| {
@@ -233,8 +249,42 @@ impl MouthProfile {
                 is_from_below(libm::atan2(from.y, from.x), end)
             }),
         };
-        let corners = self.corners();
-        let nearest = corners.iter().filter_map(|corner| beside(corner, rho)).chain(face).fold(f64::INFINITY, f64::min);
-        if nearest < f64::INFINITY { nearest } else { wall }
+        // The corner between wall and face is part of what the pin is to land on; the one at the rim is not.
+        let corners = self.corners().into_iter().zip([MouthPart::Face, MouthPart::Corner]);
+        let corners = corners.filter_map(|(corner, part)| Some((beside(&corner, rho)?, part)));
+        let all = corners.chain(face.map(|angle| (angle, MouthPart::Face)));
+        all.reduce(|one, other| if other.0 <= one.0 { other } else { one }).unwrap_or((wall, MouthPart::Wall))
+    }
+
+    /// The direction out of the material, of length 1, at the point of face and corners that is nearest to a point outside.
+    pub(super) fn normal_towards(&self, p: &Point) -> Point {
+        let corner = |corner: Point| (p - corner, (p - corner).norm());
+        let [wall, rim] = self.corners().map(corner);
+        let (from, apart) = if wall.1 < rim.1 { wall } else { rim };
+        let of_face = match self.face {
+            None => None,
+            Some(MouthFace::Flat { normal, length }) => {
+                let along = -(p - self.wall_end).perp(&normal);
+                (0.0..=length).contains(&along).then_some(normal)
+            }
+            Some(MouthFace::Round { centre, end, .. }) => {
+                let from = p - centre;
+                is_from_below(libm::atan2(from.y, from.x), end).then(|| from / from.norm())
+            }
+        };
+        of_face.unwrap_or(from / apart)
+    }
+
+    /// How far the centre of a pin of this radius is from the wheel's axis, in millimetres, where what it rests on changes: from wall to
+    /// mouth, and from one part of the mouth to the next.
+    pub(super) fn changes(&self, rho: f64) -> [f64; 3] {
+        let off = |from: Point, normal: Point| (from + normal * rho).norm();
+        let wall = off(self.wall_end, Point::new(0.0, -1.0));
+        let [first, last] = match self.face {
+            None => [wall; 2],
+            Some(MouthFace::Flat { normal, .. }) => [off(self.wall_end, normal), off(self.rim, normal)],
+            Some(MouthFace::Round { centre, radius, .. }) => [wall, off(self.rim, (self.rim - centre) / radius)],
+        };
+        [wall, first, last]
     }
 }

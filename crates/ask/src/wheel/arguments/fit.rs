@@ -24,7 +24,8 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::Length(|question| &mut question.measured_play),
         &[Parts],
         "Least play in millimetres with which the pin ran on the test piece of --process: its plays and errors then come from there",
-    ),
+    )
+    .with_knob(Knob::follows("play with which a printed pin runs", "mm", [0.05, 1.0], 0.05, "measured_play").typed([0.001, 10.0])),
     Argument::new(
         "pin-diameter",
         "MM",

@@ -31,6 +31,11 @@ const fn length(label: &'static str, most: f64, step: f64, key: &'static str) ->
     Knob::follows(label, "mm", [0.0, most], step, key).typed([0.0, 10_000.0])
 }
 
+/// How many holes, with a slider that begins where nothing is said.
+const fn count(label: &'static str, key: &'static str) -> Knob {
+    Knob::follows(label, "", [2.0, 12.0], 1.0, key)
+}
+
 /// A choice on the page, the first of its names.
 const fn choice(label: &'static str) -> Knob {
     Knob::at(label, "", [0.0, 0.0], 1.0, 0.0)
@@ -99,7 +104,8 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::Count(|question| &mut question.mounting.hub_holes),
         &[Parts, Files],
         "Holes of each of these circles, from 2 to 12 [default: 3]",
-    ),
+    )
+    .with_knob(count("how many holes of each circle", "hub_holes")),
     Argument::new(
         "hub-screw",
         "THREAD",
@@ -194,7 +200,8 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::Count(|question| &mut question.mounting.disc_dowels),
         &[Parts, Files, Play],
         "How many of them, from 2 to 12 [default: 2]",
-    ),
+    )
+    .with_knob(count("how many of them", "disc_dowels")),
     Argument::new(
         "driver-pieces",
         "PIECES",

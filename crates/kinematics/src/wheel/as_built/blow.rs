@@ -19,7 +19,8 @@ pub struct BuiltBlow {
     /// Crank angle by which the pin turns from where its circle would touch a right slot until it meets a wheel in the middle of
     /// its play, in radians: the lost motion; below zero the pin meets the wheel too early.
     pub lost_motion: f64,
-    /// What the pin meets there: a wall, or with [`BuiltContact::PinAtMouth`] the corner of a mouth, where it should pass freely.
+    /// What the pin meets there: a wall, with [`BuiltContact::PinOnFace`] the face of a mouth that is there for that, or with
+    /// [`BuiltContact::PinAtMouth`] the corner of a mouth, where it should pass freely.
     pub contact: BuiltContact,
 }
 
@@ -67,7 +68,7 @@ impl Assembled<'_> {
         let pin = self.built.pins()[self.pin_of(event)];
         let centre = Turn::from_radians(sign * room).direction() * place.distance;
         let normal = match contact {
-            BuiltContact::PinAtMouth => self.mouth(number).corner_to(side, centre) / (pin.diameter / 2.0),
+            BuiltContact::PinAtMouth | BuiltContact::PinOnFace => self.mouth(number).normal(side, centre),
             BuiltContact::PinAtBottom => {
                 let from = Vector2::new(self.built.slots()[number].end, 0.0) - centre;
                 from / from.norm()

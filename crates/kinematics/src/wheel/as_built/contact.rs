@@ -7,6 +7,8 @@ pub enum BuiltContact {
     PinOnWall,
     /// A pin at a corner of its slot's mouth.
     PinAtMouth,
+    /// A pin on the face of a mouth that is not sharp: a chamfer, a rounding or a lead-in.
+    PinOnFace,
     /// A pin at the round end of its slot.
     PinAtBottom,
     /// The rim of the locking disc in its arc, or at the arc's end.

@@ -52,6 +52,38 @@ pub enum BuiltError {
         /// What it must be below, in millimetres.
         most: f64,
     },
+    /// A mouth that doesn't come to the rim, or leaves nothing of a wall.
+    #[error(
+        "{name} {} mm: it must be at most {} mm, or it leaves nothing of a slot's wall or doesn't come to the rim; measure it again",
+        short(*asked),
+        short_below(*most)
+    )]
+    Mouth {
+        /// Which size of the mouths.
+        name: &'static str,
+        /// The size that was given, in millimetres.
+        asked: f64,
+        /// What it must be below, in millimetres.
+        most: f64,
+    },
+    /// An angle that no chamfer has.
+    #[error("angle of the chamfer {:.2}°: it must be above 0° and below 90°; measure it again", .asked.to_degrees())]
+    ChamferAngle {
+        /// The angle to the slot's wall that was given, in radians.
+        asked: f64,
+    },
+    /// A lead-in that opens by more than its own length.
+    #[error(
+        "flare of the lead-in {} mm: it must be at most {} mm, the length of the lead-in; measure both again",
+        short(*asked),
+        short(*most)
+    )]
+    Flare {
+        /// The flare that was given, in millimetres.
+        asked: f64,
+        /// What it must be at most, in millimetres.
+        most: f64,
+    },
 }
 
 /// A length to four significant digits.

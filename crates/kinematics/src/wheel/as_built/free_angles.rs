@@ -130,7 +130,7 @@ impl<'a> Assembled<'a> {
                 ]
             })
             .collect();
-        let mouths = slots.iter().zip(&horns).map(|(slot, horns)| Mouth::new(slot, *horns)).collect();
+        let mouths = slots.iter().zip(&horns).map(|(slot, horns)| Mouth::new(slot, *horns, built.mouth)).collect();
         let (c, disc) = (built.centre_distance, built.disc_radius.unwrap_or_default());
         let opening = |q: f64, radius: f64| {
             let cosine = (disc * disc + q * q - radius * radius) / (2.0 * disc * q);
@@ -164,6 +164,10 @@ impl<'a> Assembled<'a> {
 
     pub(super) fn mouth(&self, slot: usize) -> &Mouth {
         &self.mouths[slot]
+    }
+
+    pub(super) fn mouths(&self) -> impl Iterator<Item = &Mouth> {
+        self.mouths.iter()
     }
 
     /// Crank angle of a pin from the line of centres, in an event so many later, in radians.
@@ -290,7 +294,7 @@ impl<'a> Assembled<'a> {
             let number = self.pin_of(event + later);
             let pin = self.built.pins()[number];
             let a = pin.crank_radius;
-            for reach in self.mouths[self.slot_of(event + later)].reach(pin.diameter / 2.0) {
+            for reach in self.mouths[self.slot_of(event + later)].changes(pin.diameter / 2.0) {
                 let cosine = (a * a + c * c - reach * reach) / (2.0 * a * c);
                 if cosine.abs() < 1.0 {
                     let angle = libm::acos(cosine);

@@ -6,7 +6,7 @@
 
 use super::errors::BuiltError;
 use crate::indexing::Indexing;
-use crate::wheel::{Sizes, Wheel};
+use crate::wheel::{Mouth, Sizes, Wheel};
 
 /// A slot as it was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +78,8 @@ pub struct AsBuiltWheel {
     pub centre_distance: f64,
     /// Radius of the locking disc, in millimetres; none without a disc.
     pub disc_radius: Option<f64>,
+    /// Shape of the mouths of all slots.
+    pub mouth: Mouth,
     slots: Vec<BuiltSlot>,
     arcs: Vec<BuiltArc>,
     pins: Vec<BuiltPin>,
@@ -85,7 +87,7 @@ pub struct AsBuiltWheel {
 
 impl From<&Sizes> for AsBuiltWheel {
     /// The wheel that is made exactly as it was drawn, but with sharp corners at the mouths of its slots: whatever turns with
-    /// these turns with any [`Mouth`](crate::wheel::Mouth), and its blows are softer.
+    /// these turns with any [`Mouth`], and its blows are softer. Set [`mouth`](Self::mouth) for another one.
     fn from(sizes: &Sizes) -> Self {
         let slot = BuiltSlot {
             width: sizes.slot_width,
@@ -119,6 +121,7 @@ impl AsBuiltWheel {
             wheel,
             centre_distance,
             disc_radius,
+            mouth: Mouth::Sharp,
             slots: vec![slot; wheel.stations() as usize],
             arcs: vec![arc; wheel.stations() as usize],
             pins: vec![pin; wheel.pins() as usize],
@@ -179,8 +182,8 @@ impl AsBuiltWheel {
         self.slots.iter().map(of).collect()
     }
 
-    /// Checks that all lengths are positive and finite, all directions finite and within half a pitch, and that the wheel's axis is
-    /// outside the pins' circles.
+    /// Checks that all lengths are positive and finite, all directions finite and within half a pitch, that the wheel's axis is
+    /// outside the pins' circles, and that the mouths leave some of each wall.
     ///
     /// # Errors
     ///
@@ -221,6 +224,6 @@ impl AsBuiltWheel {
                 return Err(BuiltError::CrankTooLong { asked: pin.crank_radius, most: c });
             }
         }
-        Ok(())
+        self.check_mouth()
     }
 }

@@ -341,7 +341,9 @@ impl Assembled<'_> {
             }
             let theta = pin.direction_error - libm::acos(cosine) + BESIDE;
             let place = self.pin_place(event, theta);
-            let Some((room, BuiltContact::PinAtMouth)) = place.rooms[side] else { return false };
+            let Some((room, BuiltContact::PinAtMouth | BuiltContact::PinOnFace)) = place.rooms[side] else {
+                return false;
+            };
             let mut others = self.unstopped(event);
             self.stop_by_disc(event, theta, &mut others);
             if side == 0 {

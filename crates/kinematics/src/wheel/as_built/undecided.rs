@@ -36,6 +36,34 @@ pub struct UndecidedCulprit {
     pub telling: Vec<MeasuredSize>,
 }
 
+/// Wear that can't be told from an ordinary play.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UntoldWear {
+    /// What may be worn: the wide part, and the thin one.
+    pub sizes: [MeasuredSize; 2],
+    /// The wear is less than this, in millimetres, as a difference of widths or diameters: the play when new was not below zero.
+    pub below: f64,
+    /// The play, in millimetres.
+    pub play: f64,
+}
+
+/// The play of two measured parts that may be worn, in millimetres.
+#[derive(Clone, Copy, Debug)]
+struct OpenPlay {
+    play: f64,
+    /// The greatest ordinary one.
+    most: f64,
+    /// By how much it may be more or less, as it was measured.
+    within: f64,
+    sizes: [MeasuredSize; 2],
+}
+
+impl OpenPlay {
+    fn is_loose(&self) -> bool {
+        self.play > self.most + self.within
+    }
+}
+
 /// What can be measured besides, the easiest first.
 const MEASURABLE: [MeasuredSize; 9] = [
     MeasuredSize::CentreDistance,
@@ -99,36 +127,68 @@ impl MeasuredWheel {
         Some(UndecidedCulprit { doubt: DoubtReason::Contradiction, sizes: distinct(sizes), telling })
     }
 
-    /// Plays that are more than ordinary, of pin and slot and of disc and arc.
-    fn plays(&self, nearest: &NearestWheel) -> impl Iterator<Item = UndecidedCulprit> {
+    /// The plays of pin and slot and of disc and arc where both are measured, and neither's size when it was new.
+    fn open_plays(&self, nearest: &NearestWheel) -> impl Iterator<Item = OpenPlay> {
         use MeasuredSize as Size;
         let right = Right { wheel: self.wheel(), free: free_sizes(nearest) };
         let most = right.greatest_play();
         let uncertainty = |is_it: fn(Size) -> bool| {
             self.sizes().iter().filter(|of| is_it(of.size)).map(|of| of.uncertainty).fold(0.0, f64::max)
         };
-        let slot_play = nearest.slot_width - nearest.pin_diameter;
         let slot_uncertainty = libm::hypot(
             uncertainty(|size| matches!(size, Size::SlotWidth(_))),
             uncertainty(|size| size == Size::PinDiameter),
         );
-        let arc_play = 2.0 * (nearest.arc_radius - nearest.disc_radius);
         let arc_uncertainty = 2.0
             * libm::hypot(
                 uncertainty(|size| matches!(size, Size::ArcRadius(_))),
                 uncertainty(|size| size == Size::DiscRadius),
             );
-        let pairs = [
-            (slot_play, slot_uncertainty, Size::SlotWidth(None), Size::PinDiameter),
-            (arc_play, arc_uncertainty, Size::ArcRadius(None), Size::DiscRadius),
-        ];
-        let open = pairs.into_iter().zip(self.may_be_loose()).filter(|(_, is_open)| *is_open).map(|(pair, _)| pair);
-        let loose = open.filter(move |(play, uncertainty, ..)| *play > most + BEYOND * uncertainty);
-        loose.map(move |(play, _, wide, thin)| UndecidedCulprit {
-            doubt: DoubtReason::Play { play, most },
-            sizes: vec![wide, thin],
-            telling: [wide, thin].into_iter().filter_map(MeasuredSize::size_when_new).collect(),
+        let slots = OpenPlay {
+            play: nearest.slot_width - nearest.pin_diameter,
+            most,
+            within: BEYOND * slot_uncertainty,
+            sizes: [Size::SlotWidth(None), Size::PinDiameter],
+        };
+        let arcs = OpenPlay {
+            play: 2.0 * (nearest.arc_radius - nearest.disc_radius),
+            within: BEYOND * arc_uncertainty,
+            sizes: [Size::ArcRadius(None), Size::DiscRadius],
+            ..slots
+        };
+        [slots, arcs].into_iter().zip(self.may_be_loose()).filter(|(_, is_open)| *is_open).map(|(of, _)| of)
+    }
+
+    /// Plays that are more than ordinary, of pin and slot and of disc and arc.
+    fn plays(&self, nearest: &NearestWheel) -> impl Iterator<Item = UndecidedCulprit> {
+        self.open_plays(nearest).filter(OpenPlay::is_loose).map(|of| UndecidedCulprit {
+            doubt: DoubtReason::Play { play: of.play, most: of.most },
+            sizes: of.sizes.into(),
+            telling: of.sizes.into_iter().filter_map(MeasuredSize::size_when_new).collect(),
         })
+    }
+
+    /// The wear that the measurements can't tell from an ordinary play, because no size when new is known: of pin and slots, and of disc
+    /// and arcs, as far as both of the two were measured. None where the play is more than an ordinary one, which is a
+    /// [doubt](Self::undecided_culprits).
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::Wheel;
+    /// use geneva_kinematics::wheel::as_built::{MeasuredSize, MeasuredWheel};
+    ///
+    /// let mut measured = MeasuredWheel::new(Wheel::new(6)?);
+    /// measured.add(MeasuredSize::CrankRadius, 50.0, 0.01)?; // mm
+    /// measured.add(MeasuredSize::PinDiameter, 10.0, 0.01)?;
+    /// measured.add(MeasuredSize::SlotWidth(None), 10.1, 0.01)?;
+    /// let untold = measured.untold_wear(&measured.nearest()?);
+    /// assert!((untold[0].below - 0.1).abs() < 0.05); // mm: all of the play may be wear
+    /// measured.add(MeasuredSize::NewSlotWidth, 10.05, 0.01)?;
+    /// assert!(measured.untold_wear(&measured.nearest()?).is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn untold_wear(&self, nearest: &NearestWheel) -> Vec<UntoldWear> {
+        let ordinary = self.open_plays(nearest).filter(|of| !of.is_loose());
+        ordinary.map(|of| UntoldWear { sizes: of.sizes, below: of.play.max(0.0) + of.within, play: of.play }).collect()
     }
 
     /// The sizes without any single one of which a wheel can be drawn.

@@ -4,7 +4,8 @@
 //! uses an angle at which parts touch.
 
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::AsBuiltWheel;
+use geneva_kinematics::wheel::Mouth;
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, BuiltSlot};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -55,8 +56,10 @@ impl<'a> Outlines<'a> {
         let pitch = 2.0 * PI / built.pins().len() as f64;
         for (pin, k) in built.pins().iter().zip(0..) {
             let centre = unit(pitch * f64::from(k) + pin.direction_error) * pin.crank_radius;
-            let count = 180;
-            all.pins.extend((0..count).map(|j| centre + unit(PI * f64::from(j) / 90.0) * (pin.diameter / 2.0)));
+            // Beside the end of a wall, points of a pin must be near to each other.
+            let count = if built.mouth == Mouth::Sharp { 180 } else { 2880 };
+            let at = |j: i32| unit(2.0 * PI * f64::from(j) / f64::from(count)) * (pin.diameter / 2.0);
+            all.pins.extend((0..count).map(|j| centre + at(j)));
         }
         if let Some(disc) = built.disc_radius {
             let mut points: Vec<Point> = circle(Point::zeros(), disc);
@@ -89,6 +92,14 @@ impl<'a> Outlines<'a> {
                     let along = slot.end + (outer - slot.end) * f64::from(j) / f64::from(count);
                     turned(Point::new(along, side * half), direction)
                 }));
+                if let Some((end, along)) = chamfer(self.built, slot) {
+                    let length = (0..).map(|j| SPACING * f64::from(j)).take_while(|length| *length < slot.tip_radius);
+                    let face = length.map(|length| end + along * length);
+                    let rim = end.dot(&along);
+                    let length = (rim * rim - end.norm_squared() + slot.tip_radius.powi(2)).sqrt() - rim;
+                    let face = face.chain([end + along * length]);
+                    points.extend(face.map(|p| turned(Point::new(p.x, side * p.y), direction)));
+                }
                 // Where a wall meets the arc beside it.
                 let arc = if side < 0.0 { (k + arcs.len() - 1) % arcs.len() } else { k };
                 let beside = turned(self.middles[arc], -direction);
@@ -134,6 +145,10 @@ impl<'a> Outlines<'a> {
             let at = turned(*p, -direction);
             let beside = if at.x >= slot.end { at.y.abs() } else { (at - Point::new(slot.end, 0.0)).norm() };
             depth = depth.min(beside - slot.width / 2.0);
+            if let Some((end, along)) = chamfer(self.built, slot) {
+                let from = Point::new(at.x, at.y.abs()) - end;
+                depth = depth.min(along.perp(&from));
+            }
         }
         for (arc, middle) in self.built.arcs().iter().zip(&self.middles) {
             depth = depth.min((p - middle).norm() - arc.radius);
@@ -188,6 +203,13 @@ impl<'a> Outlines<'a> {
         }
         deepest
     }
+}
+
+/// Where the upper chamfer of a slot begins, and its direction, in the slot's frame; none of sharp corners.
+fn chamfer(built: &AsBuiltWheel, slot: &BuiltSlot) -> Option<(Point, Point)> {
+    let Mouth::Chamfer { width, angle } = built.mouth else { return None };
+    let half = slot.width / 2.0;
+    Some((Point::new((slot.tip_radius.powi(2) - half * half).sqrt() - width, half), unit(angle)))
 }
 
 fn circle(centre: Point, radius: f64) -> Vec<Point> {

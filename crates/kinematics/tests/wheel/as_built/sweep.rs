@@ -3,8 +3,8 @@
 use super::super::assembly::sized;
 use super::points::Outlines;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::as_built::{AsBuiltWheel, Assemblies, ErrorShape, SizeErrors};
-use geneva_kinematics::wheel::{Choices, Play};
+use geneva_kinematics::wheel::as_built::{AsBuiltWheel, Assemblies, BuiltContact, ErrorShape, SizeErrors};
+use geneva_kinematics::wheel::{Choices, Mouth, Play};
 
 /// Wheels of several numbers of stations and pins, with play and errors of different sizes, so that about half of them jam.
 fn perturbed(count: u64) -> Vec<AsBuiltWheel> {
@@ -72,6 +72,42 @@ fn the_wheel_is_free_between_the_told_angles_and_nowhere_beside_them() {
         }
     }
     assert!(looked_at > 1000, "{looked_at}");
+}
+
+#[test]
+fn the_wheel_is_free_between_the_told_angles_while_a_pin_is_in_a_chamfered_mouth() {
+    const NEAR: f64 = 4e-5;
+    let (mut looked_at, mut on_faces) = (0, 0);
+    for (number, mut built) in perturbed(40).into_iter().enumerate() {
+        let (pin, slot) = (built.pins()[0], built.slots()[0]);
+        // Of several pins another one can be in the way.
+        let is_sharp = number % 4 == 0;
+        let chamfer = Mouth::Chamfer { width: 0.4 * pin.diameter, angle: [0.3, 0.8, 1.2][number % 3] };
+        built.mouth = if is_sharp { Mouth::Sharp } else { chamfer };
+        let outlines = Outlines::new(&built);
+        let (a, c) = (pin.crank_radius, built.centre_distance);
+        for k in 1..12 {
+            // From deep in the mouth to outside of the rim.
+            let distance = slot.tip_radius - 0.6 * pin.diameter + 1.2 * pin.diameter * f64::from(k) / 12.0;
+            let theta = -((a * a + c * c - distance * distance) / (2.0 * a * c)).acos() + pin.direction_error;
+            let free = built.free_angles(0, theta).unwrap();
+            if free.width() < 4.0 * NEAR {
+                continue;
+            }
+            looked_at += 1;
+            let contacts = [free.backward.contact, free.forward.contact];
+            on_faces += u32::from(contacts.contains(&BuiltContact::PinOnFace));
+            let depth = |angle: f64| outlines.depth(0, theta, angle);
+            let name = format!("wheel {number}, crank angle {theta}: {free:?}");
+            for inside in [free.backward.angle + NEAR, free.middle(), free.forward.angle - NEAR] {
+                assert!(depth(inside) <= 0.0, "{name}: {} deep at {inside}", depth(inside));
+            }
+            for outside in [free.backward.angle - NEAR, free.forward.angle + NEAR] {
+                assert!(depth(outside) > 0.0, "{name}: free at {outside}");
+            }
+        }
+    }
+    assert!(looked_at > 250 && on_faces > 40, "{looked_at} {on_faces}");
 }
 
 #[test]

@@ -1,0 +1,68 @@
+//! What the command says of a wheel, in the words of the page: each argument goes by what its control is called.
+
+use geneva_ask::Error;
+use geneva_ask::wheel::{Argument, FittingValues, arguments};
+use geneva_kinematics::wheel::SizesError;
+
+/// An error of a wheel in words, with the controls of the page in place of the command's arguments.
+pub fn words(error: Error) -> String {
+    with_labels(&match error {
+        Error::Sizes { error, remedies } => sizes_words(&error, &remedies),
+        Error::Kinematics(error) => error.to_string(),
+        Error::Dynamics(error) => error.to_string(),
+        Error::Argument(message) => message,
+        Error::Escapement(_) | Error::Figure(_) => "another mechanism; give a wheel".to_owned(),
+    })
+}
+
+/// A text of the command in which an argument such as `--play` goes by what its control on the page is called. An argument without a
+/// control stays.
+pub(crate) fn with_labels(text: &str) -> String {
+    let (mut told, mut rest) = (String::new(), text);
+    while let Some((before, behind)) = rest.split_once("--") {
+        let end = behind.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(behind.len());
+        let (name, after) = behind.split_at(end);
+        told += before;
+        match arguments().find(|argument| argument.name == name).and_then(label) {
+            Some(label) => {
+                told += &format!("“{label}”");
+                // The command's word for a length: a control has its unit beside it.
+                rest = after.strip_prefix(" MM").unwrap_or(after);
+            }
+            None => {
+                told += &format!("--{name}");
+                rest = after;
+            }
+        }
+    }
+    told + rest
+}
+
+/// What the control of an argument is called, whether it is the first way to say something or another.
+pub(crate) fn label(argument: &Argument) -> Option<&'static str> {
+    let label = argument.knob?.label;
+    Some(label.strip_prefix("or ").unwrap_or(label))
+}
+
+/// An error about parts that don't fit in words, with the controls that make them fit.
+fn sizes_words(error: &SizesError, remedies: &[FittingValues]) -> String {
+    let control = |of: &FittingValues| {
+        let argument = arguments().find(|argument| argument.name == of.name)?;
+        Some(format!("{}: {} {}", label(argument)?, of.range(), argument.knob?.unit))
+    };
+    let controls: Vec<String> = remedies.iter().filter_map(control).collect();
+    if controls.is_empty() { error.to_string() } else { format!("{}. Give {}", error.reason(), controls.join(", or ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_labels;
+
+    #[test]
+    fn an_argument_goes_by_the_label_of_its_control_and_what_has_none_stays() {
+        let told = with_labels("--index-time 3: too long; give --play 0.3 --bore-play MM, --no-such-thing or none");
+        let labels =
+            "“time of an index” 3: too long; give “play of the slots” 0.3 “play of the bores”, --no-such-thing or none";
+        assert_eq!(told, labels);
+    }
+}
