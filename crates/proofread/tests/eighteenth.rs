@@ -182,3 +182,180 @@ fn a_column_of_words_parts_equations_side_by_side() {
         assert_told_apart(&without("-18"), &without("-17"), format);
     }
 }
+
+#[test]
+fn words_of_a_formula_are_no_number() {
+    // In a page with single dollar signs, such a formula is read as a line.
+    let line = |words: &str| format!("<p>{words} 2004 = 300 + 20 = 320<br></p>");
+    assert_told_apart(&line(r"Sales\:\:in\:\:"), &line("").replace("2004", "200 + 4"), TextFormat::Html);
+    let share = |words: &str| format!(r"<p>3\%\:\:{words}\:\:500 = 0.03 * 500 = 15<br></p>");
+    assert_eq!(on_numbers(&share("of"), TextFormat::Html), 0);
+}
+
+#[test]
+fn an_estimate_has_the_exact_value_in_brackets_behind_it() {
+    for [right, wrong] in [
+        [
+            r"$\frac12 + 1 = 1\frac12 \left(1\frac{5}{24}\right)$",
+            r"$\frac12 + 1 = 1\frac13 \left(1\frac{5}{24}\right)$",
+        ],
+        [r"$3 + 2 = 5\; (4\frac78)$", r"$3 + 2 = 6\; (4\frac78)$"],
+        [r"$0.5 + 0.2 = 0.7\,(0.68)$", r"$0.5 + 0.2 = 0.8\,(0.68)$"],
+        // Far from it, the bracket is a factor.
+        [r"$3 + 2 = 5\; (4\frac78)$", r"$3 + 2 = 5\; (2\frac78)$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_text_calls_a_formula_false() {
+    for [right, wrong, format] in [
+        ["we obtain the false statement <q><m>2^2 - 3 = 0</m>.</q>", "we obtain <q><m>2^2 - 3 = 0</m>.</q>", "xml"],
+        ["<p>since <m>3 + 7 = 11</m> is a not a true equation.</p>", "<p>since <m>3 + 7 = 11</m> is one.</p>", "xml"],
+        ["<p>Plug in: <m>1 + 0 = 0 + 4</m>, impossible.</p>", "<p>Plug in: <m>1 + 0 = 0 + 4</m>, possible.</p>", "xml"],
+        [
+            "<p>Which of the following are statements?</p> <m>3 + 4 = 8</m>.",
+            "<p>Which of the following are sums?</p> <m>3 + 4 = 8</m>.",
+            "xml",
+        ],
+        ["What is wrong with the following? \\item $3 + 5 = 9$", "Reckon the following. \\item $3 + 5 = 9$", "tex"],
+        ["c) $3*6 = 6*(-3)$ (falsch) &", "c) $3*6 = 6*(-3)$ (wahr) &", "tex"],
+        ["It is $3 + 4 = 8$ ✗", "It is $3 + 4 = 8$ ✓", "md"],
+        ["It is $3 + 4 = 8$ Wrong!", "It is $3 + 4 = 8$ Wrong signs are often made.", "md"],
+    ] {
+        let format = TextFormat::from_extension(format).expect("a format");
+        assert_told_apart(right, wrong, format);
+    }
+}
+
+#[test]
+fn a_number_element_may_have_letters() {
+    let formula = |first: &str| format!("<math><mn>{first}</mn><mo>+</mo><mn>1</mn><mo>=</mo><mn>7</mn></math>");
+    assert_told_apart(&formula("2y"), &formula("2"), TextFormat::Xml);
+    assert_told_apart(&formula("2ax"), &formula("2"), TextFormat::Xml);
+}
+
+#[test]
+fn points_of_a_curve_are_added_by_another_law() {
+    for sum in ["(0,2)+(1,0) = (3,4)", "2(4,6) = (7,9)"] {
+        let text = |curve: &str| format!("On {curve}, we have ${sum}$.");
+        assert_told_apart(&text("this elliptic curve"), &text("this plane"), TextFormat::Latex);
+    }
+    assert_ne!(on_numbers("On this elliptic curve, $3 + 4 = 8$.", TextFormat::Latex), 0);
+}
+
+#[test]
+fn bits_have_their_own_sums_and_signs() {
+    let field = |sign: &str| format!("Die Nullstellen in ${sign}$: $1^2+1+1 = 1 + 0$.");
+    assert_told_apart(&field(r"\mathbb{F}_2"), &field("K"), TextFormat::Latex);
+    let item = |words: &str| format!("- 10 - 11 = 1 {words}: When subtracting");
+    assert_told_apart(&item("with a borrow"), &item("in all"), TextFormat::Markdown);
+    assert_told_apart("$1000_2 = -8_{10}$", "$1000_2 = -7_{10}$", TextFormat::Markdown);
+}
+
+#[test]
+fn symbols_of_residues_look_like_fractions() {
+    let define = |name: &str| format!("\\newcommand{{\\{name}}}[2]{{\\left(\\frac{{#1}}{{#2}}\\right)}}\n");
+    let text = |name: &str| {
+        define(name) + &format!("$\\{name}{{3 \\cdot 23}}{{389}} = \\{name}{{3}}{{389}} \\cdot \\{name}{{23}}{{389}}$")
+    };
+    assert_told_apart(&text("legendre"), &text("quot"), TextFormat::Latex);
+    let words = |of: &str| format!("The {of} is $(-1) \\cdot \\left(\\frac{{1}}{{3}}\\right) = -1$.");
+    assert_told_apart(&words("Jacobi symbol"), &words("product"), TextFormat::Latex);
+}
+
+#[test]
+fn cells_that_begin_with_an_approximation_are_apart() {
+    let row = |sign: &str| {
+        format!(
+            r"\[ \begin{{array}}{{ccc}} f & {sign} 1.98 & {sign} 2.71 \\ g & {sign} 3.98 & {sign} 4.71 \end{{array}} \]"
+        )
+    };
+    assert_eq!(on_numbers(&row(r"\approx"), TextFormat::Latex), 0);
+    assert_ne!(
+        on_numbers(r"\[ \begin{array}{cc} f & \approx 1.98 + 1 \\ & \approx 4.71 \end{array} \]", TextFormat::Latex),
+        0
+    );
+}
+
+#[test]
+fn a_row_below_two_solutions_is_another_one() {
+    let rows = |or: &str| format!("$$\\begin{{aligned}} x &= 2 + 3 {or} x = 2 - 3 \\\\ &= 5 \\quad \\end{{aligned}}$$");
+    assert_eq!(on_numbers(&rows("\\quad \\text{or} \\quad"), TextFormat::Markdown), 0);
+    assert_ne!(on_numbers("$$\\begin{aligned} x &= 2 - 3 \\\\ &= 5 \\end{aligned}$$", TextFormat::Markdown), 0);
+}
+
+#[test]
+fn units_and_dots_have_more_spellings() {
+    for [right, wrong] in [
+        [
+            r"$(\SI{2}{\ampere})^2 \cdot \SI{50}{\milli\Omega} = \SI{0.2}{\watt}$",
+            r"$(\SI{2}{\ampere})^2 \cdot \SI{50}{\milli\Omega} = \SI{0.3}{\watt}$",
+        ],
+        [
+            r"$2\,\mathrm{A} \cdot 3\,\mathrm{V}\,\mathrm{mi} = 360\,\mathrm{J}$",
+            r"$2\,\mathrm{A} \cdot 3\,\mathrm{V}\,\mathrm{min} = 380\,\mathrm{J}$",
+        ],
+        [r"$\mathrm{60\,(m)m = 60\left(\frac{1}{1000}\right)m}$", r"$\mathrm{60\,m = 60\left(\frac{1}{1000}\right)m}$"],
+        [
+            r"$\sin^{-1}\left(\frac{8}{15}\right) \approx 32.2309...^\circ$",
+            r"$\sin^{-1}\left(\frac{8}{15}\right) \approx 33.2309...^\circ$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+    }
+}
+
+#[test]
+fn letters_with_coefficients_are_no_units() {
+    assert_told_apart("The budget is 60 = 4J + 8N.", "The energy is 60 J = 40 J + 30 J.", TextFormat::Markdown);
+}
+
+#[test]
+fn a_stroke_with_space_around_it_is_the_outer_one() {
+    assert_told_apart("x = -50/7 / -2/7 = 25", "x = -50/7 / -2/7 = 24", TextFormat::Markdown);
+}
+
+#[test]
+fn a_large_exponent_takes_all_digits() {
+    let power = |n: u32| format!(r"$\left(1 - \frac{{1}}{{10^{{{n}}}}}\right)^{{10^{{{n}}}}} \approx e^{{-1}}$");
+    assert_told_apart(&power(20), &power(20).replace("10^{20}", "3"), TextFormat::Latex);
+}
+
+#[test]
+fn textbooks_round_angles_to_degrees() {
+    for [right, wrong] in [
+        [r"$\frac{3}{4} = \tan 37^\circ$", r"$\frac{3}{4} = \tan 39^\circ$"],
+        [r"$\sin 53^\circ = \frac45$", r"$\sin 50^\circ = \frac45$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+    }
+}
+
+#[test]
+fn rows_of_augmented_matrices_are_operated_on() {
+    let sides = |columns: &str| {
+        let matrix = |row: &str| format!(r"\left[\begin{{array}}{{{columns}}} {row} \end{{array}}\right]");
+        format!("${} = {}$", matrix(r"1 & 2 & 3 \\ 4 - 1 & 5 & 6"), matrix(r"1 & 2 & 3 \\ 0 & -3 & -6"))
+    };
+    assert_told_apart(&sides("cc|c"), &sides("ccc"), TextFormat::Latex);
+}
+
+#[test]
+fn running_text_is_read_in_any_language_of_xml() {
+    for text in ["<para>We need 252×16 = 4042 of them.</para>", "<p>So 2*3=7 joules <me>x</me></p>"] {
+        assert_ne!(on_numbers(text, TextFormat::Xml), 0, "{text}");
+    }
+    for text in
+        ["<para>We need 252×16 = 4032 of them.</para>", "<p><m>x</m> and <c>2*3=7</c> <program>2*3=7</program></p>"]
+    {
+        assert_eq!(on_numbers(text, TextFormat::Xml), 0, "{text}");
+    }
+}
+
+#[test]
+fn letters_of_quantities_stand_behind_signs_of_products() {
+    assert_told_apart("So h = 5 m = 0.5·g·3^2 here.", "So h = 5 m = 0.5·3 m·3 here.", TextFormat::Markdown);
+    assert_told_apart("It is 8/(5.43A°)^3 = 5 × 10^22.", "It is 8/(5.43 m)^3 = 5 × 10^22 m^-3.", TextFormat::Markdown);
+}

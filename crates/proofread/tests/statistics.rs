@@ -220,6 +220,7 @@ fn a_p_value_is_read_in_the_notation_of_any_field() {
 #[test]
 fn what_is_no_test_result_is_not_read() {
     for text in [
+        "We see that $t_0 = 3.71$ with a $p$-value $= .5$.",
         "Critical values: $t_{10;\\,0.05}=1.812$, $z_{.05}=1.645$, and p = .2 was chosen.",
         "At t = 3 s the pressure is p = 0.5 bar.",
         "With $r(3) = 0.5$ the answer is different, and we need p = 0.1 to go on with the next question.",

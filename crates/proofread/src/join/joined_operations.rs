@@ -17,7 +17,8 @@ pub(crate) fn join_operations(tokens: &[Token]) -> Option<Vec<Token>> {
             .or_else(|| typed_choices(rest, &tokens[..at]))
             .or_else(|| called_choices(rest))
             .or_else(|| period(rest))
-            .or_else(|| dots(rest));
+            .or_else(|| dots(rest))
+            .or_else(|| dots_with_sign(rest));
         match joined {
             Some((kind, taken)) => {
                 if !found {
@@ -178,4 +179,19 @@ fn dots(rest: &[Token]) -> Option<(TokenKind, usize)> {
         None => format!("{number}…"),
     };
     Some((TokenKind::Number(written), taken))
+}
+
+/// Decimals that go on with dots, the last of which bears a raised sign: `32.23...^\circ`.
+fn dots_with_sign(rest: &[Token]) -> Option<(TokenKind, usize)> {
+    let number = rest.first()?.number().filter(|digits| digits.contains('.') && !digits.contains('…'))?;
+    let typed = rest.get(1..3).is_some_and(|two| two.iter().all(|token| token.is_sign('.')));
+    let at = if typed { 3 } else { 1 };
+    let TokenKind::Scripts(base, sub, sup) = &rest.get(at)?.kind else { return None };
+    let is_dots = match base.as_slice() {
+        [point] if typed => point.is_sign('.'),
+        [dots] => dots.is_sign('…') || matches!(&dots.kind, TokenKind::Unknown(dots) if dots == "…"),
+        _ => false,
+    };
+    let base = vec![Token::new(TokenKind::Number(format!("{number}…")), rest[0].span)];
+    (is_dots && sub.is_empty()).then(|| (TokenKind::Scripts(base, Vec::new(), sup.clone()), at + 1))
 }

@@ -122,6 +122,15 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                     TokenKind::Line | TokenKind::Cell => true,
                     _ => false,
                 };
+                // Cells of a table that begin with ≈ each are values of something else.
+                let begins_approximate = |cell: &[Token]| trim_space(cell).first().is_some_and(|of| of.is_sign('≈'));
+                let start = tokens[..at].iter().rposition(|of| matches!(of.kind, TokenKind::Cell | TokenKind::Line));
+                if next.is_some_and(|next| next.is_sign('≈'))
+                    && begins_approximate(&tokens[start.map_or(at, |start| start + 1)..at])
+                {
+                    out.push(Token::new(TokenKind::Operator(';'), span));
+                    continue;
+                }
                 let continues = next.is_none_or(goes_on);
                 if related && !continues {
                     out.push(Token::new(TokenKind::Space(20), span));

@@ -2,7 +2,7 @@
 
 use crate::join::chain::{Chain, Relation};
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::surroundings::{text_around, text_before};
+use crate::judge::surroundings::{text_around, text_before, without_tags};
 use crate::judge::verdict::judge;
 use crate::token::Span;
 
@@ -67,7 +67,8 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // One of the answers to choose from.
-    if is_choice_of_list(text_before(text, span)) {
+    let example = text_before(text, span);
+    if is_choice_of_list(example) {
         return true;
     }
     if before.trim_end().ends_with("\\choice") || is_answer_to_choose(&before, &after) {
@@ -84,7 +85,6 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if [&*before, behind].into_iter().any(|text| text.to_ascii_lowercase().contains("true or false")) {
         return true;
     }
-    let example = text_before(text, span);
     if example.contains("a proportion") && example.contains("hether") {
         return true;
     }
@@ -94,7 +94,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // An exercise that has the reader put in brackets, or say which of several statements hold.
-    const EXERCISES: [&str; 7] = [
+    const EXERCISES: [&str; 11] = [
+        "what is wrong with",
+        "sentences are statements",
+        "following are statements",
+        "these are statements?",
         "to make the following statements true",
         "to make the statement true",
         "to make each statement true",
@@ -122,7 +126,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const REPORTS: [&str; 11] = [
+    const REPORTS: [&str; 15] = [
+        "false statement",
+        "false equation",
+        "false equality",
+        "untrue statement",
         "mistake",
         "wrongly",
         "incorrectly",
@@ -166,7 +174,11 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    const DENIALS: [&str; 12] = [
+    const DENIALS: [&str; 16] = [
+        "not a true",
+        "(falsch)",
+        "(faux)",
+        "(falso)",
         "no longer true",
         "no longer holds",
         "would be false",
@@ -180,8 +192,17 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         "is not a solution",
         "is inconsistent",
     ];
+    // The word alone, or a cross: 40/48 = 1/9 ✗ Wrong!
+    let mut words = rest.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+    let verdict = words.next().filter(|_| words.next().is_none());
+    if after.trim_start_matches([' ', '\n', '$', ')', '\\', ']']).starts_with(['✗', '✘'])
+        || verdict.is_some_and(|word| ["wrong", "false", "incorrect", "falsch", "faux", "falso"].contains(&word))
+    {
+        return true;
+    }
     let formula = text.get(span.range()).unwrap_or_default();
-    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), formula)
+    let formula = if formula.starts_with('<') { without_tags(formula) } else { formula.to_owned() };
+    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), &formula)
 }
 
 /// How far behind a formula a text may say that the statement is false, in bytes.

@@ -244,6 +244,7 @@ impl PlacedPair<'_> {
             || (bracket_symbols::may_be_order(left, right) && surroundings::speaks_of_groups(self.text, around))
             || (point_coordinates::are_proportional(left, right)
                 && surroundings::speaks_of_homogeneous_coordinates(self.text, around))
+            || self.has_other_meaning(judgement)
             || notation::has_phasor(right)
             || self.is_minor()
             || other_arithmetic::has_own_operation(self.text, self.left.span)

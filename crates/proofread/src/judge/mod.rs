@@ -22,6 +22,7 @@ pub(crate) mod number_columns;
 mod number_marks;
 mod other_answers;
 mod other_arithmetic;
+mod other_meanings;
 pub(crate) mod permutation;
 mod pi_in_school;
 mod point_coordinates;

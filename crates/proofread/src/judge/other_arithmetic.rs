@@ -7,7 +7,11 @@ use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
 use crate::token::{Span, Token, TokenKind, show};
 
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 24] = [
+    "with a borrow",
+    "with borrow",
+    "with a carry",
+    "with carry",
     "significand",
     "guard bit",
     "overflow",
@@ -63,7 +67,9 @@ const RINGS: [&str; 12] = [
 const OPERATIONS: [&str; 8] = ["\\times_", "\\cdot_", "\\otimes_", "\\oplus_", "\\odot_", "+_", "\\zmod{", "\\zn{"];
 
 /// Words before a modulus in words, and words for it.
-const IN_WORDS: [(&str, f64); 8] = [
+const IN_WORDS: [(&str, f64); 10] = [
+    ("körper mit zwei elementen", 2.0),
+    ("corps à deux éléments", 2.0),
     ("field of two elements", 2.0),
     ("field with two elements", 2.0),
     ("field of 2 elements", 2.0),
@@ -270,6 +276,9 @@ fn named_moduli(text: &str) -> Vec<f64> {
     });
     let of_operations = { OPERATIONS }.into_iter().flat_map(|sign| lower.match_indices(sign));
     let of_operations = of_operations.filter_map(|(at, sign)| number_at(&lower[at + sign.len()..]));
+    // As signs, with tags before the index.
+    let of_signs = { ["𝔽", "ℤ"] }.into_iter().flat_map(|sign| text.match_indices(sign));
+    let of_signs = of_signs.filter_map(|(at, sign)| number_at(index_behind(&text[at + sign.len()..])?));
     // Neither SU(2) nor the value U(2) = 5 of a function.
     let of_groups = text.match_indices("U(").take(surroundings::MOST_CALLS).filter_map(|(at, sign)| {
         let (inside, behind) = text[at + sign.len()..].split_once(')')?;
@@ -278,7 +287,19 @@ fn named_moduli(text: &str) -> Vec<f64> {
         let is_name = text[..at].ends_with(|c: char| c.is_alphanumeric());
         parse_decimal(inside).filter(|_| !is_name && !is_value)
     });
-    of_rings.chain(of_operations).chain(of_groups).collect()
+    of_rings.chain(of_operations).chain(of_signs).chain(of_groups).collect()
+}
+
+/// The text from an index on that stands at its start, behind a mark or tags.
+fn index_behind(text: &str) -> Option<&str> {
+    if let Some(index) = text.strip_prefix('_') {
+        return Some(index);
+    }
+    let mut rest = text;
+    while let Some((_, behind)) = rest.strip_prefix('<').and_then(|tag| tag.split_once('>')) {
+        rest = behind.trim_start();
+    }
+    (rest.len() < text.len() && rest.starts_with(|c: char| c.is_ascii_digit())).then_some(rest)
 }
 
 /// The moduli that a paragraph names in words, or by what holds for them alone.

@@ -60,7 +60,7 @@ pub(crate) fn calls_function(text: &str, side: Span) -> bool {
     })
 }
 
-fn without_tags(text: &str) -> String {
+pub(super) fn without_tags(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
     // A tag that is cut off at the start is none of the text.
@@ -92,7 +92,7 @@ pub(crate) fn speaks_of_homogeneous_coordinates(text: &str, span: Span) -> bool 
 }
 
 /// Whether one of these words stands in the text of the example so far, or just behind a formula.
-fn example_speaks_of(text: &str, span: Span, words: &[&str]) -> bool {
+pub(super) fn example_speaks_of(text: &str, span: Span, words: &[&str]) -> bool {
     let (_, after) = text_around(text, span);
     let near = format!("{} {after}", text_before(text, span)).to_ascii_lowercase();
     words.iter().any(|word| near.contains(word))
@@ -130,7 +130,9 @@ pub(crate) fn is_torn_off(text: &str, side: &ChainSide) -> bool {
     let is_command = word.ends_with('\\') && word.len() < before.trim_end().len();
     // The sign of a product that is a formula of its own: 1/56 $*$ (93 − 87).
     let is_factor = ["$*$", "$\\times$", "$\\cdot$", "$\\ast$"].iter().any(|sign| before.trim_end().ends_with(sign));
-    (behind_letter && (is_bracket || is_bare)) || is_command || is_factor
+    // Words with spaces of TeX between them: Sales\:\:in\:\:2004.
+    let is_spaced = ["\\:", "\\;", "\\,"].iter().any(|space| before.trim_end().ends_with(space));
+    (behind_letter && (is_bracket || is_bare)) || is_command || is_factor || is_spaced
 }
 
 /// Whether the minus sign of a side is the shaft of an arrow, `<-`.

@@ -114,7 +114,11 @@ fn push_tokens(of: &Element, outer: bool, out: &mut Vec<Token>) {
             let plain: Vec<SourceChar> = text.iter().filter(|sign| !sign.c.is_whitespace()).copied().collect();
             match number_length(&plain) {
                 length if length > 0 && length == plain.len() => out.push(number(&plain)),
-                _ => tokenise_words(text, out),
+                _ => {
+                    let from = out.len();
+                    tokenise_words(text, out);
+                    factor_letters(&mut out[from..]);
+                }
             }
         }
         ("mi", _) => identifier(text, upright, out),
@@ -191,6 +195,22 @@ fn push_tokens(of: &Element, outer: bool, out: &mut Vec<Token>) {
     // A leaf that was not closed has taken what follows it.
     if matches!(of.name.as_str(), "mn" | "mi" | "mo" | "mtext" | "ms") {
         out.extend(row_tokens(of, upright));
+    }
+}
+
+/// Makes names of the letters behind a number in one element: the `y` of `<mn>2y</mn>`. Letters that are units stay what they are.
+fn factor_letters(tokens: &mut [Token]) {
+    const LETTERS: &str = "abcknpqrtuvwxyz";
+    for at in 1..tokens.len() {
+        let follows = tokens[at - 1].number().is_some();
+        let is_name = |word: &&str| match word.len() {
+            1 => LETTERS.contains(*word),
+            2 => word.bytes().all(|c| c.is_ascii_lowercase()) && word.contains(['x', 'y', 'z']),
+            _ => false,
+        };
+        if let Some(name) = tokens[at].word().filter(is_name).filter(|_| follows).map(str::to_owned) {
+            tokens[at].kind = TokenKind::Name(name);
+        }
     }
 }
 

@@ -98,7 +98,7 @@ impl TextFormat {
         Some(match extension.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "mdown" | "mdx" | "mkd" | "qmd" | "rmd" => Self::Markdown,
             "tex" | "latex" | "ltx" => Self::Latex,
-            "xml" | "cnxml" | "ptx" | "mml" | "docbook" | "dbk" => Self::Xml,
+            "xml" | "cnxml" | "ptx" | "mbx" | "mml" | "docbook" | "dbk" => Self::Xml,
             "html" | "htm" | "xhtml" => Self::Html,
             "ipynb" => Self::Notebook,
             "txt" | "text" => Self::Plain,
@@ -311,6 +311,7 @@ pub(crate) fn running_text(text: &str, format: TextFormat, elsewhere: Option<&De
     match format {
         _ if text.len() > LONGEST => RunningText::default(),
         TextFormat::Html => RunningText::from_page(text),
+        TextFormat::Xml if text.contains('=') => RunningText::from_xml(text),
         TextFormat::Latex if text.contains('=') => latex_text::running_text(text, elsewhere.map(|of| &of.0)),
         _ => RunningText::default(),
     }

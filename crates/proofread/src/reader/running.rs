@@ -27,6 +27,29 @@ const CUT: [&str; 17] = [
     "video",
     "audio",
 ];
+/// Elements of other documents in XML that are cut out of a line: formulas in TeX, code, and what is drawn.
+const CUT_IN_XML: [&str; 17] = [
+    "m",
+    "c",
+    "cd",
+    "sage",
+    "program",
+    "input",
+    "output",
+    "console",
+    "image",
+    "latex-image",
+    "asymptote",
+    "pg-code",
+    "programlisting",
+    "screen",
+    "literallayout",
+    "xref",
+    "idx",
+];
+/// Elements of other documents in XML that are cut out and end the line.
+const CUT_BLOCKS_IN_XML: [&str; 10] =
+    ["me", "men", "md", "mdn", "metadata", "docinfo", "macros", "featured-links", "webwork", "setup"];
 /// Elements that are cut out and end the line.
 const CUT_BLOCKS: [&str; 7] = ["title", "pre", "nav", "textarea", "select", "noscript", "template"];
 /// Elements that do not end a line, beside those that are known to end no sentence.
@@ -56,12 +79,22 @@ pub(crate) struct RunningText {
     scripts: Vec<Script>,
     /// How long the lines were behind the last underlined words, which may stand above a stroke.
     underlined: usize,
+    /// Whether the page is in another language of XML than HTML.
+    is_xml: bool,
 }
 
 impl RunningText {
     /// The lines of a page in HTML.
     pub(super) fn from_page(page: &str) -> Self {
-        let mut out = Self::default();
+        Self::from_tags(page, Self::default())
+    }
+
+    /// The lines of a document in another language of XML, such as CNXML or PreTeXt.
+    pub(super) fn from_xml(page: &str) -> Self {
+        Self::from_tags(page, Self { is_xml: true, ..Self::default() })
+    }
+
+    fn from_tags(page: &str, mut out: Self) -> Self {
         let mut at = 0;
         while let Some(tag) = next_tag(page, at) {
             out.prose(page, at..tag.start);
@@ -164,12 +197,13 @@ impl RunningText {
         let name = tag.name.as_str();
         let span = Span::new(tag.start, tag.end);
         if !tag.closes && !tag.empty && !VOID.contains(&name) {
-            let raw = CUT.contains(&name) || CUT_BLOCKS.contains(&name);
+            let ends_line = CUT_BLOCKS.contains(&name) || (self.is_xml && CUT_BLOCKS_IN_XML.contains(&name));
+            let raw = ends_line || CUT.contains(&name) || (self.is_xml && CUT_IN_XML.contains(&name));
             if raw || is_hidden(tag) {
                 let close = |at| next_tag(page, at).map_or(page.len(), |close| close.end);
                 let end = if raw { close(end_of_element(page, tag.end, name)) } else { end_of_nested(page, tag) };
                 let whole = Span::new(tag.start, end);
-                if CUT_BLOCKS.contains(&name) {
+                if ends_line {
                     self.block(whole)
                 } else {
                     self.edge(whole)

@@ -135,7 +135,9 @@ pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar>
                 let letters = || macros.in_quantity(name).and_then(|of| unit_letters(of.body.trim()));
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
                 let known = if known.is_empty() { abbreviated(name) } else { known.to_owned() };
-                if !out.is_empty() {
+                // A letter that touches the sign of a unit is its prefix: m\Omega.
+                let touches = name == "Omega" && out.last().is_some_and(|last| last.span.end == sign.span.start);
+                if !out.is_empty() && !(touches && out.last().is_some_and(|last| last.c.is_alphabetic())) {
                     write("\\,", sign, &mut out);
                 }
                 write(prefix, sign, &mut out);
@@ -222,7 +224,7 @@ fn sign_of(name: &str) -> &'static str {
         "hertz" => "Hz",
         "coulomb" => "C",
         "volt" => "V",
-        "ohm" => "Ω",
+        "ohm" | "Omega" => "Ω",
         "farad" => "F",
         "tesla" => "T",
         "henry" => "H",

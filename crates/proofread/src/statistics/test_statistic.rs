@@ -98,7 +98,8 @@ pub(super) fn test_statistic(chars: &[char], at: usize) -> Option<TestStatistic>
                 here.at += 1;
                 let brackets = (0..2).take_while(|_| here.take('(')).count();
                 match in_list(&mut here, kind) {
-                    Some(list) => freedom = list,
+                    // No statistic has zero degrees of freedom: t_0 is the one that was computed.
+                    Some(list) => freedom = if list.contains(&0.0) { Vec::new() } else { list },
                     None if here.word().is_empty() => return None,
                     None => {}
                 }

@@ -89,6 +89,7 @@ impl MathParser<'_> {
         if matches!(base, Part::Space(_) | Part::Align | Part::Break) {
             return Some(base);
         }
+        base = self.with_factorial(base);
         let (mut sub, mut sup) = (Vec::new(), Vec::new());
         let mut bases = 0;
         loop {
@@ -100,7 +101,7 @@ impl MathParser<'_> {
             };
             self.scan.next();
             self.scan.skip_space();
-            let script = self.atom().map(unbracketed).unwrap_or_default();
+            let script = self.atom().map(|atom| self.with_factorial(atom)).map(unbracketed).unwrap_or_default();
             let place = if mark == '_' { &mut sub } else { &mut sup };
             if !place.is_empty() {
                 bases += 1;
@@ -112,6 +113,18 @@ impl MathParser<'_> {
             *(if mark == '_' { &mut sub } else { &mut sup }) = script;
         }
         Some(if sub.is_empty() && sup.is_empty() { base } else { Part::Scripts(vec![base], sub, sup) })
+    }
+
+    /// A part with the sign of a factorial that touches it; it binds before a stroke and an exponent.
+    fn with_factorial(&mut self, part: Part) -> Part {
+        if !self.scan.starts_with("!")
+            || self.scan.starts_with("!=")
+            || matches!(part, Part::Sign(c, _) if !c.is_alphanumeric())
+        {
+            return part;
+        }
+        let sign = self.scan.next().map(|(c, range)| Part::Sign(c, range));
+        Part::Scripts([part].into_iter().chain(sign).collect(), Vec::new(), Vec::new())
     }
 
     fn atom(&mut self) -> Option<Part> {

@@ -59,7 +59,13 @@ const SIGNS: [(&str, char); 52] = [
 ];
 
 /// Names of letters that are quantities.
-const LETTERS: [(&str, char); 48] = [
+const LETTERS: [(&str, char); 54] = [
+    ("CC", 'ℂ'),
+    ("FF", '𝔽'),
+    ("NN", 'ℕ'),
+    ("QQ", 'ℚ'),
+    ("RR", 'ℝ'),
+    ("ZZ", 'ℤ'),
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),
