@@ -356,6 +356,6 @@ fn running_text_is_read_in_any_language_of_xml() {
 
 #[test]
 fn letters_of_quantities_stand_behind_signs_of_products() {
-    assert_told_apart("So h = 5 m = 0.5·g·3^2 here.", "So h = 5 m = 0.5·3 m·3 here.", TextFormat::Markdown);
+    assert_told_apart("So h = 150 m = 0.5·g·3^2 here.", "So h = 150 m = 0.5·3 m·3 here.", TextFormat::Markdown);
     assert_told_apart("It is 8/(5.43A°)^3 = 5 × 10^22.", "It is 8/(5.43 m)^3 = 5 × 10^22 m^-3.", TextFormat::Markdown);
 }

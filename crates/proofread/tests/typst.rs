@@ -35,7 +35,7 @@ fn each_notation_of_a_formula_is_read_right_and_wrong() {
         ("$2 sin(30 degree) = RESULT$", "1.00", "1.20", "printed 1.20, recomputed 1.00"),
         ("$log_(10) (2) approx RESULT$", "0.301", "0.331", "printed 0.331, recomputed 0.301"),
         ("$12 dot 11! = RESULT!$", "12", "13", ""),
-        ("$5^1 / 3! + 6! / 4! = RESULT$", "185/6", "186/6", "printed 186/6, recomputed 185/6"),
+        ("$5^1 / 3! dot 6 + 6! / 4! = RESULT$", "35", "53", "printed 53, recomputed 35"),
         ("$sum_(k=1)^4 k^2 = RESULT$", "30", "31", "printed 31, recomputed 30"),
         ("$max(2, 5) + 1 = RESULT$", "6", "8", "printed 8, recomputed 6"),
         ("$2 pi approx RESULT$", "6.283", "6.823", "printed 6.823, recomputed 6.283"),

@@ -45,7 +45,7 @@ pub enum TextFormat {
     Markdown,
     /// A document in LaTeX, or a part of one.
     Latex,
-    /// XML with MathML, such as CNXML or a DocBook, or with TeX as in PreTeXt.
+    /// XML with MathML, such as CNXML or a DocBook, or with TeX as in PreTeXt, and its running text.
     Xml,
     /// HTML: its running text, with exponents and indices as they are raised and lowered, MathML, and TeX for MathJax or KaTeX.
     Html,

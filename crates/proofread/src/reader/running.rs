@@ -1,4 +1,4 @@
-//! The running text of a page in HTML or of a document in LaTeX: its lines as they are shown, and where each part of them is.
+//! The running text of a page in HTML or XML or of a document in LaTeX: its lines as they are shown, and where each part of them is.
 
 use super::markup::INLINE;
 use super::tags::{Tag, decode_entities, end_of_element, next_tag};
