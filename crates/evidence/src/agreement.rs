@@ -2,7 +2,6 @@
 
 use crate::Finding;
 use crate::tolerance::{CLOSURE, ROUTES};
-use geneva_fields::joined_with_and;
 use nalgebra::Vector2;
 use std::fmt::Display;
 
@@ -50,7 +49,11 @@ pub fn pair(what: &str, a: &str, b: &str) -> String {
 /// Items with commas between them and *and* before the last; of none, "none".
 pub fn joined<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
-    if items.is_empty() { "none".to_owned() } else { joined_with_and(&items) }
+    match &items[..] {
+        [] => "none".to_owned(),
+        [only] => only.clone(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
 }
 
 /// Numbers as [`joined`], with three places each.

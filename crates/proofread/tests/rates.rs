@@ -13,9 +13,11 @@ const COUNTED: &str = include_str!("../judged/counted.csv");
 const README: &str = include_str!("../README.md");
 
 /// The contact whose rates are told: the last one.
-const LAST: &str = "seventeenth";
+const LAST: &str = "eighteenth";
+/// The contacts at which differences of one shape were one flag before any were drawn.
+const DRAWN_BY_SHAPE: [&str; 1] = ["eighteenth"];
 /// All contacts whose flags are on record.
-const CONTACTS: [&str; 8] = [
+const CONTACTS: [&str; 9] = [
     "twelfth",
     "thirteenth",
     "fourteenth",
@@ -24,6 +26,7 @@ const CONTACTS: [&str; 8] = [
     "sixteenth, later",
     "seventeenth",
     "seventeenth, later",
+    "eighteenth",
 ];
 
 #[derive(serde::Deserialize)]
@@ -41,9 +44,19 @@ struct Flag {
     slight: String,
     document_pairs: Option<usize>,
     document_differing: Option<usize>,
+    confidence: String,
 }
 
 impl Flag {
+    fn is_real(&self) -> bool {
+        self.judgement == "real"
+    }
+
+    /// Whether the program of its contact set it apart. That of the seventeenth contact listed what it called less certain.
+    fn is_apart(&self) -> bool {
+        self.confidence == "less certain" && self.contact != "seventeenth"
+    }
+
     /// What makes it less certain. What the record doesn't say of its document counts as nothing against it.
     fn caveat(&self) -> Option<Caveat> {
         let evidence = DifferenceEvidence {
@@ -105,6 +118,11 @@ impl Rates {
         found.map(|rate| (rate.2, rate.3)).unwrap_or_else(|| panic!("no rate of {measure} in {kind}"))
     }
 
+    fn percent(&self, measure: &str, kind: &str) -> String {
+        let (good, tried) = self.of(measure, kind);
+        format!("{:.0}", 100.0 * f64::from(good) / f64::from(tried))
+    }
+
     fn written(&self) -> String {
         let mut out = "# How often the program was right at the last first contact, by what was measured and the kind of text. Made from the \
              other records by tests/rates.rs; see README.md.\nmeasure,subject,good,tried\n"
@@ -116,24 +134,26 @@ impl Rates {
     }
 }
 
-fn rates() -> Rates {
+fn rates(contact: &str) -> Rates {
     let flags: Vec<Flag> = read(FLAGS);
-    let flags: Vec<Flag> = flags.into_iter().filter(|flag| flag.contact == LAST).collect();
-    let real = |flag: &Flag| u32::from(flag.judgement == "real");
+    let (apart, flags): (Vec<Flag>, Vec<Flag>) =
+        flags.into_iter().filter(|flag| flag.contact == contact).partition(Flag::is_apart);
+    let real = |flag: &Flag| u32::from(flag.is_real());
     let on = |list: &'static str| flags.iter().filter(move |flag| flag.list == list);
     let mut rates = Rates::default();
     rates.add("flags", on("numbers").map(|flag| (flag.kind.clone(), real(flag), 1)));
     let first = on("numbers").filter(|flag| flag.repeats == "no");
     rates.add("faults", first.map(|flag| ("all".to_owned(), real(flag), 1)));
+    rates.add("apart", apart.iter().map(|flag| ("all".to_owned(), real(flag), 1)));
     rates.add("statistics", on("statistics").map(|flag| ("all".to_owned(), real(flag), 1)));
-    let hinted = flags.iter().filter(|flag| flag.judgement == "real" && !flag.hint.is_empty());
+    let hinted = flags.iter().filter(|flag| flag.is_real() && !flag.hint.is_empty());
     rates.add("hints", hinted.map(|flag| ("all".to_owned(), u32::from(flag.hint_right == "yes"), 1)));
     let reported: Vec<Reported> = read(REPORTED);
-    let visible = reported.iter().filter(|of| of.contact == LAST && of.visible == "yes");
+    let visible = reported.iter().filter(|of| of.contact == contact && of.visible == "yes");
     rates.add("reported", visible.map(|of| (of.kind.clone(), u32::from(of.seen == "yes"), 1)));
     let counted: Vec<Counted> = read(COUNTED);
     for measure in ["planted", "displayed"] {
-        let of = counted.iter().filter(|of| of.contact == LAST && of.measure == measure);
+        let of = counted.iter().filter(|of| of.contact == contact && of.measure == measure);
         rates.add(measure, of.map(|of| (of.kind.clone(), of.good, of.tried)));
     }
     rates
@@ -142,7 +162,7 @@ fn rates() -> Rates {
 #[test]
 fn the_rates_are_those_of_the_records() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("judged/rates.csv");
-    let (written, now) = (std::fs::read_to_string(&path).unwrap_or_default(), rates().written());
+    let (written, now) = (std::fs::read_to_string(&path).unwrap_or_default(), rates(LAST).written());
     if written != now {
         std::fs::write(&path, &now).expect("judged/rates.csv can be written");
     }
@@ -152,11 +172,8 @@ fn the_rates_are_those_of_the_records() {
 #[test]
 fn the_readme_says_how_reliable_the_program_is() {
     let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
-    let rates = rates();
-    let percent = |measure: &str, kind: &str| {
-        let (good, tried) = rates.of(measure, kind);
-        format!("{:.0} %", 100.0 * f64::from(good) / f64::from(tried))
-    };
+    let rates = rates(LAST);
+    let percent = |measure: &str, kind: &str| format!("{} %", rates.percent(measure, kind));
     let counted = |measure: &str| {
         let (good, tried) = rates.of(measure, "all");
         format!("{good} of {tried}")
@@ -167,6 +184,7 @@ fn the_readme_says_how_reliable_the_program_is() {
         format!("{} in physics and engineering", percent("flags", "physics and engineering")),
         format!("{} in statistics", percent("flags", "statistics")),
         format!("{} on the list of statistics", counted("statistics")),
+        format!("{} that stood apart", counted("apart")),
         format!("{} hints", counted("hints")),
         format!("{} errors that others had reported", counted("reported")),
         format!("{} of planted digits", percent("planted", "all")),
@@ -196,14 +214,15 @@ fn by_certainty(is_counted: impl Fn(&Flag) -> bool) -> [Count; 4] {
     for flag in read::<Flag>(FLAGS).iter().filter(|flag| flag.list == "numbers" && is_counted(flag)) {
         let caveat = flag.caveat();
         let document = (flag.contact.clone(), flag.text.clone(), flag.file.clone());
-        let is_new = told.insert((document, chain_shape(&flag.chain), flag.hint.is_empty(), caveat.is_some()));
+        let is_new = told.insert((document, chain_shape(&flag.chain), flag.hint.is_empty(), caveat.is_some()))
+            || DRAWN_BY_SHAPE.contains(&flag.contact.as_str());
         let count = &mut counts[match caveat {
             _ if !is_new => 3,
             None => 0,
             Some(Caveat::Share { .. }) => 1,
             Some(_) => 2,
         }];
-        *count = (count.0 + u32::from(flag.judgement == "real"), count.1 + 1);
+        *count = (count.0 + u32::from(flag.is_real()), count.1 + 1);
     }
     counts
 }
@@ -227,4 +246,48 @@ fn certain_flags_are_real_more_often_at_each_contact() {
     }
     let rate = |(real, all): Count| f64::from(real) / f64::from(all);
     assert!(rate(certain) > 0.65 && [share, other, again].into_iter().all(|count| rate(count) < 0.45));
+}
+
+#[test]
+fn the_record_tells_each_contact_beside_the_targets() {
+    let record = include_str!("../judged/README.md");
+    let mut rows = String::new();
+    for contact in CONTACTS.into_iter().filter(|contact| !contact.ends_with("later")) {
+        let rates = rates(contact);
+        let reached = [
+            ("flags", "all"),
+            ("faults", "all"),
+            ("flags", "mathematics"),
+            ("flags", "physics and engineering"),
+            ("planted", "all"),
+            ("reported", "all"),
+            ("displayed", "all"),
+        ];
+        let reached = reached.map(|(measure, kind)| rates.percent(measure, kind));
+        rows += &format!("| {contact} | {} |\n", reached.join(" | "));
+    }
+    assert!(record.contains(&rows), "judged/README.md has other shares than\n{rows}");
+}
+
+#[test]
+fn a_list_is_on_by_default_if_half_of_its_flags_are_real() {
+    let flags: Vec<Flag> = read(FLAGS);
+    let counted = |contacts: &[&str]| {
+        let those = flags.iter().filter(|flag| flag.list == "statistics" && contacts.contains(&flag.contact.as_str()));
+        those.fold((0, 0), |(real, all): Count, flag| (real + u32::from(flag.is_real()), all + 1))
+    };
+    let (real, all) = counted(&["fifteenth", "sixteenth", "seventeenth", LAST]);
+    let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = format!(
+        "{real} of {all} in the last four contacts ({} of {} in the last one)",
+        counted(&[LAST]).0,
+        counted(&[LAST]).1
+    );
+    assert!(readme.contains(&told), "{told}");
+    // The help says half, in words.
+    let share = |(real, all): Count| f64::from(real) / f64::from(all);
+    assert!(include_str!("../src/cli/arguments.rs").contains("half of what this list finds in new texts is real"));
+    for count in [(real, all), counted(&CONTACTS)] {
+        assert!((0.5..0.67).contains(&share(count)), "{count:?}");
+    }
 }

@@ -23,6 +23,7 @@ pub(crate) fn numbers() -> Vec<OwnNumber> {
         measured("found.rate.all", "flags", "all"),
         measured("found.rate.mathematics", "flags", "mathematics"),
         measured("found.rate.physics", "flags", "physics and engineering"),
+        measured("found.apart", "apart", "all"),
         measured("found.hints", "hints", "all"),
         measured("found.reported", "reported", "all"),
         measured("found.planted", "planted", "all"),
