@@ -415,7 +415,7 @@ fn the_solids_of_openscad_are_as_large_as_the_parts() {
         let sizes = sizes(stations, pins, &shafts());
         let mounting = mounting(&sizes);
         let text = scad(&sizes, 6.0, 0.002, &mounting, 0.0).unwrap();
-        let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
+        let list = parts(&sizes, 6.0, &mounting).unwrap().parts;
         let (bushes, driver): (Vec<_>, Vec<_>) = list[1..].iter().partition(|part| part.is_bush());
         let driver: f64 = driver.iter().map(|part| part.volume()).sum();
         let bush = bushes[0];
@@ -437,7 +437,7 @@ fn the_holes_of_a_model_are_as_large_as_those_of_the_parts_with_and_without_an_a
     }
     let sizes = sizes(6, 2, &shafts());
     let mounting = mounting(&sizes);
-    let list = geneva_workshop::parts(&sizes, 6.0, &mounting).unwrap().parts;
+    let list = parts(&sizes, 6.0, &mounting).unwrap().parts;
     let text = scad(&sizes, 6.0, 0.0005, &mounting, 0.2).unwrap();
     assert!(text.contains("\nhole_allowance = 0.2; // "));
     let hole_of = |layer: Layer, purpose: HolePurpose, by: f64| {
