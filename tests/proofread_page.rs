@@ -373,7 +373,7 @@ fn text_and_findings_share_a_screen() {
         // A reader has scrolled to a finding: the text must still be in sight, and not on the finding.
         let apart = of(
             &mut browser,
-            "(async () => { const found = []; for (const item of result.querySelectorAll('li')) { scrollBy({ top: \
+            "(async () => { const found = []; for (const item of (result.querySelector('details').open = true, result.querySelectorAll('li'))) { scrollBy({ top: \
              place.getBoundingClientRect().top - 60, behavior: 'instant' }); item.scrollIntoView({ block: 'nearest', behavior: \
              'instant' }); await new Promise(requestAnimationFrame); const [text, own] = [area, item].map(of => \
              of.getBoundingClientRect()); const isOver = text.right > own.left && text.bottom > own.top; if (text.top < 0 || \

@@ -95,6 +95,12 @@ impl Asked {
             let value = if argument.name == "centre-error" && random.bool() { 0.0 } else { value };
             asked.set(argument.name, value.to_string(), &value.to_string());
         }
+        // The command refuses the play of a test piece without a process; the page waits for one.
+        if !asked.command.iter().any(|word| word == "--process")
+            && let Some(at) = asked.command.iter().position(|word| word == "--measured-play")
+        {
+            asked.command.drain(at..at + 2);
+        }
         asked
     }
 
@@ -119,10 +125,11 @@ fn in_the_object<'a>(object: &'a Map<String, Value>, name: &str, key: Option<&st
 fn whole_answer(live: &Live, settings: &LiveArguments) -> Result<LiveReply, String> {
     loop {
         let answer = live.answer(settings)?;
-        if answer.progress.is_none() {
-            return Ok(answer);
-        }
-        assert!(!answer.numbers.iter().any(|number| number.name == "yield"), "a part is shown as the whole");
+        let Some(progress) = &answer.progress else { return Ok(answer) };
+        // What helps is looked for when the yield is known.
+        let is_counted = progress.parts != "assemblies";
+        let is_shown = answer.numbers.iter().any(|number| number.name == "yield");
+        assert_eq!(is_shown, is_counted, "{progress:?}: a part is shown as the whole, or the whole is not shown");
     }
 }
 
@@ -220,10 +227,17 @@ fn each_entry_of_a_choice_can_be_sent_whatever_the_process() {
     for (process, name) in Process::ALL.map(Process::name).into_iter().enumerate() {
         let page = |at: usize| {
             let settings = [("process", (process + 1).to_string()), ("driver-pieces", at.to_string())];
-            live.answer(&LiveArguments::from_pairs(settings)).expect("an answer").command.expect("a command")
+            live.answer(&LiveArguments::from_pairs(settings))
         };
         for (at, said) in [Some("one-piece"), Some("two-pieces"), None].into_iter().enumerate() {
-            let command = page(at);
+            let answer = match page(at) {
+                Ok(answer) => answer,
+                Err(why) => {
+                    assert!(name == "laser" && why.starts_with("“disc and plate are” one-piece:"), "{name}: {why}");
+                    continue;
+                }
+            };
+            let command = answer.command.expect("a command");
             let found = command.split(" --driver-pieces ").nth(1).and_then(|rest| rest.split(' ').next());
             assert_eq!(found, said, "{name}: {command}");
             sent += 1;

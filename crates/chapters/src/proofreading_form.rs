@@ -9,7 +9,7 @@ use geneva_proofread_page::{
 use proofread::{ReportSection, TextFormat};
 
 /// What the module may weigh that the page loads, in bytes.
-pub const HEAVIEST_MODULE: usize = 450_000;
+pub const HEAVIEST_MODULE: usize = 480_000;
 
 /// The chains of the sources that the proofreader finds wrong, as a text in Markdown: `<ID>` stands for what a claim prints. In the
 /// last two, the speed that their source gives stands for its letter, since the form begins without values of names.
@@ -137,7 +137,8 @@ mod tests {
             printed("numbers", "meyer.app-a.three-slots.centre", ""),
             printed("numbers", "meyer.app-a.three-slots.radius", ""),
             printed("numbers", "quick-return.lever-point-speed", " m/s"),
-            printed("numbers", "quick-return.sliding-speed", " m/s"),
+            // Where so many differ, one without a likely slip is less certain.
+            printed("less-certain", "quick-return.sliding-speed", " m/s"),
         ];
         assert_eq!(found, known.each_ref().map(|(list, text)| (*list, text.as_str())));
         assert_eq!(answer.format, TextFormat::Markdown);

@@ -47,5 +47,11 @@ pub(crate) fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>
         };
         given.extend(value.map(|value| (argument, value)));
     }
+    // The play of a test piece replaces that of its process: without one, it waits until one is chosen.
+    let has_process =
+        |(argument, value): &(&Argument, f64)| matches!(argument.place, ArgumentSlot::Process(_)) && *value > 0.0;
+    if !given.iter().any(has_process) {
+        given.retain(|(argument, _)| argument.name != "measured-play");
+    }
     Ok(given)
 }

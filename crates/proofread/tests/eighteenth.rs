@@ -352,3 +352,19 @@ fn letters_of_quantities_stand_behind_signs_of_products() {
     assert_told_apart("So h = 150 m = 0.5·g·3^2 here.", "So h = 150 m = 0.5·3 m·3 here.", TextFormat::Markdown);
     assert_told_apart("It is 8/(5.43A°)^3 = 5 × 10^22.", "It is 8/(5.43 m)^3 = 5 × 10^22 m^-3.", TextFormat::Markdown);
 }
+
+#[test]
+fn a_chunk_ends_with_its_line_of_marks_in_html_and_in_lists_too() {
+    for before in [
+        "<center>\n```{r}\n\nx <- 1\n```\n</center>\n\n",
+        "1. Item.\n\n    ```{r}\nx <- 1\n```\n\n1. ",
+        "<div>\n\n```{r}\ny <- 2\n```\n\n</div>\n\n",
+    ] {
+        let text = |result: &str| format!("{before}So $0.9\\cdot 0.9 = {result}$.\n");
+        assert_told_apart(&text("0.81"), &text("0.85"), TextFormat::Markdown);
+        let code = before.replace(" 1\n```", " 1\n2 + 2 = 5\n```").replace(" 2\n```", " 2\n2 + 2 = 5\n```");
+        let report = report(&code, TextFormat::Markdown);
+        assert!(report.findings.is_empty(), "{code}");
+        assert_eq!(report.not_read.total(), 1, "{code}");
+    }
+}

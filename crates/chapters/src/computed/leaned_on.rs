@@ -30,6 +30,7 @@ pub(super) const LEANED_ON: &[&str] = &[
     "found.rate.all",
     "found.rate.mathematics",
     "found.rate.physics",
+    "found.apart",
     "found.hints",
     "found.reported",
     "found.planted",

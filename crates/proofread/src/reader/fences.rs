@@ -51,13 +51,18 @@ impl Fences {
         self.open.is_empty()
     }
 
+    /// Whether the innermost open fence is one of code.
+    fn are_in_code(&self) -> bool {
+        self.open.last().is_some_and(|(_, _, kind)| *kind == FenceKind::Code)
+    }
+
     /// Takes the next line.
     pub(super) fn take(&mut self, line: &str) -> FenceLine {
         let inner = line.trim_start_matches([' ', '\t', '>']);
         let mark = inner.chars().next().filter(|c| "`~".contains(*c)).unwrap_or(' ');
         let length = if mark == ' ' { 0 } else { inner.chars().take_while(|c| *c == mark).count() };
         let info = inner[length..].trim();
-        let in_code = self.open.last().is_some_and(|(_, _, kind)| *kind == FenceKind::Code);
+        let in_code = self.are_in_code();
         if length >= 3 && info.is_empty() {
             // A directive whose end was forgotten ends with the one around it.
             let closed = self.open.iter().rposition(|(open, least, _)| *open == mark && *least <= length);
@@ -108,15 +113,27 @@ pub(super) fn name_of_fence(info: &str) -> &str {
     info.trim_start_matches(['{', '.', ' ']).split([' ', ',', '}', '\t']).next().unwrap_or_default()
 }
 
-/// The text with other signs, as many as there are bytes, for what would keep other programs from reading it: the marks of
-/// directives and admonitions, and options with backticks; and where the marks of directives are. None if there are none of these.
-pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>)> {
+/// Markdown as programs read it that know nothing of its extensions.
+pub(super) struct PlainFences {
+    /// The text with other signs, as many as there are bytes, for what would keep such a program from reading it: the marks of
+    /// directives and admonitions, options with backticks, and the chunks below.
+    pub text: String,
+    /// Where the marks of directives are.
+    pub marks: Vec<Range<usize>>,
+    /// Chunks of R Markdown where Markdown has no fences, or ends them elsewhere: in a block of HTML, or indented as code is. Whoever
+    /// runs chunks looks for their lines alone.
+    pub chunks: Vec<Range<usize>>,
+}
+
+/// The text without what extensions of Markdown add; none if there is nothing of the kind.
+pub(super) fn with_plain_fences(text: &str) -> Option<PlainFences> {
     let has_admonition = || text.lines().any(|line| is_admonition(line.trim_start_matches(' ')));
     if !text.contains("```") && !text.contains("~~~") && !has_admonition() {
         return None;
     }
-    let (mut out, mut marks) = (String::with_capacity(text.len()), Vec::new());
+    let (mut out, mut marks, mut chunks) = (String::with_capacity(text.len()), Vec::new(), Vec::new());
     let mut fences = Fences::default();
+    let (mut in_html, mut chunk) = (false, None);
     // How far what is in an admonition is indented at most; none outside of them.
     let mut inside = 0;
     for line in text.split_inclusive('\n') {
@@ -127,7 +144,22 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
             inside = inside.min(indent / 4 * 4);
         }
         let mark = content.find(['`', '~']).unwrap_or(content.len());
-        let (kept, hidden) = match fences.take(line) {
+        let was_in_code = fences.are_in_code();
+        let taken = fences.take(line);
+        in_html = !content.is_empty() && (in_html || begins_html(content));
+        if !was_in_code && fences.are_in_code() && (in_html || indent >= 4) && is_chunk(&content[mark..]) {
+            chunk = Some(start);
+        }
+        if let Some(from) = chunk {
+            out.extend(std::iter::repeat_n(' ', content.len()));
+            out.push_str(&line[content.len()..]);
+            if !fences.are_in_code() {
+                chunks.push(from..out.len());
+                (chunk, in_html) = (None, false);
+            }
+            continue;
+        }
+        let (kept, hidden) = match taken {
             // What a directive is about is text, too, and must not become code by the space before it.
             FenceLine::Directive => {
                 let close = content.find('}').map_or(content.len(), |close| close + 1);
@@ -155,7 +187,21 @@ pub(super) fn with_plain_fences(text: &str) -> Option<(String, Vec<Range<usize>>
         out.push_str(&content[behind..]);
         out.push_str(&line[content.len()..]);
     }
-    Some((out, marks))
+    chunks.extend(chunk.map(|from| from..out.len()));
+    Some(PlainFences { text: out, marks, chunks })
+}
+
+/// Whether a line begins a block of HTML, which lasts to the next blank one.
+fn begins_html(line: &str) -> bool {
+    line.trim_start()
+        .strip_prefix('<')
+        .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic() || c == '/'))
+}
+
+/// Whether a fence begins a chunk of code that is run: its language stands first in braces.
+fn is_chunk(fence: &str) -> bool {
+    let info = fence.trim_start_matches(['`', '~']).trim_start();
+    info.strip_prefix('{').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
 /// Whether a line begins an admonition of Python-Markdown or a tab of its extensions: `!!! note`, `??? example`, `???+ tip`, `=== "Tab"`.
@@ -189,9 +235,24 @@ mod tests {
     #[test]
     fn what_is_changed_is_as_long_as_it_was() {
         let text = "```{note} Über\nä $1 + 1 = 3$\n```\n";
-        let (plain, marks) = with_plain_fences(text).expect("a fence");
-        assert_eq!((plain.len(), marks.len()), (text.len(), 2));
-        assert_eq!(plain.trim_end(), format!("{} Über\nä $1 + 1 = 3$", ".".repeat(9)));
+        let plain = with_plain_fences(text).expect("a fence");
+        assert_eq!((plain.text.len(), plain.marks.len()), (text.len(), 2));
+        assert_eq!(plain.text.trim_end(), format!("{} Über\nä $1 + 1 = 3$", ".".repeat(9)));
         assert_eq!(name_of_fence("{r, echo=FALSE}"), "r");
+    }
+
+    #[test]
+    fn chunks_are_hidden_where_markdown_has_no_fence_of_theirs() {
+        for (text, chunk) in [
+            ("<p>\n```{r}\n\nx\n```\n</p>\n\na\n", Some(4..20)),
+            ("1. a\n\n    ```{r}\nx\n```\nb\n", Some(6..23)),
+            ("<p>\n\n```{r}\nx\n```\nb\n", None),
+            ("    ```\nx\n", None),
+            ("<p>\n```{r}\nx", Some(4..12)),
+        ] {
+            let plain = with_plain_fences(text).expect(text);
+            assert_eq!((plain.text.len(), plain.chunks.first()), (text.len(), chunk.as_ref()), "{text}");
+            assert!(chunk.is_none_or(|chunk| plain.text[chunk].trim().is_empty()), "{text}");
+        }
     }
 }

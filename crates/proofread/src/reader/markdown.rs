@@ -208,9 +208,16 @@ fn mathml(text: &str, skip: &[Range<usize>]) -> Vec<Range<usize>> {
 /// The stretches that are no text, and the content of fences that say they are maths. What is not read is handed over with its name.
 fn code(text: &str, unread: &mut dyn FnMut(UnreadKind, &str, Range<usize>)) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
     let (mut skip, mut fences) = (Vec::new(), Vec::new());
-    let (plain, marks) = with_plain_fences(text).unzip();
+    let plain = with_plain_fences(text);
+    for chunk in plain.iter().flat_map(|plain| &plain.chunks) {
+        let info =
+            text[chunk.clone()].lines().next().unwrap_or_default().trim_start_matches([' ', '\t', '>', '`', '~']);
+        unread(UnreadKind::Fence, name_of_fence(info), chunk.clone());
+        skip.push(chunk.clone());
+    }
     let (mut maths, mut withdrawn) = (false, Vec::new());
-    for (event, range) in Parser::new_ext(plain.as_deref().unwrap_or(text), Options::empty()).into_offset_iter() {
+    let read = plain.as_ref().map_or(text, |plain| &plain.text);
+    for (event, range) in Parser::new_ext(read, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
                 maths = matches!(&kind, CodeBlockKind::Fenced(info) if is_maths(info));
@@ -240,6 +247,7 @@ fn code(text: &str, unread: &mut dyn FnMut(UnreadKind, &str, Range<usize>)) -> (
             _ => {}
         }
     }
+    sort_by_place(&mut skip, |range| range.start);
     // What is withdrawn in code is counted with the code; neither is in something else of its kind.
     for range in super::withdrawn_ranges(text) {
         let before = skip.partition_point(|code: &Range<usize>| code.start <= range.start);
@@ -250,7 +258,7 @@ fn code(text: &str, unread: &mut dyn FnMut(UnreadKind, &str, Range<usize>)) -> (
         withdrawn.push(range);
     }
     skip.append(&mut withdrawn);
-    skip.extend(marks.into_iter().flatten());
+    skip.extend(plain.into_iter().flat_map(|plain| plain.marks));
     sort_by_place(&mut skip, |range| range.start);
     (skip, fences)
 }
