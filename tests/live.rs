@@ -170,6 +170,7 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
 /// outside the window, under its bar or under another.
 const APART: &str = "(async () => { const found = []; const shown = f.querySelector('.shown'); const bar = \
      document.querySelector('#mdbook-menu-bar'); for (const input of g.querySelectorAll('.moved input[name], .moved select')) { \
+     if (f.classList.contains('refused')) { g.querySelector('[data-do=reset]').click(); await settled() } \
      g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(input)); const inside = input.closest('.inside'); \
      if (inside) { inside.scrollTop += input.getBoundingClientRect().top - inside.getBoundingClientRect().top - 60 } \
      const label = input.labels[0], box = g.querySelector(`[data-box=${input.name}]`) ?? input; \
@@ -181,10 +182,11 @@ const APART: &str = "(async () => { const found = []; const shown = f.querySelec
      const isHit = of => { const { left, right, top, bottom } = of.getBoundingClientRect(); const hit = \
      document.elementFromPoint((left + right) / 2, (top + bottom) / 2); return top >= 0 && bottom <= innerHeight && (hit === of || of.contains(hit)) }; \
      const from = Math.max(bar.getBoundingClientRect().bottom, 0); \
-     for (const [of, name] of [[f.querySelector('svg'), 'drawing'], [f.querySelector('.results'), 'numbers']]) { \
+     const results = f.classList.contains('refused') ? f.querySelector('.message') : f.querySelector('.results'); \
+     for (const [of, name] of [[f.querySelector('svg'), 'drawing'], [results, 'numbers']]) { \
      const { top, bottom } = of.getBoundingClientRect(); if (top < from - 1 || bottom > innerHeight + 1) { \
      found.push(`${input.name}: ${name} ${Math.round(top)} to ${Math.round(bottom)}`) } } \
-     for (const of of [label, input, box]) { if (!isHit(of)) { found.push(`${input.name} is covered`) } } } return found })()";
+     for (const of of f.classList.contains('refused') ? [] : [label, input, box]) { if (!isHit(of)) { found.push(`${input.name} is covered`) } } } return found })()";
 
 #[test]
 fn drawing_numbers_and_the_control_in_use_share_a_screen() {
