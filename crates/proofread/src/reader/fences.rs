@@ -244,7 +244,7 @@ mod tests {
     #[test]
     fn chunks_are_hidden_where_markdown_has_no_fence_of_theirs() {
         for (text, chunk) in [
-            ("<p>\n```{r}\n\nx\n```\n</p>\n\na\n", Some(4..20)),
+            ("<p>\n```{r}\n\nx\n```\n</p>\n\na\n", Some(4..18)),
             ("1. a\n\n    ```{r}\nx\n```\nb\n", Some(6..23)),
             ("<p>\n\n```{r}\nx\n```\nb\n", None),
             ("    ```\nx\n", None),
