@@ -138,17 +138,11 @@ def _span(value: Any, indices: Dict[int, int]) -> Span:
     )
 
 
-def _place(value: Any, indices: Dict[int, int]) -> Place:
-    return Place(
-        chain=value["chain"],
-        left=value["left"],
-        right=value["right"],
-        printed=value["printed"],
-        recomputed=value["recomputed"],
-        hint=value["hint"],
-        at=_span(value["at"], indices),
-        chain_at=_span(value["chain_at"], indices),
-    )
+def _of_place(value: Any, indices: Dict[int, int]) -> Dict[str, Any]:
+    """What a finding and each of its places have alike."""
+    words = ("chain", "left", "right", "printed", "recomputed", "hint")
+    spans = ("at", "chain_at")
+    return {**{key: value[key] for key in words}, **{key: _span(value[key], indices) for key in spans}}
 
 
 def read_report(document: Any, text: str) -> Report:
@@ -163,21 +157,14 @@ def read_report(document: Any, text: str) -> Report:
             section=value["list"],
             verdict=value["verdict"],
             message=value["message"],
-            chain=value["chain"],
-            left=value["left"],
-            right=value["right"],
-            printed=value["printed"],
-            recomputed=value["recomputed"],
-            hint=value["hint"],
             explanation=value["explanation"],
             why=value["why"],
             doubt=value["doubt"],
             caveat=value["caveat"],
             reading=tuple(value["reading"]),
             names=tuple(value["names"]),
-            at=_span(value["at"], indices),
-            chain_at=_span(value["chain_at"], indices),
-            places=tuple(_place(place, indices) for place in value["places"]),
+            places=tuple(Place(**_of_place(place, indices)) for place in value["places"]),
+            **_of_place(value, indices),
         )
         for value in document["findings"]
     )
