@@ -137,7 +137,8 @@ impl TypedLengths {
         let typed = self.typed.iter().find(|(of, ..)| of == name);
         let Some((unit, size)) = self.unit(name) else { return text.to_owned() };
         let as_it_was = typed.filter(|(_, typed, _)| {
-            side == Side::Value && crate::typed_number::length(name, typed).is_ok_and(|length| length == value)
+            side == Side::Value
+                && crate::typed_number::length(name, typed).is_ok_and(|length| rounded(length) == rounded(value))
         });
         if let Some((_, typed, _)) = as_it_was {
             return typed.clone();
