@@ -37,6 +37,7 @@ mod measured;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;
+mod nineteenth;
 mod notations;
 #[cfg(feature = "cli")]
 mod office;

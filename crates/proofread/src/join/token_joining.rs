@@ -487,9 +487,8 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
 
 /// Joins what belongs to one unit or one name.
 fn merged(tokens: Vec<Token>) -> Vec<Token> {
-    let tokens = split_units::split_unit_words(split_units::unwrap_unit_brackets(split_units::unwrap_powers_of_ten(
-        numbers(tokens),
-    )));
+    let tokens = split_units::write_out_thousands(split_units::unwrap_powers_of_ten(numbers(tokens)));
+    let tokens = split_units::split_unit_words(split_units::unwrap_unit_brackets(tokens));
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
