@@ -130,6 +130,24 @@ fn quotients_and_products_of_units_are_read() {
 }
 
 #[test]
+fn a_number_with_an_inverse_unit_is_a_printed_one() {
+    for [right, wrong] in [
+        [r"$26.6/\text{s} = 1595/\text{min}$", r"$26.6/\text{s} = 1605/\text{min}$"],
+        [
+            r"$26.6\,\frac{1}{\text{s}} = 1595\,\frac{1}{\text{min}}$",
+            r"$26.6\,\frac{1}{\text{s}} = 1605\,\frac{1}{\text{min}}$",
+        ],
+        [
+            r"$\SI{26.6}{\frac{1}{s}} = \SI{1595}{\frac{1}{min}}$",
+            r"$\SI{26.6}{\frac{1}{s}} = \SI{1605}{\frac{1}{min}}$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+        assert_compared(right, TextFormat::Latex);
+    }
+}
+
+#[test]
 fn a_thousand_has_a_letter_of_its_own() {
     for [right, wrong] in [
         [r"$48\text{k} = 48000$", r"$48\text{k} = 49000$"],
@@ -200,4 +218,12 @@ fn what_is_counted_may_be_taken_up_to_the_next_whole_number() {
         let far = text(words).replace("451", "452");
         assert_ne!(on_numbers(&far, TextFormat::Markdown), 0, "{far}");
     }
+}
+
+#[test]
+fn a_cell_with_an_approximation_begins_nothing_for_the_next_one() {
+    let row = |value: &str| {
+        format!(r"\[ \begin{{array}}{{cc}} T = \frac12(1 + 3) \approx {value} & \approx 2.71 \end{{array}} \]")
+    };
+    assert_told_apart(&row("2.00"), &row("3.00"), TextFormat::Latex);
 }

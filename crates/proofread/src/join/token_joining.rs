@@ -122,12 +122,10 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                     TokenKind::Line | TokenKind::Cell => true,
                     _ => false,
                 };
-                // Cells of a table that begin with ≈ each are values of something else.
-                let begins_approximate = |cell: &[Token]| trim_space(cell).first().is_some_and(|of| of.is_sign('≈'));
+                // Cells of a table that begin with ≈ behind another one that has it are values of something else.
                 let start = tokens[..at].iter().rposition(|of| matches!(of.kind, TokenKind::Cell | TokenKind::Line));
-                if next.is_some_and(|next| next.is_sign('≈'))
-                    && begins_approximate(&tokens[start.map_or(at, |start| start + 1)..at])
-                {
+                let before = &tokens[start.map_or(0, |start| start + 1)..at];
+                if next.is_some_and(|next| next.is_sign('≈')) && before.iter().any(|of| of.is_sign('≈')) {
                     out.push(Token::new(TokenKind::Operator(';'), span));
                     continue;
                 }
