@@ -227,3 +227,35 @@ fn a_cell_with_an_approximation_begins_nothing_for_the_next_one() {
     };
     assert_told_apart(&row("2.00"), &row("3.00"), TextFormat::Latex);
 }
+
+#[test]
+fn angles_are_in_radians_by_their_whole_name() {
+    for [right, wrong] in [
+        [r"$30^\circ = 0.5236\text{ radians}$", r"$30^\circ = 0.6236\text{ radians}$"],
+        [r"$1.22/3.00 = 0.407\text{ radians}$", r"$1.22/3.00 = 0.470\text{ radians}$"],
+        [r"$30^\circ = \frac{\pi}{6}\text{ radians}$", r"$30^\circ = \frac{\pi}{5}\text{ radians}$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+        assert_compared(right, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_remark_says_to_how_many_digits_a_result_is_given() {
+    for remark in [r"\text{ (to 3 s.f.)}", r"\text{ (3 sf)}", r"\text{ (1 d.p.)}", "(3 \\text{ significant figures})"] {
+        let text = |result: &str| format!(r"$4 \cdot 4.03 = {result} {remark}$");
+        assert_told_apart(&text("16.1"), &text("16.7"), TextFormat::Latex);
+        assert_compared(&text("16.1"), TextFormat::Latex);
+    }
+    // A number in a bracket is a factor.
+    assert_compared(r"$4 (3) = 12$", TextFormat::Latex);
+}
+
+#[test]
+fn a_sentence_begins_behind_a_result() {
+    for word in ["Yes", "Now", "We", "Simplify", "Wir", "Sei"] {
+        let text = |sum: &str| format!("<p>10 + 20 + 13 = {sum} {word} it is.</p>");
+        assert_told_apart(&text("43"), &text("44"), TextFormat::Html);
+        assert_compared(&text("43"), TextFormat::Html);
+    }
+}

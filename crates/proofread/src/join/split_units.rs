@@ -129,6 +129,16 @@ pub(crate) fn write_out_thousands(tokens: Vec<Token>) -> Vec<Token> {
     out
 }
 
+/// Whether an angle in radians may end with a token, or a unit whose quotient with an angle it begins.
+fn takes_radians(before: &Token) -> bool {
+    match &before.kind {
+        TokenKind::Number(_) | TokenKind::Power(_) | TokenKind::Fraction(..) | TokenKind::Root(..) => true,
+        TokenKind::Operator(c) => ")/".contains(*c),
+        TokenKind::Name(name) => name == "π",
+        _ => false,
+    }
+}
+
 /// Words that are several units become several words.
 pub(crate) fn split_unit_words(tokens: Vec<Token>) -> Vec<Token> {
     let mut out = Vec::with_capacity(tokens.len());
@@ -136,6 +146,10 @@ pub(crate) fn split_unit_words(tokens: Vec<Token>) -> Vec<Token> {
     while let Some(token) = rest.next() {
         let below = rest.peek().is_some_and(is_below);
         let text = token.word().unwrap_or_default();
+        if matches!(text, "radian" | "radians") && last(&out).is_some_and(takes_radians) {
+            out.push(word("rad", token.span));
+            continue;
+        }
         let parts = match pair(text) {
             Some((one, other)) if !matches!(text, "Wh" | "Ah") => vec![one, other],
             _ if below && (text == "ms" || unit(text).is_none()) => run_together(text).unwrap_or_default(),
