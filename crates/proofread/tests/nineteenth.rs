@@ -233,7 +233,7 @@ fn angles_are_in_radians_by_their_whole_name() {
     for [right, wrong] in [
         [r"$30^\circ = 0.5236\text{ radians}$", r"$30^\circ = 0.6236\text{ radians}$"],
         [r"$1.22/3.00 = 0.407\text{ radians}$", r"$1.22/3.00 = 0.470\text{ radians}$"],
-        [r"$30^\circ = \frac{\pi}{6}\text{ radians}$", r"$30^\circ = \frac{\pi}{5}\text{ radians}$"],
+        [r"$36^\circ = \frac{\pi}{5}\text{ radians}$", r"$36^\circ = \frac{\pi}{6}\text{ radians}$"],
     ] {
         assert_told_apart(right, wrong, TextFormat::Markdown);
         assert_compared(right, TextFormat::Markdown);
@@ -258,4 +258,16 @@ fn a_sentence_begins_behind_a_result() {
         assert_told_apart(&text("43"), &text("44"), TextFormat::Html);
         assert_compared(&text("43"), TextFormat::Html);
     }
+}
+
+#[test]
+fn a_whole_unit_of_the_last_digit_is_not_cut_off() {
+    for [right, wrong] in [
+        [r"$0.5\,\text{kg} = 500\,\text{g}$", r"$0.5\,\text{kg} = 600\,\text{g}$"],
+        [r"$30^\circ = 0.52\,\text{rad}$", r"$30^\circ = 0.6236\,\text{rad}$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // What goes beyond by less is cut off.
+    assert_eq!(on_numbers("$1/18 = 0.0555$", TextFormat::Markdown), 0);
 }
