@@ -37,7 +37,6 @@ mod measured;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;
-mod nineteenth;
 mod notations;
 #[cfg(feature = "cli")]
 mod office;
@@ -59,6 +58,7 @@ mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;
+mod surroundings;
 mod symbols;
 mod thresholds;
 #[cfg(feature = "statistics")]

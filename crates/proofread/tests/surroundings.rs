@@ -271,3 +271,9 @@ fn a_whole_unit_of_the_last_digit_is_not_cut_off() {
     // What goes beyond by less is cut off.
     assert_eq!(on_numbers("$1/18 = 0.0555$", TextFormat::Markdown), 0);
 }
+
+#[test]
+fn a_line_that_ends_in_a_document_by_openstax_ends_for_its_arithmetic() {
+    let paragraph = |line: &str| format!("<para>Mean = 0.12 mm\n<newline/>{line}\n<newline/>as above</para>");
+    assert_told_apart(&paragraph("0.12 mm x 60 = 7.2 mm"), &paragraph("0.12 mm x 60 = 7.3 mm"), TextFormat::Cnxml);
+}
