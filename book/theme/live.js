@@ -85,9 +85,14 @@
             svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
         };
 
+        // The heights of what stays and of its drawing while nothing was refused.
+        let usual;
         const refuse = why => {
             stop();
             drawnFor = undefined;
+            if (!figure.classList.contains('refused')) {
+                usual = [shows, picture].map(({ offsetHeight }) => offsetHeight);
+            }
             figure.classList.add('refused');
             stale.hidden = false;
             files.forEach(button => button.disabled = true);
@@ -97,6 +102,10 @@
                 worked.hidden = true;
             }
             say(why, true);
+            // Long words take their room from the drawing, and cover no control.
+            const [all, drawing] = usual, spare = height => figure.style.setProperty('--spared', `${height}px`);
+            spare(drawing);
+            spare(Math.max(drawing - Math.max(shows.offsetHeight - all, 0), 0));
         };
         // Steps are written where they are seen: not behind a closed fold, however often the figure moves.
         const worked = figure.querySelector('.worked');
@@ -561,12 +570,17 @@
                 moved();
                 return true;
             };
+            let held = false;
             drawing.addEventListener('pointerdown', event => {
-                if (event.button === 0 && follow(event)) {
+                held = event.button === 0 && follow(event);
+                if (held) {
                     event.preventDefault();
                     drawing.setPointerCapture(event.pointerId);
                 }
             });
+            drawing.addEventListener('lostpointercapture', () => { held = false; });
+            // A finger that turns it does not move the page.
+            drawing.addEventListener('touchmove', event => held && event.preventDefault(), { passive: false });
             drawing.addEventListener('pointermove', event => drawing.hasPointerCapture(event.pointerId) && follow(event));
         }
 
