@@ -521,6 +521,16 @@
             }
         });
 
+        // A finger that holds a part of the drawing moves no page.
+        let isHeld = false;
+        const hold = event => {
+            isHeld = true;
+            event.preventDefault();
+            picture.setPointerCapture(event.pointerId);
+        };
+        picture.addEventListener('lostpointercapture', () => { isHeld = false; });
+        picture.addEventListener('touchmove', event => isHeld && event.preventDefault(), { passive: false });
+
         // The pointer on the wheel turns it within its play.
         if (figure.dataset.hand) {
             const drawing = picture;
@@ -533,9 +543,8 @@
             };
             drawing.addEventListener('pointerdown', event => {
                 if (event.button === 0 && event.target.matches('.wheel')) {
-                    event.preventDefault();
+                    hold(event);
                     stop();
-                    drawing.setPointerCapture(event.pointerId);
                     from = { angle: angle(event), value: Number(value(input)) };
                     // Before the first answer it is not known how far it is free.
                     moved();
@@ -570,17 +579,11 @@
                 moved();
                 return true;
             };
-            let held = false;
             drawing.addEventListener('pointerdown', event => {
-                held = event.button === 0 && follow(event);
-                if (held) {
-                    event.preventDefault();
-                    drawing.setPointerCapture(event.pointerId);
+                if (event.button === 0 && follow(event)) {
+                    hold(event);
                 }
             });
-            drawing.addEventListener('lostpointercapture', () => { held = false; });
-            // A finger that turns it does not move the page.
-            drawing.addEventListener('touchmove', event => held && event.preventDefault(), { passive: false });
             drawing.addEventListener('pointermove', event => drawing.hasPointerCapture(event.pointerId) && follow(event));
         }
 
