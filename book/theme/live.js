@@ -529,7 +529,7 @@
             picture.setPointerCapture(event.pointerId);
         };
         picture.addEventListener('lostpointercapture', () => { isHeld = false; });
-        picture.addEventListener('touchmove', event => isHeld && event.preventDefault(), { passive: false });
+        picture.addEventListener('touchstart', event => isHeld && event.preventDefault(), { passive: false });
 
         // The pointer on the wheel turns it within its play.
         if (figure.dataset.hand) {

@@ -113,7 +113,7 @@ fn a_finger_on_what_turns_moves_no_page_and_one_beside_it_does() {
     let Some(mut browser) = browser() else { return };
     browser.show_in([390, 844], Medium::Light);
     browser.command("Emulation.setTouchEmulationEnabled", json!({ "enabled": true, "maxTouchPoints": 1 }));
-    for (name, page, control) in [(NAME, "making", "turned"), ("pin", "pin", "crank"), ("wheel", "jazar", "crank")] {
+    for (name, page, control) in [(NAME, "making", "turned"), ("pin", "pin", "theta"), ("wheel", "jazar", "crank")] {
         let setting = if name == NAME { "#fig-wheel-dimensions?larger=50" } else { "" };
         open(&mut browser, page, setting);
         let places = of(&mut browser, name, FINGERS);

@@ -99,7 +99,7 @@ impl Asked {
         // The command refuses an option that depends on one that is not given; the page waits for that.
         for argument in arguments() {
             let is_given = |name: &str| asked.command.iter().any(|word| word.strip_prefix("--") == Some(name));
-            if argument.missing_dependency(is_given).is_some()
+            if !argument.has_dependency(is_given)
                 && let Some(at) = asked.command.iter().position(|word| word.strip_prefix("--") == Some(argument.name))
             {
                 asked.command.drain(at..at + 2);

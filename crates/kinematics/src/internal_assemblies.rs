@@ -123,24 +123,26 @@ impl BuiltInternalWheel {
     /// pin; and how far at most a slot is off its place at the inner rim, in millimetres.
     fn filled(&self) -> (InternalSizes, f64) {
         let mut filled = self.sizes;
-        let rim = filled.mouth_radius;
-        let count = self.slots.len();
-        let beside = |number: usize| {
-            let [before, after] = [number + count - 1, number].map(|arc| self.arcs[arc % count].direction_error);
-            let slot = self.slots[number].direction_error;
-            rim * (slot - before).abs().max((slot - after).abs())
-        };
-        let least = |of: &dyn Fn(&BuiltSlot) -> f64| self.slots.iter().map(of).fold(f64::INFINITY, f64::min);
-        let widths = self.slots.iter().enumerate().map(|(number, slot)| slot.width - 2.0 * beside(number));
-        filled.slot_width = widths.fold(f64::INFINITY, f64::min);
+        let (rim, mut most) = (filled.mouth_radius, 0.0_f64);
+        let all =
+            [&mut filled.slot_width, &mut filled.slot_end, &mut filled.mouth_radius, &mut filled.locking_arc_radius];
+        all.into_iter().for_each(|least| *least = f64::INFINITY);
+        let mut before = self.arcs.last();
+        for (slot, arc) in self.slots.iter().zip(&self.arcs) {
+            let off = |arc: &BuiltArc| rim * (slot.direction_error - arc.direction_error).abs();
+            let beside = off(arc).max(before.map_or(0.0, off));
+            before = Some(arc);
+            most = most.max(beside);
+            filled.slot_width = filled.slot_width.min(slot.width - 2.0 * beside);
+            filled.slot_end = filled.slot_end.min(slot.end);
+            filled.mouth_radius = filled.mouth_radius.min(slot.tip_radius);
+            let within = arc.radius - (arc.centre - filled.centre_distance).abs();
+            filled.locking_arc_radius = filled.locking_arc_radius.min(within);
+        }
         filled.play.slot = filled.slot_width - filled.pin_diameter;
-        filled.slot_end = least(&|slot| slot.end);
-        filled.mouth_radius = least(&|slot| slot.tip_radius);
         // The corners of the slots, which are on the rim.
         let corner = filled.mouth_radius * filled.mouth_radius - filled.slot_width * filled.slot_width / 4.0;
         filled.wheel_radius = corner.max(0.0).sqrt();
-        let radii = self.arcs.iter().map(|arc| arc.radius - (arc.centre - filled.centre_distance).abs());
-        filled.locking_arc_radius = radii.fold(f64::INFINITY, f64::min);
-        (filled, (0..count).map(beside).fold(0.0, f64::max))
+        (filled, most)
     }
 }

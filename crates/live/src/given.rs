@@ -50,7 +50,7 @@ pub(crate) fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>
     // What depends on another that is not given waits until it is.
     let said: Vec<&str> =
         given.iter().filter(|given| says_something(given)).map(|(argument, _)| argument.name).collect();
-    given.retain(|(argument, _)| argument.missing_dependency(|name| said.contains(&name)).is_none());
+    given.retain(|(argument, _)| argument.has_dependency(|name| said.contains(&name)));
     Ok(given)
 }
 

@@ -205,24 +205,21 @@ impl Argument {
     ///
     /// let of = |name| arguments().find(|argument| argument.name == name).expect("an argument");
     /// let missing = of("measured-play").missing_dependency(|_| false);
-    /// assert_eq!(missing.as_deref(), Some("without --process PROCESS; add that"));
+    /// assert_eq!(missing.as_deref(), Some("without --process; add that"));
     /// assert_eq!(of("measured-play").missing_dependency(|name| name == "process"), None);
     /// assert_eq!(of("play").missing_dependency(|_| false), None);
     /// ```
     pub fn missing_dependency(&self, is_given: impl Fn(&str) -> bool) -> Option<String> {
-        let needed: Vec<String> = arguments()
-            .filter(|argument| self.depends_on.contains(&argument.name))
-            .map(|Argument { name, unit, .. }| format!("--{name} {unit}"))
-            .collect();
-        let (last, others) = needed.split_last()?;
-        if self.depends_on.iter().any(|name| is_given(name)) {
+        if self.has_dependency(is_given) {
             return None;
         }
-        Some(if others.is_empty() {
-            format!("without {last}; add that")
-        } else {
-            format!("without {} or {last}; add one of them", others.join(", "))
-        })
+        let add = if self.depends_on.len() > 1 { "one of them" } else { "that" };
+        Some(format!("without --{}; add {add}", self.depends_on.join(" or --")))
+    }
+
+    /// Whether it depends on no other argument, or one of those is given; `is_given` says of a name whether that is.
+    pub fn has_dependency(&self, is_given: impl Fn(&str) -> bool) -> bool {
+        self.depends_on.is_empty() || self.depends_on.iter().any(|name| is_given(name))
     }
 
     /// The argument with a control on the page.
@@ -278,7 +275,7 @@ mod tests {
     fn what_is_missing_is_one_argument_or_one_of_several() {
         let of = |name| arguments().find(|argument| argument.name == name).expect("an argument");
         let pressure = of("pin-modulus").missing_dependency(|_| false);
-        let any = "without --rpm R, --rad-s W, --index-time S, --dwell-time S or --arm-torque NM; add one of them";
+        let any = "without --arm-torque or --rpm or --rad-s or --index-time or --dwell-time; add one of them";
         assert_eq!(pressure.as_deref(), Some(any));
         assert_eq!(of("pin-modulus").missing_dependency(|name| name == "index-time"), None);
     }
