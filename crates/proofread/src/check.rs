@@ -9,14 +9,16 @@ use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
-use crate::judge::doubt::{Doubt, Factors, PlacedPair};
+use crate::judge::doubt::{Doubt, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
 use crate::judge::money::has_several_currencies;
 use crate::judge::number_columns;
+use crate::judge::other_meanings::loses_all_digits;
 use crate::judge::permutation;
 use crate::judge::running_calculation::runs_on;
 use crate::judge::section::ReportSection;
+use crate::judge::shared_factor::Factors;
 use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
 use crate::judge::unrounded::EarlierResults;
@@ -431,6 +433,9 @@ impl DocumentCheck<'_> {
         }
         if has_several_currencies([left, right]) {
             return Some(Obstacle::Unclear("several currencies"));
+        }
+        if [left, right].into_iter().any(|side| loses_all_digits(&side.tokens)) {
+            return Some(Obstacle::Unclear("more digits than are computed with"));
         }
         let bindings = if free { None } else { self.known.in_scope(formula.scope) };
         if !free {

@@ -58,6 +58,7 @@ mod staged;
 #[cfg(feature = "statistics")]
 mod statistics;
 mod structures;
+mod surroundings;
 mod symbols;
 mod thresholds;
 #[cfg(feature = "statistics")]

@@ -290,7 +290,14 @@ impl<'b> Evaluator<'b> {
                 return Ok(SideValue { dimension: divisor.dimension, has_unit: true, ..quotient.scaled(factor) });
             }
         }
-        Ok(self.steps.round(above.quotient(&divisor)?))
+        // A number with an inverse unit is printed as it is: 26.6/s. One of them is mostly meant exactly.
+        let is_printed = above.literal == Literal::Number && !above.has_unit && divisor.literal == Literal::Unit;
+        let is_one = above.number().is_ok_and(|of| of.point == 1.0);
+        let mut quotient = self.steps.round(above.quotient(&divisor)?);
+        if is_printed && !is_one {
+            (quotient.literal, quotient.operations) = (Literal::Number, 0);
+        }
+        Ok(quotient)
     }
 
     /// Whether a token behind a divisor may still be below the stroke.
@@ -482,11 +489,12 @@ impl<'b> Evaluator<'b> {
                 value.parts.0[usize::from(*which).min(3)] = Some(Interval::exact(1.0));
                 Ok(value)
             }
-            TokenKind::Fraction(above, below) => {
+            TokenKind::Fraction(above_tokens, below) => {
                 cursor.at += 1;
-                let (above, below) = (self.evaluate_all(above)?, self.evaluate_all(below)?);
+                let (above, below) = (self.evaluate_all(above_tokens)?, self.evaluate_all(below)?);
                 let mut value = above.quotient(&below)?;
-                if above.literal == Literal::Unit && below.literal == Literal::Unit {
+                let is_inverse = matches!(trim_space(above_tokens), [one] if one.number() == Some("1"));
+                if (above.literal == Literal::Unit || is_inverse) && below.literal == Literal::Unit {
                     value.literal = Literal::Unit;
                     value.operations = 0;
                 }

@@ -77,7 +77,9 @@ fn ends_equation(token: &Token) -> bool {
 fn separates(token: &Token) -> bool {
     const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
-        below above From For Given Noting Since are not für wenn falls bei pour si quand para cuando när und oder et ou och og en mit avec où also donc dus и или von van de di av af ";
+        below above From For Given Noting Since are not für wenn falls bei pour si quand para cuando när und oder et ou och og en mit avec où also donc dus и или von van de di av af \
+        Yes Now We Write Multiply Divide Replace Simplify Substitute Convert Combine Distribute Subtract Both The This Let It Notice Check \
+        Using Wir Sei Seien Nun Dann Damit Daher Somit Man Donc Alors Soit Entonces Luego ";
     match &token.kind {
         TokenKind::Operator(c) => ",;⇒→∴↔.:?⟹!↑↓⊥∥".contains(*c),
         TokenKind::Word(word) => word.len() > 1 && WORDS.split_ascii_whitespace().any(|known| known == word),
@@ -100,7 +102,7 @@ struct Splitter {
 
 impl Splitter {
     fn end_side(&mut self) {
-        let tokens = trim_space(&self.side).to_vec();
+        let tokens = trim_space(without_digits_remark(trim_space(&self.side))).to_vec();
         let span = span_of(&tokens);
         self.sides.push(ChainSide { relation: self.relation, tokens, span });
         self.side.clear();
@@ -127,6 +129,50 @@ impl Splitter {
     fn last(&self) -> Option<&Token> {
         self.side.iter().rev().find(|token| !token.is_space())
     }
+}
+
+/// A side without the remark in brackets behind it that says to how many digits it is given: `16.1 (to 3 s.f.)`.
+fn without_digits_remark(side: &[Token]) -> &[Token] {
+    const WORDS: [&str; 22] = [
+        "s",
+        "f",
+        "sf",
+        "sig",
+        "fig",
+        "figs",
+        "significant",
+        "figures",
+        "digits",
+        "d",
+        "p",
+        "dp",
+        "decimal",
+        "places",
+        "place",
+        "to",
+        "correct",
+        "rounded",
+        "given",
+        "S",
+        "D",
+        "dec",
+    ];
+    const KINDS: [&str; 11] = ["sf", "f", "fig", "figs", "figures", "digits", "dp", "p", "places", "place", "dec"];
+    let Some((last, rest)) = side.split_last().filter(|(last, _)| last.is_sign(')')) else { return side };
+    let Some(open) = rest.iter().rposition(|token| token.is_sign('(')) else { return side };
+    let inner = &rest[open + 1..];
+    let is_part = |token: &Token| match &token.kind {
+        TokenKind::Word(word) | TokenKind::Name(word) => WORDS.contains(&word.as_str()),
+        TokenKind::Number(digits) => digits.len() == 1,
+        _ => token.is_space() || token.is_sign('.'),
+    };
+    let names_digits = inner.iter().any(|token| match &token.kind {
+        TokenKind::Word(word) | TokenKind::Name(word) => KINDS.contains(&word.as_str()),
+        _ => false,
+    });
+    let is_remark =
+        names_digits && has_number(inner) && inner.iter().all(is_part) && last.span.start >= rest[open].span.start;
+    if is_remark && open > 0 { &rest[..open] } else { side }
 }
 
 /// Whether a number in brackets that no sign joins to the number behind it begins at a place.

@@ -101,6 +101,44 @@ pub(crate) fn unwrap_powers_of_ten(tokens: Vec<Token>) -> Vec<Token> {
     out
 }
 
+/// An upright `k` that closely follows a number as a thousand, with nothing behind it of which it could be the prefix: `48\text{k}`.
+pub(crate) fn write_out_thousands(tokens: Vec<Token>) -> Vec<Token> {
+    let is_thousand = |at: usize| {
+        let before = at.checked_sub(1).and_then(|before| tokens.get(before));
+        let next = tokens.get(at + 1);
+        // A letter that touches the number in the source may be italic, or one of running text.
+        let is_upright = before.is_some_and(|of| of.number().is_some() && of.span.end < tokens[at].span.start);
+        let is_prefix = |of: &Token| {
+            matches!(of.kind, TokenKind::Word(_) | TokenKind::Name(_) | TokenKind::Power(_) | TokenKind::Unknown(_))
+        };
+        tokens[at].word() == Some("k") && is_upright && !next.is_some_and(is_prefix)
+    };
+    if !(0..tokens.len()).any(is_thousand) {
+        return tokens;
+    }
+    let mut out: Vec<Token> = Vec::with_capacity(tokens.len() + 2);
+    for (at, token) in tokens.iter().enumerate() {
+        if !is_thousand(at) {
+            out.push(token.clone());
+            continue;
+        }
+        let three = Token::new(TokenKind::Number("3".to_owned()), token.span);
+        let kinds = [TokenKind::Operator('×'), TokenKind::Number("10".to_owned()), TokenKind::Power(vec![three])];
+        out.extend(kinds.map(|kind| Token::new(kind, token.span)));
+    }
+    out
+}
+
+/// Whether an angle in radians may end with a token, or a unit whose quotient with an angle it begins.
+fn takes_radians(before: &Token) -> bool {
+    match &before.kind {
+        TokenKind::Number(_) | TokenKind::Power(_) | TokenKind::Fraction(..) | TokenKind::Root(..) => true,
+        TokenKind::Operator(c) => ")/".contains(*c),
+        TokenKind::Name(name) => name == "π",
+        _ => false,
+    }
+}
+
 /// Words that are several units become several words.
 pub(crate) fn split_unit_words(tokens: Vec<Token>) -> Vec<Token> {
     let mut out = Vec::with_capacity(tokens.len());
@@ -108,6 +146,10 @@ pub(crate) fn split_unit_words(tokens: Vec<Token>) -> Vec<Token> {
     while let Some(token) = rest.next() {
         let below = rest.peek().is_some_and(is_below);
         let text = token.word().unwrap_or_default();
+        if matches!(text, "radian" | "radians") && last(&out).is_some_and(takes_radians) {
+            out.push(word("rad", token.span));
+            continue;
+        }
         let parts = match pair(text) {
             Some((one, other)) if !matches!(text, "Wh" | "Ah") => vec![one, other],
             _ if below && (text == "ms" || unit(text).is_none()) => run_together(text).unwrap_or_default(),

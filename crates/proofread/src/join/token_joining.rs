@@ -122,12 +122,10 @@ fn flatten(tokens: &[Token]) -> Vec<Token> {
                     TokenKind::Line | TokenKind::Cell => true,
                     _ => false,
                 };
-                // Cells of a table that begin with ≈ each are values of something else.
-                let begins_approximate = |cell: &[Token]| trim_space(cell).first().is_some_and(|of| of.is_sign('≈'));
+                // Cells of a table that begin with ≈ behind another one that has it are values of something else.
                 let start = tokens[..at].iter().rposition(|of| matches!(of.kind, TokenKind::Cell | TokenKind::Line));
-                if next.is_some_and(|next| next.is_sign('≈'))
-                    && begins_approximate(&tokens[start.map_or(at, |start| start + 1)..at])
-                {
+                let before = &tokens[start.map_or(0, |start| start + 1)..at];
+                if next.is_some_and(|next| next.is_sign('≈')) && before.iter().any(|of| of.is_sign('≈')) {
                     out.push(Token::new(TokenKind::Operator(';'), span));
                     continue;
                 }
@@ -487,9 +485,8 @@ fn numbers(tokens: Vec<Token>) -> Vec<Token> {
 
 /// Joins what belongs to one unit or one name.
 fn merged(tokens: Vec<Token>) -> Vec<Token> {
-    let tokens = split_units::split_unit_words(split_units::unwrap_unit_brackets(split_units::unwrap_powers_of_ten(
-        numbers(tokens),
-    )));
+    let tokens = split_units::write_out_thousands(split_units::unwrap_powers_of_ten(numbers(tokens)));
+    let tokens = split_units::split_unit_words(split_units::unwrap_unit_brackets(tokens));
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {

@@ -41,7 +41,8 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let (before, after) = text_around(text, span);
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_ascii_lowercase();
     let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_ascii_lowercase();
-    let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
+    let asked =
+        after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?')) && !ends_before_question(text, span);
     // Asked at once: 1 + 5 = 2? – but not behind a word.
     if after.trim_start_matches(['$', ')', ' ']).starts_with('?') {
         return true;
@@ -203,6 +204,51 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     let formula = text.get(span.range()).unwrap_or_default();
     let formula = if formula.starts_with('<') { without_tags(formula) } else { formula.to_owned() };
     DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), &formula)
+}
+
+/// Whether the sentence or paragraph of a formula ends before the next question mark although no mark says so: the question is in the
+/// argument of a command behind it such as `\question{`, in the next element, or in the next paragraph.
+fn ends_before_question(text: &str, span: Span) -> bool {
+    const STYLES: [&str; 12] = [
+        "emph",
+        "textbf",
+        "textit",
+        "text",
+        "textrm",
+        "textsf",
+        "texttt",
+        "textsc",
+        "underline",
+        "textcolor",
+        "mbox",
+        "enquote",
+    ];
+    const ELEMENTS: [&str; 8] = ["</p", "</li", "</title", "</h", "</statement", "</td", "<p", "<li"];
+    let behind = text.get(span.end as usize..).unwrap_or_default();
+    let behind = &behind[..behind.floor_char_boundary(STATEMENT)];
+    let Some(question) = behind.find('?') else { return false };
+    let between = &behind[..question];
+    let formula = text.get(span.range()).unwrap_or_default();
+    // The sentence of a display goes on behind it.
+    let is_display = ["$$", "\\[", "\\begin", "<me", "<md"].iter().any(|mark| formula.starts_with(mark));
+    if !is_display
+        && (between.contains("\n\n") || between.contains("\n#") || ELEMENTS.iter().any(|tag| between.contains(tag)))
+    {
+        return true;
+    }
+    // The groups that are open at the question mark, each with the command before it.
+    let mut open: Vec<&str> = Vec::new();
+    for (at, c) in between.char_indices() {
+        match c {
+            '{' => {
+                let before = between[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '*');
+                open.push(if before.ends_with('\\') { &between[before.len()..at] } else { "" });
+            }
+            '}' => drop(open.pop()),
+            _ => {}
+        }
+    }
+    open.iter().any(|command| !command.is_empty() && !STYLES.contains(&command.trim_end_matches('*')))
 }
 
 /// How far behind a formula a text may say that the statement is false, in bytes.

@@ -25,7 +25,6 @@ use crate::judge::surroundings;
 use crate::judge::term_notation;
 use crate::judge::two_equations;
 use crate::judge::verdict::PairJudgement;
-use crate::order::{NumberKey, sort_by_place};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{NamedOperation, Span, Token, TokenKind, any};
 use crate::unit::unit;
@@ -111,7 +110,7 @@ impl PlacedPair<'_> {
         if self.is_fragment(judgement) || self.leaves_sign_out(judgement) || self.is_change_to_percent() {
             return Some(Doubt::Fragment);
         }
-        if self.is_coarse_approximation()
+        if self.is_coarse_approximation(judgement)
             || other_answers::is_linear_approximation(self.text, self.left, self.right, judgement)
         {
             return Some(Doubt::Approximation);
@@ -345,7 +344,10 @@ impl PlacedPair<'_> {
         let is_small = digits.is_some_and(|digits| digits.len() <= 2 && !digits.contains('.'));
         let apart = left.difference(right) > FAR;
         // What the text names in words has its unit there, or the working leaves it out.
-        let lacks_unit = left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none();
+        // A number near what per cent are lacks nothing.
+        let is_share = right.number().is_ok_and(|of| number_marks::is_near_percent(&self.left.tokens, of.point));
+        let lacks_unit =
+            left.literal == Literal::Number && left.has_unit && !right.has_unit && right.angle.is_none() && !is_share;
         // The dollar is also a unit of other things.
         let is_sum = starts_with_money(self.right);
         let costs = is_sum && left.literal == Literal::Number && !left.has_unit;
@@ -511,81 +513,4 @@ fn is_among(tokens: &[Token], place: u32) -> bool {
         };
         found
     })
-}
-
-/// Factors that a habit of writing leaves out: of units, angles, free fall, and powers of ten.
-const OF_CONVENTIONS: [f64; 14] = [
-    2.0,
-    3.6,
-    4.184,
-    4.186,
-    4.1868,
-    9.8,
-    9.81,
-    12.0,
-    24.0,
-    60.0,
-    3600.0,
-    std::f64::consts::PI,
-    std::f64::consts::TAU,
-    180.0 / std::f64::consts::PI,
-];
-
-/// Whether an author may have left out such a factor throughout. Other factors are of errors that are repeated.
-fn is_of_convention(factor: f64) -> bool {
-    let near = |of: f64| (factor / of - 1.0).abs() < 0.005;
-    let power = libm::log10(factor);
-    let of_ten = (power - libm::round(power)).abs() < 0.002;
-    factor.is_finite() && factor > 0.0 && (of_ten || OF_CONVENTIONS.iter().any(|of| near(*of) || near(1.0 / of)))
-}
-
-/// Differences of a document by the factor between their sides.
-#[derive(Debug, Default)]
-pub(crate) struct Factors(Vec<Factor>);
-
-#[derive(Debug)]
-struct Factor {
-    finding: usize,
-    formula: Span,
-    factor: f64,
-    sides: [String; 2],
-}
-
-/// How many formulas with the same factor show a habit, since misprints hardly repeat.
-const HABIT: usize = 3;
-
-impl Factors {
-    /// Notes the factor between the sides of a finding, unless they are so near that it says nothing.
-    pub(crate) fn record(&mut self, finding: usize, formula: Span, judgement: &PairJudgement, sides: [&str; 2]) {
-        let Some((left, right)) = &judgement.values else { return };
-        let (Ok(left), Ok(right)) = (left.number(), right.number()) else { return };
-        let factor = left.point / right.point;
-        // A misplaced point does repeat.
-        let misplaced = [0.1, 10.0].into_iter().any(|ten| (factor.abs() / ten - 1.0).abs() < 0.005);
-        if !misplaced && is_of_convention(factor.abs()) && !(0.95..1.05).contains(&factor) {
-            self.0.push(Factor { finding, formula, factor, sides: sides.map(str::to_owned) });
-        }
-    }
-
-    /// The findings whose factor at least [`HABIT`] different formulas share.
-    pub(crate) fn habits(&self) -> Vec<usize> {
-        let mut sorted: Vec<&Factor> = self.0.iter().collect();
-        sort_by_place(&mut sorted, |of| NumberKey(of.factor));
-        let mut out = Vec::new();
-        let same = |one: &Factor, other: &Factor| (one.factor / other.factor - 1.0).abs() < 0.005;
-        for group in sorted.chunk_by(|one, other| same(one, other)) {
-            let mut kinds: Vec<(Span, &[String; 2])> = Vec::new();
-            for of in group.iter() {
-                if kinds.len() < HABIT
-                    && !kinds.iter().any(|(formula, sides)| *formula == of.formula || *sides == &of.sides)
-                {
-                    kinds.push((of.formula, &of.sides));
-                }
-            }
-            if kinds.len() >= HABIT {
-                out.extend(group.iter().map(|of| of.finding));
-            }
-        }
-        out
-    }
 }

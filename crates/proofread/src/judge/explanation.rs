@@ -323,12 +323,29 @@ fn try_whole_turns(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     explained.then(|| pair.with_verdict(ChainVerdict::Doubtful)).flatten()
 }
 
-/// The right side counts whole pieces behind ≈, of which there have to be at least as many as the left side says.
+/// Words near a number that is taken up to the next whole one.
+const ROUNDS_UP: [&str; 12] = [
+    " turns",
+    "windings",
+    "rounded up",
+    "round up",
+    "rounding up",
+    "next whole",
+    "next integer",
+    "next higher",
+    "required sample size",
+    "minimum sample size",
+    "minimum number of",
+    "aufgerundet",
+];
+
+/// The right side counts whole pieces, of which there have to be at least as many as the left side says: behind ≈, or where the text rounds up
+/// or speaks of turns.
 fn try_whole_pieces(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let (left, right) = pair.judgement.values.as_ref()?;
     let explained = pair.judgement.verdict > ChainVerdict::Doubtful
-        && pair.relation == Relation::Approximate
-        && notation::counts_up(left, right);
+        && notation::counts_up(left, right)
+        && (pair.relation == Relation::Approximate || surroundings::speaks_around(pair.text, pair.place(), &ROUNDS_UP));
     explained.then(|| pair.with_verdict(ChainVerdict::Doubtful)).flatten()
 }
 

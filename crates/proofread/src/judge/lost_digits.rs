@@ -109,7 +109,7 @@ pub(super) fn is_cut(computed: &SideValue, printed: &SideValue) -> bool {
             && !(is_whole && printed.point.fract() == 0.0)
             && computed.point * printed.point >= 0.0
             && beyond >= -1e-9 * size
-            && beyond < open
+            && beyond < (1.0 - 1e-9) * open
     })
 }
 

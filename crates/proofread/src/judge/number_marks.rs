@@ -1,8 +1,10 @@
 //! What is written like numbers and is none, or belongs to one: marks of stations, bits, uncertainties.
 
+use crate::decimal::parse_decimal;
 use crate::join::chain::ChainSide;
 use crate::judge::substitution::without_space;
 use crate::token::{Token, TokenKind, any};
+use crate::unit::is_percent;
 
 /// Whether a side is written like a mark rather than like a sum: `28+92.45` for a place on a line, `181-57-45` for an angle.
 pub(crate) fn is_mark(side: &[Token]) -> bool {
@@ -27,6 +29,17 @@ pub(crate) fn has_bits(side: &[Token]) -> bool {
     };
     let round = |digits: &str| digits.trim_end_matches('0').len() < 2;
     side.iter().filter_map(Token::number).any(|digits| bits(digits) && !round(digits))
+}
+
+/// How far a number may be from the share that per cent are, relative to the larger one, to be meant as this share.
+const NEAR: f64 = 0.3;
+
+/// Whether a side is a number in per cent, and another number is near the share that it is: `97%` beside 0.96.
+pub(crate) fn is_near_percent(side: &[Token], other: f64) -> bool {
+    let solid = without_space(side);
+    let [number, sign] = solid.as_slice() else { return false };
+    let number = number.number().and_then(parse_decimal).filter(|_| sign.word().is_some_and(is_percent));
+    number.map(|number| number / 100.0).is_some_and(|share| (share - other).abs() <= NEAR * share.max(other))
 }
 
 /// The whole number that a token prints, if it prints one.

@@ -1,6 +1,7 @@
 //! Sides that have another meaning than their signs say: two values of one result, a stroke of a fraction with space around it, angles of
 //! textbooks, letters that look like units.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::expression::Evaluator;
 use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
@@ -12,7 +13,7 @@ use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
 use crate::judge::verdict::PairJudgement;
 use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any, trim_space};
-use crate::unit::{takes_prefix, unit};
+use crate::unit::{is_percent, takes_prefix, unit};
 
 impl PlacedPair<'_> {
     /// Whether the signs of one side or of both may mean something else.
@@ -20,11 +21,11 @@ impl PlacedPair<'_> {
         let [left, right] = [self.left, self.right].map(|side| side.tokens.as_slice());
         is_estimate_with_exact_value(left, right)
             || [(left, right), (right, left)].into_iter().any(|(side, other)| {
-                has_outer_stroke(side, other)
-                    || loses_all_digits(side)
+                has_outer_stroke(self.text, side, other)
                     || adds_letters(side)
                     || has_bracketed_prefix(side)
                     || is_of_complement(side, other)
+                    || is_change_of_factor(side, other)
             })
             || is_of_rounded_angle(left, right)
             || (judgement.verdict == ChainVerdict::Dimensions
@@ -141,13 +142,13 @@ fn is_estimate_with_exact_value(left: &[Token], right: &[Token]) -> bool {
             .is_some_and(|[left, estimate, exact]| alike(left, estimate, NOISE) && alike(estimate, exact, OF_ESTIMATE))
 }
 
-/// Whether a side is equal to the other one if the only stroke with space around it is the outer one: `-50/7 / -2/7`.
-fn has_outer_stroke(side: &[Token], other: &[Token]) -> bool {
+/// Whether a side is equal to the other one if the only stroke with space around it in the source is the outer one: `-50/7 / -2/7`.
+fn has_outer_stroke(text: &str, side: &[Token], other: &[Token]) -> bool {
     let is_stroke = |at: usize| side[at].is_sign('/');
     let is_apart = |at: usize| {
-        is_stroke(at)
-            && at.checked_sub(1).is_some_and(|before| side[before].is_space())
-            && side.get(at + 1).is_some_and(Token::is_space)
+        let span = side[at].span.range();
+        let [before, behind] = [text.get(..span.start), text.get(span.end..)].map(Option::unwrap_or_default);
+        is_stroke(at) && before.ends_with([' ', '~']) && behind.starts_with([' ', '~'])
     };
     let mut outer = (0..side.len()).filter(|at| is_apart(*at));
     let (Some(at), None) = (outer.next(), outer.next()) else { return false };
@@ -156,11 +157,31 @@ fn has_outer_stroke(side: &[Token], other: &[Token]) -> bool {
         && values().is_some_and(|(quotient, other)| alike(quotient, other, NOISE))
 }
 
-/// Whether a side has so large an exponent that the digits of its base are lost.
-fn loses_all_digits(side: &[Token]) -> bool {
+/// Whether a side has so large an exponent that the digits of its base are lost, or a sum in which large terms that cancel take all digits of
+/// a small one: `(1 - 10^{-20})^{10^{20}}`, `10^{22} + 1 - 10^{22}`.
+pub(crate) fn loses_all_digits(side: &[Token]) -> bool {
     let is_large = |power: &[Token]| number(power).is_some_and(|of| of.abs() >= LARGEST_EXPONENT);
-    side.iter().any(|token| matches!(&token.kind, TokenKind::Power(power) if is_large(power)))
+    let is_high = |power: &[Token]| number(power).is_some_and(|of| of.abs() >= DIGITS as f64);
+    let mut powers = side.iter().filter_map(|token| match &token.kind {
+        TokenKind::Power(power) => Some(power),
+        _ => None,
+    });
+    let has_large = powers.clone().any(|power| is_large(power));
+    let has_long = || side.iter().filter_map(Token::number).any(|digits| digits.len() > DIGITS);
+    has_large || ((powers.any(|power| is_high(power)) || has_long()) && cancels_large_terms(side))
 }
+
+/// Whether the sum of the terms of a side is so much smaller than the largest of them that a double has none of its digits.
+fn cancels_large_terms(side: &[Token]) -> bool {
+    let terms = side.split(|token| token.is_one_of("+-")).filter(|term| !trim_space(term).is_empty());
+    let largest = terms.filter_map(number).fold(0.0, |largest: f64, term| largest.max(term.abs()));
+    // Smaller whole numbers are exact.
+    largest >= libm::exp10(DIGITS as f64)
+        && number(side).is_some_and(|sum| sum.abs() < libm::exp10(1.0 - DIGITS as f64) * largest)
+}
+
+/// The decimal digits that a double has.
+const DIGITS: usize = 15;
 
 /// Whether one side is a function of an angle of whole degrees, as textbooks round it, and the other one a fraction that has this angle:
 /// `3/4 = tan 37°`.
@@ -251,6 +272,23 @@ fn has_factor_letter(side: &[Token]) -> bool {
 fn has_angstroms(side: &[Token]) -> bool {
     side.windows(2).any(|pair| pair[0].word() == Some("A") && pair[1].word() == Some("°"))
 }
+
+/// Whether one side is a factor of one or more, and the other one is in per cent what it adds: `1.21 = 21%`.
+fn is_change_of_factor(factor: &[Token], change: &[Token]) -> bool {
+    let solid = without_space(change);
+    let [percent, sign] = solid.as_slice() else { return false };
+    let Some(digits) = percent.number().filter(|_| sign.word().is_some_and(is_percent)) else { return false };
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let half = 0.005 * libm::exp10(-(decimals as f64)) + NOISE;
+    let factor = value(factor).filter(|factor| !factor.has_unit).and_then(|factor| factor.number().ok());
+    parse_decimal(digits).zip(factor).is_some_and(|(percent, factor)| {
+        let factor = factor.point;
+        factor > 1.0 && factor < LARGEST_FACTOR && (factor - 1.0 - percent / 100.0).abs() <= half
+    })
+}
+
+/// The largest factor whose change is told in per cent; of larger ones, people say how many times.
+const LARGEST_FACTOR: f64 = 3.0;
 
 /// Whether a number in base two is the negative one that has the same bits: `1000_2 = -8_{10}`.
 fn is_of_complement(left: &[Token], right: &[Token]) -> bool {

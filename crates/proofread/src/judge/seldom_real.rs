@@ -24,6 +24,9 @@ const BY_DIGITS: f64 = 0.002;
 /// How far the results of rounded estimates are from the computed ones at most, relative to them.
 const BY_ESTIMATES: f64 = 0.02;
 
+/// How far a fraction may be from what it approximates, relative to the larger one.
+const COARSE: f64 = 0.2;
+
 impl PlacedPair<'_> {
     /// Whether the sides differ in sign alone where a sign is often left out: in a difference or an elasticity that the text calls so, and in
     /// the square of a negative number without brackets, `t² = −3.1² = 9.61`, or where the text takes the absolute value.
@@ -105,8 +108,9 @@ impl PlacedPair<'_> {
         }
     }
 
-    /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1, sin 33 ≈ 33.
-    pub(crate) fn is_coarse_approximation(&self) -> bool {
+    /// Whether ≈ stands before something exact that is computed, as in a linear approximation: √5 ≈ 9/4, ln 1.08 ≈ ln 1, sin 33 ≈ 33. A
+    /// fraction is near what it stands for, and has its sign.
+    pub(crate) fn is_coarse_approximation(&self, judgement: &PairJudgement) -> bool {
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         let is_computed = |kind: &TokenKind| {
             matches!(
@@ -116,7 +120,10 @@ impl PlacedPair<'_> {
         };
         let right = &self.right.tokens;
         let is_exact = any(right, &is_computed) && !any(right, &is_decimal);
-        self.right.relation == Some(Relation::Approximate) && (is_exact || self.is_small_angle())
+        let is_function = any(right, &|kind| matches!(kind, TokenKind::Function(_)));
+        let is_near = || judgement.values.as_ref().is_none_or(|(left, right)| left.difference(right) <= COARSE);
+        self.right.relation == Some(Relation::Approximate)
+            && (is_exact && (is_function || is_near()) || self.is_small_angle())
     }
 
     /// Whether the left side is computed from rounded estimates: a power of e with a decimal exponent where the text speaks of them, or the

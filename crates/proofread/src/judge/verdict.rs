@@ -349,8 +349,9 @@ impl<'t> ComparedSides<'t> {
         }
         let [left, right] = &strict;
         // What is converted has no more digits than it had before.
+        let are_quantities = points.iter().all(|point| point.has_unit || point.angle.is_some());
         let is_finer =
-            literal == [true, true] && both_units && relative_width(right) < FEWER_DIGITS * relative_width(left);
+            literal == [true, true] && are_quantities && relative_width(right) < FEWER_DIGITS * relative_width(left);
         // In the same unit, it may be said more exactly.
         let gains_digits = is_finer && points[0].factor != points[1].factor;
         let agrees = match literal {

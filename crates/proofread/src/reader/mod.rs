@@ -2,6 +2,7 @@
 
 mod adjoining;
 mod commas;
+mod continued;
 mod definitions;
 mod delimited;
 mod expansion;
@@ -242,7 +243,10 @@ pub(crate) fn read_with(
         }
         each(formula, from);
     };
-    let unread = formulas(text, format, elsewhere, &mut |formula| understood(formula, SpanSource::Text))?;
+    let mut continued = continued::ContinuedFormulas::new(text);
+    let mut understood_in_text = |formula| understood(formula, SpanSource::Text);
+    let unread = formulas(text, format, elsewhere, &mut |formula| continued.take(formula, &mut understood_in_text))?;
+    continued.finish(&mut understood_in_text);
     lines.read(&mut |formula| understood(formula, SpanSource::Lines));
     Ok(unread)
 }

@@ -56,7 +56,7 @@ const CUT_BLOCKS: [&str; 7] = ["title", "pre", "nav", "textarea", "select", "nos
 const PHRASES: [&str; 14] =
     ["tt", "var", "abbr", "acronym", "big", "cite", "q", "ins", "label", "bdi", "bdo", "dfn", "wbr", "nobr"];
 /// Elements without content.
-const VOID: [&str; 10] = ["img", "br", "input", "hr", "meta", "link", "wbr", "col", "area", "source"];
+const VOID: [&str; 11] = ["img", "br", "newline", "input", "hr", "meta", "link", "wbr", "col", "area", "source"];
 /// Stands for what is cut out of a line.
 const EDGE: char = '\u{fffc}';
 
@@ -219,7 +219,7 @@ impl RunningText {
                 self.push(if name == "sup" { '^' } else { '_' }, span);
                 self.push('(', span);
             }
-            "br" => {
+            "br" | "newline" => {
                 let stroke = self.underlined > 0 && self.text.len() <= self.underlined + 1;
                 self.block(span);
                 self.truncate(self.text.len() - 2);

@@ -54,7 +54,7 @@ pub fn shown_lines(text: &str, format: TextFormat) -> Result<Vec<String>, Unread
         } else {
             let between = text.get(before.range().end..start).unwrap_or_default();
             let [is_digit, was_digit] = [c.is_ascii_digit(), line.ends_with(|c: char| c.is_ascii_digit())];
-            if is_digit && was_digit && has_tag(between, &PARTING) || has_tag(between, &["br"]) {
+            if is_digit && was_digit && has_tag(between, &PARTING) || has_tag(between, &["br", "newline"]) {
                 line.push(' ');
             }
             line.push(c);

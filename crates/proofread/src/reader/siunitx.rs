@@ -88,6 +88,13 @@ fn unit_letters(body: &str) -> Option<&str> {
 
 /// Units in words with backslashes, such as `\kilo\metre\per\second\squared`, as plain TeX.
 pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar> {
+    unit_within(signs, macros, MOST_QUOTIENTS)
+}
+
+/// Most quotients of units inside each other.
+const MOST_QUOTIENTS: u8 = 2;
+
+fn unit_within(signs: &[SourceChar], macros: &Macros<'_>, quotients: u8) -> Vec<SourceChar> {
     let mut out: Vec<SourceChar> = Vec::new();
     let mut at = 0;
     let mut below = false;
@@ -125,13 +132,33 @@ pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar>
                 }
             }
             "of" => at = group_digits(signs, at).1,
+            // A quotient of units is written as one, whatever the units in it are called.
+            "frac" | "dfrac" | "tfrac" | "nicefrac" | "sfrac" if quotients > 0 => {
+                write("\\frac", sign, &mut out);
+                for _ in 0..2 {
+                    let (inner, end) = group_at(signs, at);
+                    at = end;
+                    write("{", sign, &mut out);
+                    out.append(&mut unit_within(inner, macros, quotients - 1));
+                    write("}", sign, &mut out);
+                }
+            }
             "text" | "mathrm" | "textrm" | "textsc" | "textup" | "textnormal" | "mbox" | "ensuremath" => {}
             name => {
                 if let Some(known) = prefix_of(name) {
                     prefix = known;
                     continue;
                 }
-                // Behind letters, the sign has a prefix that is no command: m\Omega.
+                // Behind the command of one letter, the sign has a prefix: \m\Omega.
+                if name == "Omega"
+                    && let [letter] = out.as_slice()
+                    && at_command(signs, letter)
+                    && ["k", "M", "G", "m", "μ", "n"].iter().any(|of| of.starts_with(letter.c))
+                {
+                    write("Ω", sign, &mut out);
+                    continue;
+                }
+                // Behind letters that are no command, it may be a product: m\Omega.
                 let known = if name == "Omega" && !out.is_empty() { "" } else { sign_of(name) };
                 let letters = || macros.in_quantity(name).and_then(|of| unit_letters(of.body.trim()));
                 let known = if known.is_empty() { letters().unwrap_or_default() } else { known };
@@ -151,6 +178,34 @@ pub(crate) fn unit(signs: &[SourceChar], macros: &Macros<'_>) -> Vec<SourceChar>
         }
     }
     out
+}
+
+/// Whether a character was written for a command: its place is that of the backslash.
+fn at_command(signs: &[SourceChar], letter: &SourceChar) -> bool {
+    signs.iter().any(|sign| sign.c == '\\' && sign.span == letter.span)
+}
+
+/// What the group that begins at `at` has inside it, or the character there, and the place behind it.
+fn group_at(signs: &[SourceChar], at: usize) -> (&[SourceChar], usize) {
+    let rest = signs.get(at..).unwrap_or_default();
+    let space = rest.iter().take_while(|sign| sign.c.is_whitespace()).count();
+    let from = at + space;
+    let Some(first) = signs.get(from) else { return (&[], signs.len()) };
+    if first.c != '{' {
+        return (&signs[from..=from], from + 1);
+    }
+    let mut depth = 0usize;
+    for (length, sign) in signs[from..].iter().enumerate() {
+        match sign.c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (&signs[from + 1..from + length], from + length + 1);
+        }
+    }
+    (&signs[from + 1..], signs.len())
 }
 
 /// The digits in the group that begins at `at`, and the place behind it.

@@ -51,7 +51,9 @@ pub(crate) fn symbol(name: &str) -> TokenKind {
         "mp" => '∓',
         "approx" | "cong" | "simeq" | "thickapprox" | "doteq" | "approxeq" | "fallingdotseq" => '≈',
         "Rightarrow" | "implies" | "therefore" | "Longrightarrow" | "Leftrightarrow" | "iff" => '⇒',
-        "to" | "rightarrow" | "longrightarrow" | "mapsto" => '→',
+        // Short names that texts give to arrows, and define somewhere else.
+        "Ra" | "RA" | "Rarr" | "rArr" | "Lra" | "LRa" | "LRA" | "imp" | "impl" | "Implies" | "folgt" => '⇒',
+        "to" | "rightarrow" | "longrightarrow" | "mapsto" | "ra" | "rarr" | "lra" | "longto" => '→',
         "ne" | "neq" => '≠',
         "in" | "isin" => '∈',
         "notin" => '∉',

@@ -248,6 +248,9 @@ const PAIRS: &[(&str, &str, &str)] = &[
     ("Wh", "W", "h"),
     ("Tm", "T", "m"),
     ("Wm", "W", "m"),
+    ("Vs", "V", "s"),
+    ("Ws", "W", "s"),
+    ("VA", "V", "A"),
 ];
 
 const PREFIXES: &[(char, f64)] = &[

@@ -125,6 +125,9 @@ const ENTRIES: &[SecondUnit] = &[
     ("Wh", "3.6e3", "m2 kg s-2"),
     ("Tm", "1", "m kg s-2 A-1"),
     ("Wm", "1", "m3 kg s-3"),
+    ("Vs", "1", "m2 kg s-2 A-1"),
+    ("Ws", "1", "m2 kg s-2"),
+    ("VA", "1", "m2 kg s-3"),
 ];
 
 /// Table 5 of the guide, of the prefixes that the program reads: powers of ten.

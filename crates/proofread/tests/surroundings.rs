@@ -1,0 +1,279 @@
+//! Kinds of misreading that a nineteenth set of texts showed: each with a right formula, of which nothing is said, and a wrong one beside
+//! it that still is listed.
+
+use crate::report;
+use proofread::{ReportSection, TextFormat};
+
+/// How many pairs of a text are listed as wrong in their numbers.
+fn on_numbers(text: &str, format: TextFormat) -> usize {
+    report(text, format).findings.iter().filter(|of| of.section == ReportSection::Numbers).count()
+}
+
+/// Nothing in the first text is wrong; in the second one something is.
+#[track_caller]
+fn assert_told_apart(right: &str, wrong: &str, format: TextFormat) {
+    assert_eq!(on_numbers(right, format), 0, "{right}");
+    assert_ne!(on_numbers(wrong, format), 0, "{wrong}");
+}
+
+/// The chain was compared and is right.
+#[track_caller]
+fn assert_compared(text: &str, format: TextFormat) {
+    let report = report(text, format);
+    assert_ne!(report.tally.pairs, 0, "{text}");
+    assert_eq!(on_numbers(text, format), 0, "{text}");
+}
+
+#[test]
+fn slips_by_a_factor_of_two_in_whole_numbers_are_no_habit() {
+    let text = |sums: [&str; 3]| sums.map(|sum| format!("It is ${sum}$.\n\n")).concat();
+    let slips = text(["(4)(6) + (4)(11) = 24 + 44 + 68", "9/3 + 18/3 = 3 + 6 + 9", "4 + 5 = 18"]);
+    assert_eq!(on_numbers(&slips, TextFormat::Markdown), 3);
+    // With decimals, a diameter may be meant throughout, or a unit of another size.
+    let habit = text(["2.5 + 1.5 = 8.0", "6.0 + 3.0 = 18.0", "3.5 + 1.5 = 10.0"]);
+    assert_eq!(on_numbers(&habit, TextFormat::Markdown), 0);
+    // So may minutes be left out of whole numbers.
+    let minutes = text(["2 + 1 = 180", "4 + 5 = 540", "3 + 4 = 420"]);
+    assert_eq!(on_numbers(&minutes, TextFormat::Markdown), 0);
+}
+
+#[test]
+fn a_fraction_behind_an_approximation_is_near() {
+    for [right, wrong] in [
+        [r"$\sqrt5 \approx 9/4$", r"$\sqrt5 \approx 7/2$"],
+        [r"$\cos(1.318) \approx 1/4$", r"$\cos(1.318) \approx 0/2501$"],
+        [r"$0.2501 \approx \frac14$", r"$0.2501 \approx -\frac14$"],
+        [r"$\ln 1.08 \approx \ln 1$", r"$\ln 1.08 \approx 1/3$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_formula_goes_on_behind_a_unit_or_a_bracket() {
+    for [right, wrong] in [
+        ["So $97$% $= 0.97$ holds.", "So $97$% $= 0.96$ holds."],
+        [r"So $97$\% $= 0.97$ holds.", r"So $97$\% $= 0.96$ holds."],
+        ["It is $3 \\cdot 2$ m $= 600$ cm.", "It is $3 \\cdot 2$ m $= 500$ cm."],
+        ["It is $0.96$ ($10$ ounces) $= 9.6$.", "It is $0.96$ ($10$ ounces) $= 9.7$."],
+        ["It is $0.96$ (10 ounces) $= 9.6$.", "It is $0.96$ (10 ounces) $= 9.7$."],
+        ["It is $v = 36$ km/h $= 10$ m/s.", "It is $v = 36$ km/h $= 11$ m/s."],
+    ] {
+        for format in [TextFormat::Markdown, TextFormat::Latex] {
+            if right.contains('%') && format == TextFormat::Latex && !right.contains('\\') {
+                continue;
+            }
+            assert_told_apart(right, wrong, format);
+            assert_compared(right, format);
+        }
+    }
+    for [right, wrong] in [
+        ["<p>So <m>97</m>%<m>=0.97</m>.</p>", "<p>So <m>97</m>%<m>=0.96</m>.</p>"],
+        ["<p><m>0.96</m> (<m>10</m> ounces) <m>=9.6</m></p>", "<p><m>0.96</m> (<m>10</m> ounces) <m>=9.7</m></p>"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Xml);
+        assert_compared(right, TextFormat::Xml);
+    }
+    assert_told_apart(r"<p>It is \(5\) m \(= 500\) cm.</p>", r"<p>It is \(5\) m \(= 600\) cm.</p>", TextFormat::Html);
+    // Other words, sentences and paragraphs part formulas.
+    for text in ["$3$ apples $= 4$", "It is $3$. $= 4$", "It is $3$ m\n\n$= 4$ m", "It is $3$ in $= 4$"] {
+        assert_eq!(report(text, TextFormat::Markdown).tally.pairs, 0, "{text}");
+    }
+    // The formula in a bracket of its own is read by itself.
+    assert_told_apart("$x$ is $3$ ($2 + 1 = 3$) here", "$x$ is $3$ ($2 + 1 = 4$) here", TextFormat::Markdown);
+    assert_told_apart("$3$ ($2$) ($2 + 1 = 3$)", "$3$ ($2$) ($2 + 1 = 4$)", TextFormat::Markdown);
+}
+
+#[test]
+fn a_question_in_what_follows_does_not_ask_about_a_formula() {
+    for (asks, says) in [
+        (r"Is it true that $3 + 4 = 8$ in all cases?", r"\subtask{It is $3 + 4 = 8$} \subtask{What is it?}"),
+        (r"Is it so, and does $3 + 4 = 8$ \emph{always} hold?", r"\question{It is $3 + 4 = 8$} \question{Why?}"),
+        (r"Is it so that $3 + 4 = 8$ \textbf{or not?}", r"It is $3 + 4 = 8$ \section{Why?}"),
+        (r"Does \[3 + 4 = 8\] hold?", "It is $3 + 4 = 8$\n\nWhy?"),
+        ("Does\n\n\\[3 + 4 = 8\\]\n\nhold?", "It is $3 + 4 = 8$ \\subsection*{What is next?}"),
+    ] {
+        assert_told_apart(asks, says, TextFormat::Latex);
+    }
+    assert_told_apart(
+        "<p>Is it true that <m>3 + 4 = 8</m> for all of them?</p>",
+        "<p>It is <m>3 + 4 = 8</m></p><p>Why?</p>",
+        TextFormat::Xml,
+    );
+    assert_told_apart("Is it true that $3 + 4 = 8$\nholds?", "It is $3 + 4 = 8$\n# Why?", TextFormat::Markdown);
+}
+
+#[test]
+fn quotients_and_products_of_units_are_read() {
+    for [right, wrong] in [
+        [r"$2 \cdot 3\,\si{\frac{1}{s}} = 6\,\si{Hz}$", r"$2 \cdot 3\,\si{\frac{1}{s}} = 7\,\si{Hz}$"],
+        [
+            r"$\SI{72}{\frac{\kilo\metre}{\hour}} = \SI{20}{\metre\per\second}$",
+            r"$\SI{72}{\frac{\kilo\metre}{\hour}} = \SI{25}{\metre\per\second}$",
+        ],
+        [r"$2 \cdot 3\,\si{Vs} = 6\,\si{\weber}$", r"$2 \cdot 3\,\si{Vs} = 7\,\si{\weber}$"],
+        [
+            r"$3\,\mathrm{V} \cdot 2\,\mathrm{A} = 6\,\mathrm{VA}$",
+            r"$3\,\mathrm{V} \cdot 2\,\mathrm{A} = 7\,\mathrm{VA}$",
+        ],
+        [
+            r"$\SI{2}{\ampere}\cdot\SI{85}{\m\Omega} = \SI{170}{\milli\volt}$",
+            r"$\SI{2}{\ampere}\cdot\SI{85}{\m\Omega} = \SI{180}{\milli\volt}$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+        assert_compared(right, TextFormat::Latex);
+    }
+    // However deep they nest, they end.
+    let deep = format!(r"$\si{{{}s{}}} = 3$", r"\frac{1}{".repeat(5000), "}".repeat(5000));
+    assert_eq!(on_numbers(&deep, TextFormat::Latex), 0);
+}
+
+#[test]
+fn a_number_with_an_inverse_unit_is_a_printed_one() {
+    for [right, wrong] in [
+        [r"$26.6/\text{s} = 1595/\text{min}$", r"$26.6/\text{s} = 1605/\text{min}$"],
+        [
+            r"$26.6\,\frac{1}{\text{s}} = 1595\,\frac{1}{\text{min}}$",
+            r"$26.6\,\frac{1}{\text{s}} = 1605\,\frac{1}{\text{min}}$",
+        ],
+        [
+            r"$\SI{26.6}{\frac{1}{s}} = \SI{1595}{\frac{1}{min}}$",
+            r"$\SI{26.6}{\frac{1}{s}} = \SI{1605}{\frac{1}{min}}$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+        assert_compared(right, TextFormat::Latex);
+    }
+}
+
+#[test]
+fn a_thousand_has_a_letter_of_its_own() {
+    for [right, wrong] in [
+        [r"$48\text{k} = 48000$", r"$48\text{k} = 49000$"],
+        [r"$12 \cdot 4\text{k} = 48\text{k}$", r"$12 \cdot 4\text{k} = 49\text{k}$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+        assert_compared(right, TextFormat::Markdown);
+    }
+    // A letter apart, or an italic one, is a unit or a quantity.
+    for text in [r"$27\,\text{k} = 300$", "$48k = 49000$"] {
+        assert_eq!(on_numbers(text, TextFormat::Markdown), 0, "{text}");
+    }
+}
+
+#[test]
+fn arrows_have_short_names() {
+    for arrow in [r"\RA", r"\Ra", r"\Rarr", r"\ra", r"\imp"] {
+        let text = |sum: &str| format!("$3 + 4 = 7 {arrow} 2 + 2 = {sum}$");
+        assert_told_apart(&text("4"), &text("5"), TextFormat::Latex);
+        assert_compared(&text("4"), TextFormat::Latex);
+    }
+    // A definition of its own comes first.
+    assert_eq!(on_numbers("\\newcommand{\\ra}{x}$3 + 4 = 8\\ra$", TextFormat::Latex), 0);
+}
+
+#[test]
+fn a_stroke_with_space_in_the_source_is_the_outer_one() {
+    assert_told_apart("$-100/3 / -4/3 = 25$", "$-100/3 / -4/3 = 24$", TextFormat::Latex);
+    assert_ne!(on_numbers("$-100/3/-4/3 = 25$", TextFormat::Latex), 0);
+}
+
+#[test]
+fn digits_that_a_computer_loses_are_not_compared() {
+    for [right, wrong] in [
+        [r"$10^{22} + 1 - 10^{22} = 1$", r"$10^{2} + 1 - 10^{2} = 2$"],
+        [r"$(1 - 10^{-22})^{10^{22}} \approx e^{-1}$", r"$(1 - 10^{-2})^{10^{2}} \approx e^{1}$"],
+        [r"$12345678901234567 - 12345678901234566 = 1$", r"$12345678901 - 12345678900 = 2$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+        assert_eq!(report(right, TextFormat::Latex).tally.pairs, 0, "{right}");
+    }
+    assert_compared("$2^{20} - 2^{20} = 0$", TextFormat::Latex);
+}
+
+#[test]
+fn a_factor_is_told_by_its_change() {
+    for [right, wrong] in [
+        [r"$1.1^2 = 1.21 = 21\%$", r"$1.1^2 = 1.21 = 22\%$"],
+        [r"$1.40 = 40\%$", r"$1.40 = 45\%$"],
+        [r"$1.02^{10} = 21.9\%$", r"$1.02^{10} = 21.5\%$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn per_cent_beside_a_number_is_all_of_it() {
+    assert_told_apart(r"$97\% = 0.97$", r"$97\% = 0.96$", TextFormat::Markdown);
+    // What a share amounts to is something else.
+    assert_eq!(on_numbers(r"$5\% = 12$", TextFormat::Markdown), 0);
+}
+
+#[test]
+fn what_is_counted_may_be_taken_up_to_the_next_whole_number() {
+    for words in ["It needs full turns.", "This is rounded up.", "We take the next whole number."] {
+        let text = |words: &str| format!("$N = 2157/4.79 = 451$. {words}");
+        assert_told_apart(&text(words), &text("It is a number."), TextFormat::Markdown);
+        let far = text(words).replace("451", "452");
+        assert_ne!(on_numbers(&far, TextFormat::Markdown), 0, "{far}");
+    }
+}
+
+#[test]
+fn a_cell_with_an_approximation_begins_nothing_for_the_next_one() {
+    let row = |value: &str| {
+        format!(r"\[ \begin{{array}}{{cc}} T = \frac12(1 + 3) \approx {value} & \approx 2.71 \end{{array}} \]")
+    };
+    assert_told_apart(&row("2.00"), &row("3.00"), TextFormat::Latex);
+}
+
+#[test]
+fn angles_are_in_radians_by_their_whole_name() {
+    for [right, wrong] in [
+        [r"$30^\circ = 0.5236\text{ radians}$", r"$30^\circ = 0.6236\text{ radians}$"],
+        [r"$1.22/3.00 = 0.407\text{ radians}$", r"$1.22/3.00 = 0.470\text{ radians}$"],
+        [r"$36^\circ = \frac{\pi}{5}\text{ radians}$", r"$36^\circ = \frac{\pi}{6}\text{ radians}$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+        assert_compared(right, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_remark_says_to_how_many_digits_a_result_is_given() {
+    for remark in [r"\text{ (to 3 s.f.)}", r"\text{ (3 sf)}", r"\text{ (1 d.p.)}", "(3 \\text{ significant figures})"] {
+        let text = |result: &str| format!(r"$4 \cdot 4.03 = {result} {remark}$");
+        assert_told_apart(&text("16.1"), &text("16.7"), TextFormat::Latex);
+        assert_compared(&text("16.1"), TextFormat::Latex);
+    }
+    // A number in a bracket is a factor.
+    assert_compared(r"$4 (3) = 12$", TextFormat::Latex);
+}
+
+#[test]
+fn a_sentence_begins_behind_a_result() {
+    for word in ["Yes", "Now", "We", "Simplify", "Wir", "Sei"] {
+        let text = |sum: &str| format!("<p>10 + 20 + 13 = {sum} {word} it is.</p>");
+        assert_told_apart(&text("43"), &text("44"), TextFormat::Html);
+        assert_compared(&text("43"), TextFormat::Html);
+    }
+}
+
+#[test]
+fn a_whole_unit_of_the_last_digit_is_not_cut_off() {
+    for [right, wrong] in [
+        [r"$0.5\,\text{kg} = 500\,\text{g}$", r"$0.5\,\text{kg} = 600\,\text{g}$"],
+        [r"$30^\circ = 0.52\,\text{rad}$", r"$30^\circ = 0.6236\,\text{rad}$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // What goes beyond by less is cut off.
+    assert_eq!(on_numbers("$1/18 = 0.0555$", TextFormat::Markdown), 0);
+}
+
+#[test]
+fn a_line_that_ends_in_a_document_by_openstax_ends_for_its_arithmetic() {
+    let paragraph = |line: &str| format!("<para>Mean = 0.12 mm\n<newline/>{line}\n<newline/>as above</para>");
+    assert_told_apart(&paragraph("0.12 mm x 60 = 7.2 mm"), &paragraph("0.12 mm x 60 = 7.3 mm"), TextFormat::Cnxml);
+}
