@@ -167,8 +167,9 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
 
 /// Controls that cannot be seen together with the whole drawing and the numbers. A reader has opened its fold, scrolled to the
 /// figure and then to the control if it is not in sight, and moves it once the page's bar stands still: nothing of the three may be
-/// outside the window, under its bar or under another.
-const APART: &str = "(async () => { const found = []; const shown = f.querySelector('.shown'); const bar = \
+/// outside the window, under its bar or under another. In place of the numbers a refusal has its words. Not all browsers scroll to keep a
+/// control where it is if the drawing above it grows, so this one doesn't.
+const APART: &str = "(async () => { document.documentElement.style.overflowAnchor = 'none'; const found = []; const bar = \
      document.querySelector('#mdbook-menu-bar'); for (const input of g.querySelectorAll('.moved input[name], .moved select')) { \
      if (f.classList.contains('refused')) { g.querySelector('[data-do=reset]').click(); await settled() } \
      g.querySelectorAll('details').forEach(fold => fold.open = fold.contains(input)); const inside = input.closest('.inside'); \
@@ -186,7 +187,7 @@ const APART: &str = "(async () => { const found = []; const shown = f.querySelec
      for (const [of, name] of [[f.querySelector('svg'), 'drawing'], [results, 'numbers']]) { \
      const { top, bottom } = of.getBoundingClientRect(); if (top < from - 1 || bottom > innerHeight + 1) { \
      found.push(`${input.name}: ${name} ${Math.round(top)} to ${Math.round(bottom)}`) } } \
-     for (const of of f.classList.contains('refused') ? [] : [label, input, box]) { if (!isHit(of)) { found.push(`${input.name} is covered`) } } } return found })()";
+     for (const of of [label, input, box]) { if (!isHit(of)) { found.push(`${input.name} is covered`) } } } return found })()";
 
 #[test]
 fn drawing_numbers_and_the_control_in_use_share_a_screen() {

@@ -85,9 +85,14 @@
             svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
         };
 
+        // The heights of what stays and of its drawing while nothing was refused.
+        let usual;
         const refuse = why => {
             stop();
             drawnFor = undefined;
+            if (!figure.classList.contains('refused')) {
+                usual = [shows, picture].map(({ offsetHeight }) => offsetHeight);
+            }
             figure.classList.add('refused');
             stale.hidden = false;
             files.forEach(button => button.disabled = true);
@@ -97,6 +102,10 @@
                 worked.hidden = true;
             }
             say(why, true);
+            // Long words take their room from the drawing, and cover no control.
+            const [all, drawing] = usual, spare = height => figure.style.setProperty('--spared', `${height}px`);
+            spare(drawing);
+            spare(Math.max(drawing - Math.max(shows.offsetHeight - all, 0), 0));
         };
         // Steps are written where they are seen: not behind a closed fold, however often the figure moves.
         const worked = figure.querySelector('.worked');
@@ -512,6 +521,16 @@
             }
         });
 
+        // A finger that holds a part of the drawing moves no page.
+        let isHeld = false;
+        const hold = event => {
+            isHeld = true;
+            event.preventDefault();
+            picture.setPointerCapture(event.pointerId);
+        };
+        picture.addEventListener('lostpointercapture', () => { isHeld = false; });
+        picture.addEventListener('touchstart', event => isHeld && event.preventDefault(), { passive: false });
+
         // The pointer on the wheel turns it within its play.
         if (figure.dataset.hand) {
             const drawing = picture;
@@ -524,9 +543,8 @@
             };
             drawing.addEventListener('pointerdown', event => {
                 if (event.button === 0 && event.target.matches('.wheel')) {
-                    event.preventDefault();
+                    hold(event);
                     stop();
-                    drawing.setPointerCapture(event.pointerId);
                     from = { angle: angle(event), value: Number(value(input)) };
                     // Before the first answer it is not known how far it is free.
                     moved();
@@ -563,8 +581,7 @@
             };
             drawing.addEventListener('pointerdown', event => {
                 if (event.button === 0 && follow(event)) {
-                    event.preventDefault();
-                    drawing.setPointerCapture(event.pointerId);
+                    hold(event);
                 }
             });
             drawing.addEventListener('pointermove', event => drawing.hasPointerCapture(event.pointerId) && follow(event));

@@ -99,6 +99,50 @@ fn the_wheel_is_dragged_within_its_play_by_pointer_and_by_keys() {
     assert_eq!([&shown[0], &shown[4]], [&json!("99"), &json!(0)], "{shown}");
 }
 
+/// Where a finger is put in a drawing: on the parts that are turned by hand, and beside them.
+const FINGERS: &str = "(() => { f.scrollIntoView({ behavior: 'instant' }); const svg = f.querySelector('.drawing svg'); const box = \
+     svg.getBoundingClientRect(), circle = svg.querySelector('.pin-circle').getBoundingClientRect(); const turns = (x, y) => f.dataset.hand ? \
+     document.elementFromPoint(x, y).matches('.wheel') : Math.hypot(x - circle.left - circle.width / 2, y - circle.top - circle.height / 2) < \
+     circle.width / 2; const places = []; for (let y = box.top + 8; y < box.bottom - 8; y += 6) { for (let x = box.left + 8; x < box.right - 8; \
+     x += 6) { if (svg.contains(document.elementFromPoint(x, y))) { places.push([x, y, turns(x, y)]) } } } \
+     const on = places.filter(([, , on]) => on), off = places.filter(([x, y]) => on.every(([a, b]) => Math.hypot(a - x, b - y) > \
+     14)); return [on[Math.floor(on.length / 2)], off[0]] })()";
+
+#[test]
+fn a_finger_on_what_turns_moves_no_page_and_one_beside_it_does() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([390, 844], Medium::Light);
+    browser.command("Emulation.setTouchEmulationEnabled", json!({ "enabled": true, "maxTouchPoints": 1 }));
+    for (name, page, control) in [(NAME, "making", "turned"), ("pin", "pin", "theta"), ("wheel", "jazar", "crank")] {
+        let setting = if name == NAME { "#fig-wheel-dimensions?larger=50" } else { "" };
+        open(&mut browser, page, setting);
+        let places = of(&mut browser, name, FINGERS);
+        let state = format!("[Math.round(scrollY), g.elements['{control}'].value]");
+        let mut swipe = |place: &Value| {
+            let before = of(&mut browser, name, &state);
+            let [x, y] = [0, 1].map(|k| place[k].as_f64().unwrap_or_else(|| panic!("{name}: no place: {places}")));
+            let touch = |kind: &str, y: Option<f64>| {
+                let points: Vec<Value> = y.into_iter().map(|y| json!({ "x": x, "y": y })).collect();
+                json!({ "type": kind, "touchPoints": points })
+            };
+            browser.command("Input.dispatchTouchEvent", touch("touchStart", Some(y)));
+            for step in 1..=8 {
+                browser.command("Input.dispatchTouchEvent", touch("touchMove", Some(y - 10.0 * f64::from(step))));
+                of(&mut browser, name, "await new Promise(requestAnimationFrame)");
+            }
+            browser.command("Input.dispatchTouchEvent", touch("touchEnd", None));
+            of(&mut browser, name, "await new Promise(requestAnimationFrame)");
+            [before, of(&mut browser, name, &state)]
+        };
+        let [before, after] = swipe(&places[0]);
+        assert_eq!(before[0], after[0], "{name}: the page moves with what turns: {places}");
+        assert_ne!(before[1], after[1], "{name}: nothing turns: {places}");
+        let [before, after] = swipe(&places[1]);
+        assert_ne!(before[0], after[0], "{name}: a finger beside what turns does not move the page: {places}");
+        assert_eq!(before[1], after[1], "{name}: something turns: {places}");
+    }
+}
+
 #[test]
 fn a_row_of_the_tolerances_lights_up_in_words_when_its_limit_is_passed() {
     let Some(mut browser) = browser() else { return };

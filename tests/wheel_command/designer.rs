@@ -96,11 +96,14 @@ impl Asked {
             let value = if argument.name == "centre-error" && random.bool() { 0.0 } else { value };
             asked.set(argument.name, value.to_string(), &value.to_string());
         }
-        // The command refuses the play of a test piece without a process; the page waits for one.
-        if !asked.command.iter().any(|word| word == "--process")
-            && let Some(at) = asked.command.iter().position(|word| word == "--measured-play")
-        {
-            asked.command.drain(at..at + 2);
+        // The command refuses an option that depends on one that is not given; the page waits for that.
+        for argument in arguments() {
+            let is_given = |name: &str| asked.command.iter().any(|word| word.strip_prefix("--") == Some(name));
+            if !argument.has_dependency(is_given)
+                && let Some(at) = asked.command.iter().position(|word| word.strip_prefix("--") == Some(argument.name))
+            {
+                asked.command.drain(at..at + 2);
+            }
         }
         asked
     }

@@ -386,8 +386,11 @@ fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: 
         let is_of_files = |argument: &Argument| acts_on(ActsOn::Files)(argument) && !acts_on(ActsOn::Play)(argument);
         reject_any(given, is_of_files, why)?;
     }
-    if wanted.process.is_none() {
-        reject_any(given, is_named(&["measured-play"]), "without a process; add --process PROCESS")?;
+    let is_given = |name: &str| given.iter().any(|(argument, _)| argument.name == name);
+    for (argument, _) in given {
+        if let Some(without) = argument.missing_dependency(is_given) {
+            reject_any(given, is_named(&[argument.name]), &without)?;
+        }
     }
     if is_shape(format) && format != CommandFormat::Parts {
         let why = format!(
@@ -406,7 +409,6 @@ fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: 
     if !is_sized {
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(given, acts_on(ActsOn::Parts), why)?;
-        reject_any(given, is_named(&["bearing-friction"]), why)?;
     }
     if wanted.speed().is_none() {
         let why = "without a speed; add --rpm R or --index-time S";
@@ -421,23 +423,8 @@ fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: 
         let why = "without the wheel's inertia; add --inertia KGM2, with 0 if it is negligible";
         reject_any(given, acts_on(ActsOn::Load), why)?;
     }
-    if wanted.speed().is_none() && wanted.arm_torque.is_none() && !is_shape(format) {
-        let why = "without a force on the pin; add --arm-torque NM, or a speed by --rpm R or --index-time S";
-        reject_any(given, is_named(ELASTICITY), why)?;
-    }
-    for (names, needed, value) in [
-        (&["wheel-bearing", "driver-bearing"][..], "--bearing-friction MU", wanted.bearing_friction),
-        (&["drive-torque"], "--driver-inertia KGM2", wanted.driver_inertia),
-    ] {
-        if value.is_none() {
-            reject_any(given, is_named(names), &format!("without {needed}; add that"))?;
-        }
-    }
     Ok(())
 }
-
-/// What acts on the pressure between pin and slot alone.
-const ELASTICITY: &[&str] = &["pin-modulus", "pin-poisson", "wheel-modulus", "wheel-poisson"];
 
 /// What acts on numbers that only external wheels have.
 const NOT_OF_INTERNAL: &[&str] = &[
@@ -505,6 +492,31 @@ mod tests {
         let sheet = page(&asked, TextLayout::default()).err().map(|error| error.to_string());
         asked.out = Some(folder.to_owned());
         [sheet, page(&asked, TextLayout::default()).err().map(|error| error.to_string())]
+    }
+
+    #[test]
+    fn an_option_is_refused_without_what_it_depends_on_and_taken_beside_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for argument in arguments().filter(|argument| !argument.depends_on.is_empty()) {
+            let value = if argument.unit == "GPA" { "200" } else { "0.3" };
+            let asked = format!("--stations 6 --crank-radius 25 --{} {value}", argument.name);
+            let rest =
+                if argument.acts_on.contains(&ActsOn::Load) { "--rpm 60 --wheel-shaft 5 --driver-shaft 5" } else { "" };
+            let [sheet, files] = refusals(&format!("{asked} {rest}"), folder.path());
+            let refused = format!("--{} {value} has no effect without --", argument.name);
+            assert!(sheet.as_ref().is_some_and(|sheet| sheet.starts_with(&refused)), "{asked}: {sheet:?}");
+            assert_eq!(sheet, files, "{asked}");
+            let on = match argument.depends_on[0] {
+                "process" => "--process fdm --thickness 5",
+                "arm-torque" => "--arm-torque 1 --thickness 5",
+                "mouth-chamfer" => "--mouth-chamfer 0.5 --thickness 5",
+                "lead-in" => "--lead-in 3 --thickness 5",
+                "bearing-friction" => "--bearing-friction 0.1",
+                "driver-inertia" => "--driver-inertia 0.001",
+                other => panic!("no value for --{other}"),
+            };
+            assert_eq!(refusals(&format!("{asked} {rest} {on}"), folder.path()), [None, None], "{asked} {on}");
+        }
     }
 
     #[test]

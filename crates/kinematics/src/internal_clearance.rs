@@ -19,6 +19,8 @@ type Point = Vector2<f64>;
 
 /// The tolerance over the lesser gap of slot and locking arc where that makes it finer.
 const OF_GAP: f64 = 0.01;
+/// The part of the engagement to either side of mid-index in which the segment may be near both arcs beside the slot.
+const HALF: f64 = 0.5;
 /// Slots to either side of the nearest one whose corners may be near the locking segment.
 const NEAR: i32 = 2;
 
@@ -54,7 +56,7 @@ impl InternalSizes {
     ///
     /// [`KinematicsError::CentreDistance`] for a distance that is not finite and greater than the crank radius.
     pub fn least_clearance_at(&self, centre_distance: f64) -> Result<InternalClearance, KinematicsError> {
-        InternalAssembly::new(self, centre_distance, 0.0)?.least_clearance(u32::MAX, f64::INFINITY)
+        InternalAssembly::new(self, centre_distance, 0.0)?.least_clearance(u32::MAX, None)
     }
 
     /// How far all sizes may be wrong together so that nothing touches. None where loose bores alone take all clearance.
@@ -89,13 +91,13 @@ impl InternalSizes {
     /// its circle is as good as a segment that is.
     fn runs_with(&self, limit: &SharedTolerance, angles: u32) -> Result<bool, KinematicsError> {
         // A slot that is off its place turns the arcs with it.
-        let turned = self.mouth_radius * limit.direction;
+        let motion = RingMotion::Turned(self.mouth_radius * limit.direction);
         for error in [-self.play.bore - limit.nearer, self.play.bore + limit.farther] {
             for sense in [-1.0, 1.0] {
                 let wrong = self.with_errors(limit, sense);
                 for side in [-1.0, 1.0] {
                     let askew = side * (limit.crank / wrong.segment_radii[0] + self.play.pin / self.crank_radius);
-                    match wrong.is_clear(self.centre_distance + error, askew, turned, angles) {
+                    match wrong.is_clear(self.centre_distance + error, askew, motion, angles) {
                         Ok(true) => {}
                         Ok(false) | Err(KinematicsError::CentreDistance { .. }) => return Ok(false),
                         Err(error) => return Err(error),
@@ -107,8 +109,7 @@ impl InternalSizes {
     }
 
     /// Whether nothing touches over a whole turn with the axes at this distance, the segment's middle off the line through axis and pin
-    /// by an angle in radians, and the arcs off their places between the slots by up to `turned` at the ring's inner rim; lengths in
-    /// millimetres. At most so many crank angles are looked at.
+    /// by an angle in radians, and the ring turned and pushed aside; lengths in millimetres. At most so many crank angles are looked at.
     ///
     /// # Errors
     ///
@@ -117,7 +118,7 @@ impl InternalSizes {
         &self,
         centre_distance: f64,
         segment_error: f64,
-        turned: f64,
+        motion: RingMotion,
         angles: u32,
     ) -> Result<bool, KinematicsError> {
         let [outer, inner] = self.segment_radii;
@@ -126,7 +127,7 @@ impl InternalSizes {
             return Ok(false);
         }
         let assembly = InternalAssembly::new(self, centre_distance, segment_error)?;
-        let found = assembly.least_clearance(angles, turned)?;
+        let found = assembly.least_clearance(angles, Some(motion))?;
         Ok(found.distance >= found.tolerance)
     }
 
@@ -140,6 +141,29 @@ impl InternalSizes {
         wrong.mouth_radius = libm::hypot(self.wheel_radius, wrong.slot_width / 2.0);
         wrong
     }
+}
+
+/// How a ring moves that is not as its sizes alone would have it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum RingMotion {
+    /// It is turned out of the place that the pin would give it, by up to this at its inner rim, in millimetres, as long as the pin is in
+    /// a slot.
+    Turned(f64),
+    /// It meets a pin that would come in beside the middle of a slot.
+    Met(MetPin),
+}
+
+/// How a ring meets a pin that comes in beside the middle of a slot.
+///
+/// Because the slot is off its direction: the ring stands as the arc before the slot has it, and the deeper the pin is, the more it turns,
+/// so that the pin stays as far beside the middle. Because axes or crank are off: by a share of that the ring is pushed aside in the dwell,
+/// and the rest, with which the pin comes in beside the middle, has faded at mid-index. All is likewise as the pin leaves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MetPin {
+    /// How far slots are off their directions at most, from those of the arcs beside them, in millimetres at the ring's inner rim.
+    pub off: f64,
+    /// The share by which the ring is pushed to where the pin comes in, from 0 to 1, dimensionless.
+    pub pushed: f64,
 }
 
 /// Ring and driver with their axes apart, in millimetres and radians.
@@ -186,24 +210,32 @@ impl<'a> InternalAssembly<'a> {
         (OF_GAP * gaps.fold(f64::INFINITY, f64::min)).min(TOLERANCE * self.sizes.centre_distance)
     }
 
-    /// The least of all distances, of the segment during the engagement less `turned`; one that is greater than nothing need not be
-    /// known better where `turned` is finite.
-    fn least_clearance(&self, angles: u32, turned: f64) -> Result<InternalClearance, KinematicsError> {
+    /// The least of all distances, of the segment during the engagement less what it moves in the ring as that is turned. Where the ring
+    /// is turned, one that is greater than nothing need not be known better.
+    fn least_clearance(&self, angles: u32, motion: Option<RingMotion>) -> Result<InternalClearance, KinematicsError> {
         let (sizes, tolerance) = (self.sizes, self.tolerance());
-        let is_checked = turned < f64::INFINITY;
-        let turned = if is_checked { turned } else { 0.0 };
         let at = |value, place| Minimum { value, place };
         let deepest = self.ring_distance(Point::new(self.distance + sizes.crank_radius, 0.0)) - sizes.pin_radius();
-        let beside = (sizes.slot_width - sizes.pin_diameter) / 2.0;
+        let rim = sizes.mouth_radius;
+        let entering = self.pin(self.engaged);
+        let beside_slot = libm::atan2(entering.y, entering.x) - self.half_pitch;
+        let MetPin { off: slot_off, pushed } = match motion {
+            Some(RingMotion::Met(met)) => met,
+            _ => MetPin { off: 0.0, pushed: 0.0 },
+        };
+        let is_met = matches!(motion, Some(RingMotion::Met(_)));
+        // What the ring is pushed to meet the pin, and what is left of it.
+        let [aside, left] = if is_met { [pushed, 1.0 - pushed].map(|share| share * beside_slot) } else { [0.0; 2] };
+        let beside = (sizes.slot_width - sizes.pin_diameter) / 2.0 - left.abs() * rim;
         // The segment turns in its arc, which goes on as a circle within the hollow; off its centre it is nearer by as much.
-        let off = (self.distance - sizes.centre_distance).abs();
+        let off = (direction(aside) * sizes.centre_distance - Point::new(self.distance, 0.0)).norm();
         let locked = sizes.locking_arc_radius - sizes.segment_radii[0] - off;
         let still = [at(beside, 0.0), at(locked, PI)];
         let least = still.into_iter().fold(at(deepest, 0.0), |a, b| if b.value < a.value { b } else { a });
 
         let places = Cell::new(angles);
-        let search = Search { tolerance, enough: if is_checked { 0.0 } else { f64::INFINITY }, places: &places };
-        let (sine, cosine) = libm::sincos(self.half_pitch);
+        let search = Search { tolerance, enough: if motion.is_some() { 0.0 } else { f64::INFINITY }, places: &places };
+        let (sine, cosine) = libm::sincos(self.half_pitch + aside);
         let at_rest = |theta: f64| {
             let p = self.pin(theta);
             self.ring_distance(Point::new(p.x * cosine + p.y * sine, p.y * cosine - p.x * sine)) - sizes.pin_radius()
@@ -213,14 +245,45 @@ impl<'a> InternalAssembly<'a> {
         let outer = sizes.segment_radii[0];
         // The velocity ratio is greatest at mid-index, where it is m/(1 + m).
         let rate = outer + ratio / (1.0 + ratio) * (self.distance + outer);
-        let engaged = |theta: f64| self.closest_at(theta) - turned;
-        // Without an error of its place, the segment is its own mirror image.
-        let from = if self.askew == 0.0 { 0.0 } else { -self.engaged };
-        let found = search.minimize(from, self.engaged, Some(found), engaged, |_, _| rate);
+        // How fast the pin's depth changes over the rim, and so what the ring is turned for it.
+        let deeper = sizes.crank_radius / rim;
+        let far = self.distance + outer;
+        let rate =
+            rate + slot_off / rim * (deeper * far + 2.0 * outer) + left.abs() * (deeper + 1.0 / self.engaged) * far;
+        let parts: &[(f64, f64)] = if is_met { &[(-1.0, -HALF), (-HALF, HALF), (HALF, 1.0)] } else { &[(-1.0, 1.0)] };
+        let found = parts.iter().fold(found, |found, &(from, to)| {
+            // Without an error of its place, the segment is its own mirror image.
+            let from = if self.askew == 0.0 { f64::max(from, 0.0) } else { from };
+            if to <= from {
+                return found;
+            }
+            let is_inmost = to == HALF;
+            let engaged = |theta: f64| {
+                self.closest_at(theta, left) - motion.map_or(0.0, |motion| self.lost_at(theta, motion, is_inmost))
+            };
+            search.minimize(from * self.engaged, to * self.engaged, Some(found), engaged, |_, _| rate)
+        });
         if places.get() == 0 {
             return Err(KinematicsError::TooManyAngles { limit: angles });
         }
         Ok(InternalClearance { distance: found.value, crank_angle: found.place, tolerance })
+    }
+
+    /// How far points of the segment move in the ring at most as that is turned, at a crank angle of the engagement, in millimetres. About
+    /// mid-index the segment is between two arcs, each of which may be off by as much from the slot, and else near one alone.
+    fn lost_at(&self, theta: f64, motion: RingMotion, is_inmost: bool) -> f64 {
+        match motion {
+            RingMotion::Turned(lost) => lost,
+            RingMotion::Met(MetPin { off, .. }) => {
+                let rim = self.sizes.mouth_radius;
+                let beside = (rim / self.pin(theta).norm()).min(1.0);
+                let turned = if is_inmost { 1.0 + beside } else { 1.0 - beside };
+                // Of the segment, the end is farthest from the wheel's axis that is nearest to the line of centres beyond the driver's.
+                let aim = (self.engaged - theta.abs() - self.askew.abs()).max(0.0);
+                let far = |radius: f64| (direction(aim) * radius + Point::new(self.distance, 0.0)).norm();
+                off / rim * turned * self.sizes.segment_radii.map(far).into_iter().fold(0.0, f64::max)
+            }
+        }
     }
 
     /// The pin's centre from the wheel's axis.
@@ -272,12 +335,14 @@ impl<'a> InternalAssembly<'a> {
         (from_end - Point::new(from_end.x.clamp(inner, outer), 0.0)).norm()
     }
 
-    /// The distance of the locking segment from the ring at a crank angle of the engagement.
-    fn closest_at(&self, theta: f64) -> f64 {
+    /// The distance of the locking segment from the ring at a crank angle of the engagement, if the pin came in beside the middle of its
+    /// slot by an angle `left`.
+    fn closest_at(&self, theta: f64, left: f64) -> f64 {
         let sizes = self.sizes;
         let ([outer, inner], half) = (sizes.segment_radii, sizes.segment_half_angle());
         let pin = self.pin(theta);
-        let along = pin.normalize();
+        let beside = left * theta / self.engaged * sizes.mouth_radius / pin.norm();
+        let along = direction(libm::atan2(pin.y, pin.x) - beside);
         let axis = Point::new(self.distance, 0.0);
         // From the page to the wheel, whose slot is at the pin.
         let on_wheel = |p: Point| Point::new(p.dot(&along), along.perp(&p));

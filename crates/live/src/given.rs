@@ -47,11 +47,44 @@ pub(crate) fn given(settings: &Settings) -> Result<Vec<(&'static Argument, f64)>
         };
         given.extend(value.map(|value| (argument, value)));
     }
-    // The play of a test piece replaces that of its process: without one, it waits until one is chosen.
-    let has_process =
-        |(argument, value): &(&Argument, f64)| matches!(argument.place, ArgumentSlot::Process(_)) && *value > 0.0;
-    if !given.iter().any(has_process) {
-        given.retain(|(argument, _)| argument.name != "measured-play");
-    }
+    // What depends on another that is not given waits until it is.
+    let said: Vec<&str> =
+        given.iter().filter(|given| says_something(given)).map(|(argument, _)| argument.name).collect();
+    given.retain(|(argument, _)| argument.has_dependency(|name| said.contains(&name)));
     Ok(given)
+}
+
+/// Whether a control stands at something: of names, the entry that says nothing is none.
+fn says_something((argument, value): &(&Argument, f64)) -> bool {
+    match argument.place {
+        ArgumentSlot::Process(_) => *value > 0.0,
+        ArgumentSlot::Choice(choice) => *value as usize != choice.usual_entry(),
+        _ => true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{DESIGN, LiveArguments};
+    use geneva_ask::wheel::arguments;
+
+    #[test]
+    fn what_depends_on_another_control_waits_for_it() {
+        let command = |setting: &str| {
+            let arguments = LiveArguments::parse(setting).expect(setting);
+            DESIGN.answer_in_motion(&arguments).expect(setting).command.expect("a command")
+        };
+        let settings = [
+            ("measured-play", "measured-play=0.3", "measured-play=0.3&process=6"),
+            ("mouth-angle", "mouth-angle=30&mouth-radius=1", "mouth-angle=30&mouth-chamfer=1"),
+            ("lead-in-flare", "lead-in-flare=0.2", "lead-in-flare=0.2&lead-in=3"),
+        ];
+        for (name, waits, counts) in settings {
+            let option = format!("--{name} ");
+            assert!(!command(waits).contains(&option), "{waits}");
+            assert!(command(counts).contains(&option), "{counts}");
+        }
+        let depending = arguments().filter(|argument| argument.knob.is_some() && !argument.depends_on.is_empty());
+        assert_eq!(depending.map(|argument| argument.name).collect::<Vec<_>>(), settings.map(|(name, ..)| name));
+    }
 }

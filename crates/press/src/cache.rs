@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, SystemTime};
 use tempfile::NamedTempFile;
 
@@ -35,12 +35,14 @@ type Key = [u8; DIGEST];
 pub(crate) struct Shelf {
     /// Where it is kept between builds, if it is, and by which program.
     place: Option<(PathBuf, Key)>,
-    known: BTreeMap<Key, Entry>,
+    known: Arc<BTreeMap<Key, Entry>>,
     made: RefCell<BTreeMap<Key, Entry>>,
     used: RefCell<BTreeSet<Key>>,
     /// The entries that are being made, each with those that it has asked for.
     under_way: RefCell<Vec<Vec<Key>>>,
     is_complete: Cell<bool>,
+    /// Whether another shelf takes in what is made here, and keeps it.
+    is_branch: bool,
 }
 
 /// What was made, and the entries of the same shelf that were asked for on the way: they are kept with it.
@@ -66,6 +68,10 @@ impl Shelf {
 
     fn at(place: Option<(PathBuf, Key)>) -> Self {
         let known = place.as_ref().and_then(|(path, program)| read(path, program)).unwrap_or_default();
+        Self::knowing(Arc::new(known), place, false)
+    }
+
+    fn knowing(known: Arc<BTreeMap<Key, Entry>>, place: Option<(PathBuf, Key)>, is_branch: bool) -> Self {
         Self {
             place,
             known,
@@ -73,7 +79,19 @@ impl Shelf {
             used: RefCell::default(),
             under_way: RefCell::default(),
             is_complete: Cell::new(false),
+            is_branch,
         }
+    }
+
+    /// A shelf for another thread, with what earlier builds have made; see [`Shelf::take_in`].
+    pub(crate) fn branch(&self) -> Self {
+        Self::knowing(Arc::clone(&self.known), self.place.clone(), true)
+    }
+
+    /// Takes in what a branch has made and asked for. What none takes in is made again next time.
+    pub(crate) fn take_in(&self, branch: Self) {
+        self.made.borrow_mut().append(&mut branch.made.borrow_mut());
+        self.used.borrow_mut().append(&mut branch.used.borrow_mut());
     }
 
     /// The texts that are made from these parts, which must be all that they are made from besides the program. `what` says
@@ -135,8 +153,8 @@ impl Shelf {
 impl Drop for Shelf {
     fn drop(&mut self) {
         let made = std::mem::take(&mut *self.made.borrow_mut());
-        let Some((path, program)) = self.place.as_ref().filter(|_| !made.is_empty()) else { return };
-        let mut kept = std::mem::take(&mut self.known);
+        let Some((path, program)) = self.place.as_ref().filter(|_| !made.is_empty() && !self.is_branch) else { return };
+        let mut kept = Arc::unwrap_or_clone(std::mem::take(&mut self.known));
         kept.extend(made);
         if self.is_complete.get() {
             kept.retain(|key, _| self.used.borrow().contains(key));

@@ -1,6 +1,6 @@
 //! The modules that answer the pages: compiled for WebAssembly, packed as text in a script.
 
-use crate::book::{Book, LaterModule, PageModule};
+use crate::book::{Book, PageModule};
 use crate::cache::{Shelf, digest};
 use crate::data::{FOLDER, PageFile};
 use crate::seven_bits::seven_bits;
@@ -8,6 +8,7 @@ use std::fs;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Mutex;
 use zopfli::{Format, Options};
 
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
@@ -30,54 +31,62 @@ pub(crate) fn is_own_attribute(book: &Book, name: &str) -> bool {
     book.modules.iter().flat_map(|module| module.attributes).any(|own| name.starts_with(own))
 }
 
-/// Puts into each page what loads the module that it asks for, and gives the scripts: the controls, and the module as text,
-/// made from the workspace `root`.
+/// A module and those that its controls load later, as text, or why they cannot be made.
+pub(crate) type PackedModules = Result<Vec<String>, String>;
+
+/// The modules of a book, made from the workspace `root`.
+pub(crate) fn packed_modules(book: &Book, root: &Path, shelf: &Shelf) -> Vec<PackedModules> {
+    let of_one = |module: &PageModule| {
+        let own = (module.package, module.folder);
+        let all = std::iter::once(own).chain(module.later.iter().map(|later| (later.package, later.folder)));
+        all.map(|(package, folder)| packed(&compiled(package, folder, root)?, shelf)).collect()
+    };
+    book.modules.iter().map(of_one).collect()
+}
+
+/// Puts into each page what loads the module that it asks for, and gives the scripts: the controls, and the module as text.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
 pub(crate) fn load_into_pages(
     book: &Book,
     pages: &mut dyn Iterator<Item = &mut String>,
-    root: &Path,
-    shelf: &Shelf,
-) -> anyhow::Result<Vec<PageFile>> {
+    packed: Vec<PackedModules>,
+) -> Vec<PageFile> {
     let mut pages: Vec<&mut String> = pages.collect();
     let mut files = Vec::new();
-    for module in book.modules {
+    for (module, packed) in book.modules.iter().zip(packed) {
         let attribute = format!(" {}=\"", module.asking());
         let mut asking = pages.iter_mut().filter(|page| page.contains(&attribute)).peekable();
         if asking.peek().is_none() {
             continue;
         }
-        match compiled_with_later(module, root) {
-            Ok((compiled, later)) => {
+        match packed {
+            Ok(with_later) => {
                 asking.for_each(|page| **page = with_scripts(module, page));
-                files.extend(scripts(module, &compiled, shelf)?);
-                for (of, compiled) in module.later.iter().zip(&later) {
-                    files.push(module_file(of.name, compiled, shelf)?);
-                }
+                files.extend(scripts(module));
+                let names = std::iter::once(module.name).chain(module.later.iter().map(|later| later.name));
+                files.extend(names.zip(with_later).map(|(name, packed)| module_file(name, &packed)));
             }
             Err(why) => eprintln!("What `{}` makes live stands still in this book: {why}", module.package),
         }
     }
-    Ok(files)
+    files
 }
 
 fn style_path(module: &PageModule) -> String {
     format!("{FOLDER}/{}.css", module.name)
 }
 
-fn scripts(module: &PageModule, compiled: &[u8], shelf: &Shelf) -> anyhow::Result<[PageFile; 3]> {
-    Ok([
+fn scripts(module: &PageModule) -> [PageFile; 2] {
+    [
         PageFile::text_file(&format!("{}.js", module.name), format!("{THREAD}{}", module.script)),
         PageFile::text_file(&format!("{}.css", module.name), module.style.to_owned()),
-        module_file(module.name, compiled, shelf)?,
-    ])
+    ]
 }
 
-/// The script that holds a module as text.
-fn module_file(name: &str, compiled: &[u8], shelf: &Shelf) -> anyhow::Result<PageFile> {
-    let packed = packed(compiled, shelf)?;
-    Ok(PageFile::text_file(&format!("{name}-module.js"), format!("genevaModule('{packed}');\n")))
+/// The script that holds a packed module as text.
+fn module_file(name: &str, packed: &str) -> PageFile {
+    PageFile::text_file(&format!("{name}-module.js"), format!("genevaModule('{packed}');\n"))
 }
 
 /// A page with what it must load; the module comes later, when it is needed.
@@ -90,20 +99,13 @@ fn with_scripts(module: &PageModule, content: &str) -> String {
 }
 
 /// A module as text.
-pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> anyhow::Result<String> {
+pub(crate) fn packed(module: &[u8], shelf: &Shelf) -> Result<String, String> {
     let pack = || {
         let (mut packed, options) = (Vec::new(), Options { iteration_count: TRIES, ..Options::default() });
         zopfli::compress(options, Format::Deflate, module, &mut packed)?;
         Ok(seven_bits(&packed))
     };
-    shelf.text("module", &[&digest(module)], pack)
-}
-
-/// A compiled module, and those that its controls load later.
-fn compiled_with_later(module: &PageModule, root: &Path) -> Result<(Vec<u8>, Vec<Vec<u8>>), String> {
-    let own = compiled(module.package, module.folder, root)?;
-    let later = module.later.iter().map(|LaterModule { package, folder, .. }| compiled(package, folder, root));
-    Ok((own, later.collect::<Result<_, _>>()?))
+    shelf.text("module", &[&digest(module)], pack).map_err(|error| format!("{error:#}"))
 }
 
 /// The compiled module of a package in this folder among the crates.
@@ -182,8 +184,10 @@ fn compile(of: &Compilation<'_>) -> Result<(), String> {
     Err(format!("{line}; `rustup target add {TARGET}` may mend it"))
 }
 
-/// Lets rustup add the target; whether it could.
+/// Lets rustup add the target; whether it could. Modules that are compiled side by side ask one after the other.
 fn is_target_added(root: &Path) -> bool {
+    static ASKING: Mutex<()> = Mutex::new(());
+    let _asking = ASKING.lock();
     let mut rustup = Command::new("rustup");
     rustup.current_dir(root).args(["target", "add", TARGET]).stdin(Stdio::null());
     rustup.output().is_ok_and(|output| output.status.success())
@@ -202,13 +206,16 @@ mod tests {
     #[test]
     fn a_folder_without_the_program_gets_still_figures_and_a_reason() {
         let folder = tempfile::TempDir::new().expect("a folder");
-        for module in BOOK.modules {
-            let why = compiled_with_later(module, folder.path()).expect_err("nothing to compile");
+        let modules = packed_modules(&BOOK, folder.path(), &Shelf::empty());
+        assert_eq!(modules.len(), BOOK.modules.len());
+        for module in &modules {
+            let why = module.as_ref().expect_err("nothing to compile");
             assert!(why.contains("does not hold their program"), "{why}");
+        }
+        for module in BOOK.modules {
             let mut page = format!("<p {}=\"\"></p>", module.asking());
             let still = page.clone();
-            let files = load_into_pages(&BOOK, &mut std::iter::once(&mut page), folder.path(), &Shelf::empty());
-            assert!(files.expect("a still figure").is_empty());
+            assert!(load_into_pages(&BOOK, &mut std::iter::once(&mut page), modules.clone()).is_empty());
             assert_eq!(page, still);
         }
     }

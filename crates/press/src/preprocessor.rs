@@ -13,7 +13,10 @@ use anyhow::ensure;
 use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{MDBOOK_VERSION, Preprocessor, PreprocessorContext};
+use std::num::NonZero;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 /// The renderers for which a book is made in its own way: pages, and tests of its programs.
 const PAGES: &str = "html";
@@ -95,24 +98,44 @@ impl Preprocessor for Press {
             chapters.chapters().map(|chapter| (ChapterPlace::of(chapter).name, chapter.name.clone())).collect();
         let footer = citing::footer(book, &edition, address::known(&book.imprint).as_ref());
         let listed = page_items::listed(&items);
-        let mut files = Vec::new();
+        let mut texts = Vec::new();
         let mut written = written.into_iter();
         chapters.for_each_chapter_mut(|chapter| {
-            let place = ChapterPlace::of(chapter);
-            let beside = neighbours(&titles, &place.name);
+            let content = std::mem::take(&mut chapter.content);
             let written = written.next().unwrap_or_default();
-            let context = place.context(book, &edition, &written);
-            let made = expanded(&shelf, &chapter.content, context, &items, &listed);
-            match made {
-                Ok((content, led_to)) => {
-                    chapter.content = match is_page {
-                        true => content + &beside + &footer,
-                        false => still::markdown(book, &content),
-                    };
-                    files.extend(led_to);
-                }
-                Err(error) => errors.push(located(chapter, &error)),
+            texts.push(ChapterText { place: ChapterPlace::of(chapter), content, written });
+        });
+        let expand = |text: &ChapterText, shelf: &Shelf| {
+            expanded(shelf, &text.content, text.place.context(book, &edition, &text.written), &items, &listed)
+        };
+        let chapters_of = |shelf: &Shelf| in_threads(shelf, &texts, &expand);
+        let has_modules = is_page && errors.is_empty();
+        let (made, modules) = if has_modules {
+            // Cargo takes a lock for each profile, so that modules of two profiles are compiled side by side.
+            let [figures, checks] = [shelf.branch(), shelf.branch()];
+            let (made, figures, checks) = thread::scope(|scope| {
+                let figures = scope.spawn(move || (modules::packed_modules(book, root, &figures), figures));
+                let checks = scope.spawn(move || (verify::packed_checks(book, root, &checks), checks));
+                (chapters_of(&shelf), joined(figures.join()), joined(checks.join()))
+            });
+            shelf.take_in(figures.1);
+            shelf.take_in(checks.1);
+            (made, Some((figures.0, checks.0)))
+        } else {
+            (chapters_of(&shelf), None)
+        };
+        let mut files = Vec::new();
+        let mut made = texts.iter().zip(made);
+        chapters.for_each_chapter_mut(|chapter| match made.next() {
+            Some((text, Ok((content, led_to)))) => {
+                chapter.content = match is_page {
+                    true => content + &neighbours(&titles, &text.place.name) + &footer,
+                    false => still::markdown(book, &content),
+                };
+                files.extend(led_to);
             }
+            Some((_, Err(error))) => errors.push(located(chapter, &error)),
+            None => {}
         });
         ensure!(errors.is_empty(), "{}", errors.join("\n"));
         // Every verdict is derived for the records, so a book has them only if it leads to them.
@@ -120,11 +143,11 @@ impl Preprocessor for Press {
             files.extend(record_files::of_edition(book, &edition, &shelf)?);
             files.extend(data::recall(&shelf, "details", &[], || Ok(ledger::files(book)?.into()))?);
         }
-        if is_page {
+        if let Some((figures, checks)) = modules {
             let mut contents = Vec::new();
             chapters.for_each_chapter_mut(|chapter| contents.push(std::mem::take(&mut chapter.content)));
-            files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
-            files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), root, &shelf)?);
+            files.extend(modules::load_into_pages(book, &mut contents.iter_mut(), figures));
+            files.extend(verify::load_into_pages(book, &mut contents.iter_mut(), checks, &shelf)?);
             let mut contents = contents.into_iter();
             chapters.for_each_chapter_mut(|chapter| chapter.content = contents.next().unwrap_or_default());
         }
@@ -139,15 +162,55 @@ impl Preprocessor for Press {
     }
 }
 
+/// A chapter's text with formulas set, and as it was written.
+struct ChapterText {
+    place: ChapterPlace,
+    content: String,
+    written: String,
+}
+
+/// A chapter without placeholders, with the files to which it leads.
+type Expanded = Result<(String, Vec<PageFile>)>;
+
+/// What becomes of each text, in their order. The threads take the next text in turn, and the shelf takes in what each has made.
+fn in_threads(
+    shelf: &Shelf,
+    texts: &[ChapterText],
+    expand: &(dyn Fn(&ChapterText, &Shelf) -> Expanded + Sync),
+) -> Vec<Expanded> {
+    let next = AtomicUsize::new(0);
+    let work = |branch: Shelf| {
+        let mut made = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(text) = texts.get(at) else { return (made, branch) };
+            made.push((at, expand(text, &branch)));
+        }
+    };
+    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(texts.len());
+    let mut all: Vec<_> = thread::scope(|scope| {
+        let branches = (0..threads).map(|_| shelf.branch()).collect::<Vec<_>>();
+        let at_work: Vec<_> = branches.into_iter().map(|branch| scope.spawn(|| work(branch))).collect();
+        let mut all = Vec::new();
+        for done in at_work {
+            let (made, branch) = joined(done.join());
+            shelf.take_in(branch);
+            all.extend(made);
+        }
+        all
+    });
+    all.sort_by_key(|(at, _)| *at);
+    all.into_iter().map(|(_, made)| made).collect()
+}
+
+/// What a thread has made; its panic goes on in this one.
+fn joined<T>(done: thread::Result<T>) -> T {
+    done.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
+
 /// A chapter without placeholders, and the files to which it leads. Unless it says so itself, it is the same in every edition;
 /// only the descriptions of its files name the edition.
-fn expanded(
-    shelf: &Shelf,
-    chapter: &str,
-    page: ChapterContext<'_>,
-    items: &[PageItem],
-    listed: &str,
-) -> Result<(String, Vec<PageFile>)> {
+fn expanded(shelf: &Shelf, chapter: &str, page: ChapterContext<'_>, items: &[PageItem], listed: &str) -> Expanded {
     const ANY: Edition = Edition::without_commit(SIGN);
     let is_dated = placeholders::is_dated(page.book, chapter);
     let edition = if is_dated { page.edition } else { &ANY };

@@ -27,21 +27,30 @@ const LIBRARY: [(&str, &str); 2] =
 /// What is in a page that asks for the script: a claim's note, the list of all claims, a prepared check.
 const ASKING: [&str; 3] = ["class=\"note\" id=\"note-", "<ul class=\"claims\"", " data-verify"];
 
-/// Puts the script into each page that has something to check, and gives the files that it loads, made from the workspace `root`.
+/// The checks of a book's ledger as text, made from the workspace `root`, or why they cannot be made; none if the book names no crate
+/// with a ledger.
+pub(crate) fn packed_checks(book: &Book, root: &Path, shelf: &Shelf) -> Option<Result<String, String>> {
+    let of = book.ledger_crate?;
+    let compiled = compiled(&of, root).map_err(|why| format!("{why:#}"));
+    Some(compiled.and_then(|module| modules::packed(&module, shelf)))
+}
+
+/// Puts the script into each page that has something to check, and gives the files that it loads.
 ///
 /// A module that cannot be made is left out, with the reason on standard error: the book is whole without it.
 pub(crate) fn load_into_pages(
     book: &Book,
     pages: &mut dyn Iterator<Item = &mut String>,
-    root: &Path,
+    packed: Option<Result<String, String>>,
     shelf: &Shelf,
 ) -> anyhow::Result<Vec<PageFile>> {
     let asking: Vec<&mut String> = pages.filter(|page| ASKING.iter().any(|part| page.contains(part))).collect();
-    let Some(of) = book.ledger_crate.filter(|_| !asking.is_empty()) else { return Ok(Vec::new()) };
-    let packed = match compiled(&of, root) {
-        Ok(module) => modules::packed(&module, shelf)?,
+    let checks = book.ledger_crate.zip(packed).filter(|_| !asking.is_empty());
+    let Some((of, packed)) = checks else { return Ok(Vec::new()) };
+    let packed = match packed {
+        Ok(packed) => packed,
         Err(why) => {
-            eprintln!("No claim can be checked in the pages of this book: {why:#}");
+            eprintln!("No claim can be checked in the pages of this book: {why}");
             return Ok(Vec::new());
         }
     };

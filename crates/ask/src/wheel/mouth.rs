@@ -50,13 +50,12 @@ pub(super) fn check_mouth(question: &WheelQuestion) -> Result<(), Error> {
         let (first, second) = (as_typed(first), as_typed(second));
         return Err(refused!("--{one} {first} and --{other} {second}: a mouth has one shape; give one of them"));
     }
-    let is_without = mouth_shapes(question).iter().all(|(_, size)| size.is_none());
-    let details =
-        [("mouth-angle", question.mouth_angle, "mouth-chamfer"), ("lead-in-flare", question.lead_in_flare, "lead-in")];
-    match details.iter().find_map(|(name, size, of)| Some((name, (*size)?, of))) {
-        Some((name, size, of)) if is_without => {
-            Err(refused!("--{name} {} has no effect without --{of}; give --{of} MM", as_typed(size)))
+    let is_given = |name: &str| mouth_arguments().any(|of| of.name == name && question.number(of).is_some());
+    let alone = mouth_arguments().find_map(|of| Some((of, question.number(of)?, of.missing_dependency(is_given)?)));
+    match alone {
+        Some((Argument { name, .. }, size, without)) => {
+            Err(refused!("--{name} {} has no effect {without}", as_typed(size)))
         }
-        _ => Ok(()),
+        None => Ok(()),
     }
 }

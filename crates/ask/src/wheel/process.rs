@@ -148,8 +148,7 @@ pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
     let interval = found.map(|found| found.interval());
     let for_certain = if is_internal { "for certain " } else { "" };
     let varied = if is_internal {
-        "at most, likewise; more may turn, as the ring counts as if all its slots and arcs were as the worst of them, and as if it could \
-         not be pushed aside. Width and end of a slot, pin, crank radius and axes vary by the error of a size; radii and places by half of it"
+        "at most, likewise. Those count for which a clear way to turn is found; more may turn. Width and end of a slot, pin, crank radius and axes vary by the error of a size; radii and places by half of it"
     } else {
         "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
          the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns"

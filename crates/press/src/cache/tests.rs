@@ -164,3 +164,22 @@ fn the_running_program_has_one_name() {
     let own = fs::read(std::env::current_exe().expect("a path")).expect("a program");
     assert_eq!(hexadecimal(&name), digest(&own));
 }
+
+#[test]
+fn what_a_branch_has_made_is_kept_if_it_is_taken_in() {
+    let (target, _) = kept(&["four", "longer"]);
+    let all = shelf(&target, PROGRAM);
+    let [taken, lost] = [all.branch(), all.branch()];
+    assert_eq!(length(&taken, "four"), ("4".to_owned(), false));
+    assert!(length(&taken, "fives").1 && length(&lost, "sixsix").1 && length(&all, "seventh").1);
+    drop(lost);
+    all.take_in(taken);
+    assert_eq!(length(&all, "fives"), ("5".to_owned(), false));
+    all.complete();
+    drop(all);
+    let again = shelf(&target, PROGRAM);
+    let is_made = |text: &str| length(&again, text).1;
+    assert_eq!(["four", "fives", "seventh"].map(is_made), [false; 3]);
+    // Nobody has taken in the one, or asked for the other.
+    assert_eq!(["sixsix", "longer"].map(is_made), [true; 2]);
+}

@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Argument] = &[
         &[Parts],
         "Least play in millimetres with which the pin ran on the test piece of --process: its plays and errors then come from there",
     )
+    .depending_on(&["process"])
     .with_knob(Knob::follows("play with which a printed pin runs", "mm", [0.05, 1.0], 0.05, "measured_play").typed([0.001, 10.0])),
     Argument::new(
         "pin-diameter",
@@ -127,6 +128,7 @@ pub(super) const ROWS: &[Argument] = &[
         "Angle of the chamfer to the wall of the slot, in degrees, less than 90; the flatter it is, the softer is the blow on \
          it [default: 45]",
     )
+    .depending_on(&["mouth-chamfer"])
     .with_knob(Knob::follows("angle of the chamfer", "°", [2.0, 80.0], 1.0, "mouth_angle_deg").typed([0.1, 89.9])),
     Argument::new(
         "mouth-radius",
@@ -154,6 +156,7 @@ pub(super) const ROWS: &[Argument] = &[
         &[Parts],
         "How far a lead-in has left the wall at the wheel radius, in millimetres [default: a tenth of --lead-in]",
     )
+    .depending_on(&["lead-in"])
     .with_knob(Knob::follows("flare of the lead-in", "mm", [0.05, 2.0], 0.05, "lead_in_flare_mm").typed([0.001, 1000.0])),
     Argument::new(
         "wheel-shaft",

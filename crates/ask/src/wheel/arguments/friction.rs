@@ -24,7 +24,7 @@ pub(super) const ROWS: &[Argument] = &[
         "bearing-friction",
         "MU",
         ArgumentSlot::ZeroOrMore(|question| &mut question.bearing_friction),
-        &[Motion, Load],
+        &[Motion, Load, Parts],
         "Coefficient of friction of the bearings of wheel and driver, zero or more, under the force of the pin; give \
          --wheel-bearing and --driver-bearing with it, unless the shafts are given [default: 0]",
     ),
@@ -34,14 +34,16 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::Length(|question| &mut question.wheel_bearing),
         &[Motion, Load],
         "Diameter at which the wheel's bearing rubs, in millimetres [default: that of --wheel-shaft]",
-    ),
+    )
+    .depending_on(&["bearing-friction"]),
     Argument::new(
         "driver-bearing",
         "MM",
         ArgumentSlot::Length(|question| &mut question.driver_bearing),
         &[Motion, Load],
         "Diameter at which the driver's bearing rubs, in millimetres [default: that of --plate-shaft, or else of --driver-shaft]",
-    ),
+    )
+    .depending_on(&["bearing-friction"]),
     Argument::new(
         "driver-friction",
         "NM",

@@ -30,6 +30,8 @@ pub struct Argument {
     pub place: ArgumentSlot,
     /// What it acts on: without that, it has no effect. Some act on all that is said of a wheel.
     pub acts_on: &'static [ActsOn],
+    /// Names of arguments of which one must be given for it to have an effect; nothing for one that depends on no other.
+    pub depends_on: &'static [&'static str],
     /// What it means, with its range and what it is by default.
     pub help: &'static str,
     /// How a page moves it; none if no page has it.
@@ -187,7 +189,37 @@ impl Argument {
         acts_on: &'static [ActsOn],
         help: &'static str,
     ) -> Self {
-        Self { name, unit, place, acts_on, help, knob: None }
+        Self { name, unit, place, acts_on, depends_on: &[], help, knob: None }
+    }
+
+    /// The argument that has an effect only beside one of these.
+    const fn depending_on(self, depends_on: &'static [&'static str]) -> Self {
+        Self { depends_on, ..self }
+    }
+
+    /// What is missing for it to have an effect, as the end of a sentence; none where it depends on no other argument, or where one of
+    /// those is given. `is_given` says of a name whether that is.
+    ///
+    /// ```
+    /// use geneva_ask::wheel::arguments;
+    ///
+    /// let of = |name| arguments().find(|argument| argument.name == name).expect("an argument");
+    /// let missing = of("measured-play").missing_dependency(|_| false);
+    /// assert_eq!(missing.as_deref(), Some("without --process; add that"));
+    /// assert_eq!(of("measured-play").missing_dependency(|name| name == "process"), None);
+    /// assert_eq!(of("play").missing_dependency(|_| false), None);
+    /// ```
+    pub fn missing_dependency(&self, is_given: impl Fn(&str) -> bool) -> Option<String> {
+        if self.has_dependency(is_given) {
+            return None;
+        }
+        let add = if self.depends_on.len() > 1 { "one of them" } else { "that" };
+        Some(format!("without --{}; add {add}", self.depends_on.join(" or --")))
+    }
+
+    /// Whether it depends on no other argument, or one of those is given; `is_given` says of a name whether that is.
+    pub fn has_dependency(&self, is_given: impl Fn(&str) -> bool) -> bool {
+        self.depends_on.is_empty() || self.depends_on.iter().any(|name| is_given(name))
     }
 
     /// The argument with a control on the page.
@@ -220,5 +252,31 @@ impl Knob {
     /// The control with the field that says where it stands while another of its group is given.
     const fn told_by(self, key: &'static str) -> Self {
         Self { key, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::arguments;
+
+    #[test]
+    fn each_argument_on_which_one_depends_is_another_that_is_there() {
+        let mut depending = 0;
+        for argument in arguments() {
+            for on in argument.depends_on {
+                assert!(*on != argument.name && arguments().any(|other| other.name == *on), "{}: {on}", argument.name);
+            }
+            depending += usize::from(!argument.depends_on.is_empty());
+        }
+        assert!(depending >= 10, "{depending}");
+    }
+
+    #[test]
+    fn what_is_missing_is_one_argument_or_one_of_several() {
+        let of = |name| arguments().find(|argument| argument.name == name).expect("an argument");
+        let pressure = of("pin-modulus").missing_dependency(|_| false);
+        let any = "without --arm-torque or --rpm or --rad-s or --index-time or --dwell-time; add one of them";
+        assert_eq!(pressure.as_deref(), Some(any));
+        assert_eq!(of("pin-modulus").missing_dependency(|name| name == "index-time"), None);
     }
 }

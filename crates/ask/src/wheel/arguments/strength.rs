@@ -3,6 +3,9 @@
 use super::ActsOn::{Load, Motion, Parts};
 use super::{Argument, ArgumentSlot};
 
+/// What gives a force on the pin: an overload, or a speed.
+const FORCE: &[&str] = &["arm-torque", "rpm", "rad-s", "index-time", "dwell-time"];
+
 pub(super) const ROWS: &[Argument] = &[
     Argument::new(
         "arm-torque",
@@ -34,7 +37,8 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::AboveZero(|question| &mut question.drive_torque),
         &[Motion, Load],
         "Constant torque on the driver, in N m, above zero: with --driver-inertia it adds the time of a start in mid-index",
-    ),
+    )
+    .depending_on(&["driver-inertia"]),
     Argument::new(
         "gear-ratio",
         "I",
@@ -48,14 +52,16 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::AboveZero(|question| &mut question.pin_modulus),
         &[Parts],
         "Modulus of elasticity of the pins, in GPa [default: that of their material]",
-    ),
+    )
+    .depending_on(FORCE),
     Argument::new(
         "pin-poisson",
         "NU",
         ArgumentSlot::ZeroOrMore(|question| &mut question.pin_poisson),
         &[Parts],
         "Poisson's ratio of the pins, from 0 to 0.5 [default: that of their material]",
-    ),
+    )
+    .depending_on(FORCE),
     Argument::new(
         "pin-strength",
         "MPA",
@@ -69,14 +75,16 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::AboveZero(|question| &mut question.wheel_modulus),
         &[Parts],
         "Modulus of elasticity of the wheel, in GPa [default: that of its material]",
-    ),
+    )
+    .depending_on(FORCE),
     Argument::new(
         "wheel-poisson",
         "NU",
         ArgumentSlot::ZeroOrMore(|question| &mut question.wheel_poisson),
         &[Parts],
         "Poisson's ratio of the wheel, from 0 to 0.5 [default: that of its material]",
-    ),
+    )
+    .depending_on(FORCE),
     Argument::new(
         "wheel-strength",
         "MPA",
