@@ -348,6 +348,10 @@ fn dollar_signs_in_the_columns_of_a_table_are_no_formulas() {
 fn brackets_may_be_those_of_integer_parts_and_orders_of_elements() {
     for [right, wrong] in [
         ["By the greatest integer function, $[-1.4] + [0.8] = -2 + 0$.", "In all, $[-1.4] + [0.8] = -2 + 0$."],
+        [
+            "By the greatest integer function it is so. And $(49,000)(1,200) = 58,800,000$.",
+            "By the greatest integer function it is so. And $(49,000)(1,200) = 49,000$.",
+        ],
         ["The least integer function gives $[2.27) + [0.63) = 3 + 1$.", "It is $[2.27] + [0.63] = 3 + 1$."],
         [r"In $(\mathbb Z/20)^\times$ it is $|-9| = 2$.", r"Of course it is $|-9| + 0.5 = 2.5$."],
     ] {
