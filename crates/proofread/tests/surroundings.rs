@@ -422,6 +422,8 @@ fn rounded_terms_change_the_last_digit_of_a_sum() {
     ] {
         assert!(!listed(right) && listed(wrong), "{right} {wrong}");
     }
+    // What was rounded up does not end in a five.
+    assert!(listed("$1 - 0.9294 = 0.0707$"));
     // A few terms of two decimals add up to theirs.
     assert!(listed("$12.34 + 5.67 = 18.02$"));
 }

@@ -1,5 +1,6 @@
 //! What digits that were lost on the way explain: rounded steps, results that are cut off, a last digit that differs.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::step_rounding::significant_digits;
 use crate::evaluate::value::SideValue;
 use crate::token::{Token, TokenKind, any};
@@ -48,8 +49,22 @@ pub(super) fn may_have_rounded_terms(side: &[Token], computed: &SideValue, print
     terms.sort_unstable();
     let numbers = side.iter().filter(|token| token.number().is_some()).count();
     let subtracts = side.iter().any(|token| token.is_sign('-'));
-    let is_of_half =
-        || matches!(terms.as_slice(), [one] if *one >= MANY_DECIMALS) && numbers == 2 && subtracts && excess > 0.0;
+    // The five is the last digit of some part of a power of two.
+    let ends_in_five = |token: &Token| {
+        let value = token.number().and_then(parse_decimal).zip(decimals(token));
+        value.is_some_and(|(value, places)| {
+            let exact = value - 0.5 * libm::exp10(-(places as f64));
+            let parts = exact * libm::exp2(places as f64 + 1.0);
+            (parts - libm::round(parts)).abs() < 1e-6
+        })
+    };
+    let is_of_half = || {
+        matches!(terms.as_slice(), [one] if *one >= MANY_DECIMALS)
+            && numbers == 2
+            && subtracts
+            && excess > 0.0
+            && side.iter().any(ends_in_five)
+    };
     terms.len() >= MANY_TERMS || is_of_half()
 }
 
