@@ -1,6 +1,7 @@
 //! The token tree that every reader makes, with the place of each token in the text.
 
 use crate::effort;
+use crate::unit::COUNTED;
 
 /// A stretch of the text that was read, in bytes from its start.
 ///
@@ -448,7 +449,7 @@ fn show_into(tokens: &[Token], out: &mut String) {
                 if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
                     out.push(' ');
                 }
-                out.push_str(text);
+                out.push_str(text.trim_start_matches(COUNTED));
             }
             TokenKind::Function(function) => {
                 out.push_str(if out.ends_with(['(', '/', '√']) { "" } else { " " });

@@ -277,3 +277,205 @@ fn a_line_that_ends_in_a_document_by_openstax_ends_for_its_arithmetic() {
     let paragraph = |line: &str| format!("<para>Mean = 0.12 mm\n<newline/>{line}\n<newline/>as above</para>");
     assert_told_apart(&paragraph("0.12 mm x 60 = 7.2 mm"), &paragraph("0.12 mm x 60 = 8.2 mm"), TextFormat::Xml);
 }
+
+#[test]
+fn products_and_quotients_of_italic_letters_are_units() {
+    for [right, wrong] in [
+        ["$c = 2.5/0.0125 = 200 m/s$", "$c = 2.5/0.0125 = 300 m/s$"],
+        [
+            r"$c_1 = \frac{m}{A_1\rho_1} = 2.5/0.01227 = 203.7m/s$",
+            r"$c_1 = \frac{m}{A_1\rho_1} = 2.5/0.01827 = 203.7m/s$",
+        ],
+        [r"$Q_w = 4kg/s/1000 kg/m^3 = 0.004m^3/s$", r"$Q_w = 4kg/s/1000 kg/m^3 = 8.004m^3/s$"],
+        [r"$Q_{air} = 30 m/s\times 0.2m^2 = 6m^3/s$", r"$Q_{air} = 90 m/s\times 0.2m^2 = 6m^3/s$"],
+        [
+            r"$$m = 2.0 \space kg + 3.0 \space kg = 5.0 \space kg$$",
+            r"$$m = 2.0 \space kg + 3.0 \space kg = 6.0 \space kg$$",
+        ],
+        [r"$I R = 20A (5m\Omega) = 100mV$", r"$I R = 20A (5m\Omega) = 200mV$"],
+        [
+            r"$P = 10 \space bar \times \frac{100,000 \space Pa}{1 \space bar} = 1,000,000 \space Pa$",
+            r"$P = 10 \space bar \times \frac{100,000 \space Pa}{1 \space bar} = 1,200,000 \space Pa$",
+        ],
+        [r"$F = 65\,kg \cdot 9.81\,\frac{m}{s^2} = 638\,N$", r"$F = 65\,kg \cdot 9.81\,\frac{m}{s^2} = 738\,N$"],
+        [
+            r"$w = -0.987 atm (+2 \space L) = -1.974 \space L \space atm$",
+            r"$w = -0.987 atm (+2 \space L) = -1.874 \space L \space atm$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+        assert_compared(right, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn italic_letters_that_give_other_dimensions_are_no_units() {
+    for text in [
+        "$4.2N - 1.2N = (0.05m - 0.02m)m$",
+        "$(2l+1) = 2(3)+1$",
+        "$100 = 5J + 10N$",
+        r"$4000\,kg \cdot 2\,m = 7\,J$",
+        r"$\frac{\pi - 0.3239}{8\pi}T = 0.4484\,T$",
+        r"$3A + 5m/s = 7m/s$",
+    ] {
+        let report = report(text, TextFormat::Markdown);
+        assert_eq!((report.tally.pairs, report.findings.len()), (0, 0), "{text}");
+    }
+}
+
+#[test]
+fn numbers_that_differ_are_no_matter_of_units() {
+    // What a difference leaves open has zero in it, so that it agrees with anything times a large enough factor.
+    for [right, wrong] in [
+        [r"$\frac{481.1 - 5(9.8)^2}{4} = 0.225$", r"$\frac{481.1 - 5(9.8)^2}{4} = 9.3$"],
+        [r"$\frac{32.1-2(4.0)^2}{4} = 0.025$", r"$\frac{32.1-2(4.0)^2}{4} = 7.0$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn dollar_signs_in_the_columns_of_a_table_are_no_formulas() {
+    for table in [r"tabular}{>{$}c<{$}}", r"tabular}[t]{|>{$}r<{$}|l|}", r"tabularx}{\textwidth}{>{$}c<{$}X}"] {
+        let name = table.split('}').next().unwrap_or_default();
+        let text = |sum: &str| format!("\\begin{{{table}\n a & b\n\\end{{{name}}} It is ${sum}$ there.");
+        assert_told_apart(&text("2+2=4"), &text("2+2=5"), TextFormat::Latex);
+        assert_compared(&text("2+2=4"), TextFormat::Latex);
+    }
+}
+
+#[test]
+fn brackets_may_be_those_of_integer_parts_and_orders_of_elements() {
+    for [right, wrong] in [
+        ["By the greatest integer function, $[-1.4] + [0.8] = -2 + 0$.", "In all, $[-1.4] + [0.8] = -2 + 0$."],
+        [
+            "By the greatest integer function it is so. And $(49,000)(1,200) = 58,800,000$.",
+            "By the greatest integer function it is so. And $(49,000)(1,200) = 49,000$.",
+        ],
+        ["The least integer function gives $[2.27) + [0.63) = 3 + 1$.", "It is $[2.27] + [0.63] = 3 + 1$."],
+        [r"In $(\mathbb Z/20)^\times$ it is $|-9| = 2$.", r"Of course it is $|-9| + 0.5 = 2.5$."],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn two_pairs_in_a_product_are_no_decimals() {
+    let right = r"It is $(0,3)\cdot(1/2,5) = 0 + 15 = 15$.";
+    let wrong = r"It is $(0.3)\cdot(1/2.5) = 0 + 15 = 15$.";
+    assert_told_apart(right, wrong, TextFormat::Markdown);
+    assert_told_apart(right, &right.replace("15 = 15", "15 = 16"), TextFormat::Markdown);
+}
+
+#[test]
+fn a_factor_of_degrees_stands_before_an_angle_in_radians() {
+    for [right, wrong] in [
+        [
+            r"$360^\circ - \frac{180}{\pi}\tan^{-1}(3/4) \approx 323^\circ$",
+            r"$360^\circ - \frac{180}{\pi}\tan^{-1}(3/4) \approx 333^\circ$",
+        ],
+        [r"$90^\circ + \frac{180}{\pi}\arctan(1) = 135^\circ$", r"$90^\circ + \frac{180}{\pi}\arctan(1) = 145^\circ$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_logarithm_with_a_capital_has_its_base_behind_it() {
+    assert_told_apart("Log10(1,000) = 3", "Log10(1,000) = 4", TextFormat::Plain);
+    assert_told_apart("Log2(32) = 5", "Log2(32) = 6", TextFormat::Plain);
+}
+
+#[test]
+fn a_number_and_a_word_with_a_hyphen_are_one_word() {
+    assert_told_apart(
+        r"$\text{3-day rate} = 1.000695 - 1 = 0.000695$",
+        r"$\text{3-day rate} = 1.000695 - 1 = 0.000795$",
+        TextFormat::Markdown,
+    );
+    assert_told_apart(r"$\text{5-2} = 3$", r"$\text{5-2} = 4$", TextFormat::Markdown);
+}
+
+#[test]
+fn a_letter_behind_a_power_of_two_is_one_of_binary_sizes() {
+    assert_told_apart("2^37 = 2^7 G", "2^37 = 2^8", TextFormat::Plain);
+}
+
+#[test]
+fn a_result_with_decimals_and_a_power_of_ten_is_rounded() {
+    assert_told_apart(
+        r"$\frac{(0.15)^2}{(0.025)^3} = 1.4\times10^3$",
+        r"$\frac{(0.15)^2}{(0.025)^3} = 1.6\times10^3$",
+        TextFormat::Markdown,
+    );
+}
+
+#[test]
+fn rounded_terms_change_the_last_digit_of_a_sum() {
+    let listed = |text: &str| {
+        let found = report(text, TextFormat::Markdown).findings;
+        found.iter().any(|of| matches!(of.section, ReportSection::Numbers | ReportSection::LessCertain))
+    };
+    for [right, wrong] in [
+        ["$15 - 6.7188 = 8.2813$", "$15 - 6.7188 = 8.2811$"],
+        ["$6.65 + 0.05 + 7.03 + 7.76 + 0.06 + 8.21 = 29.75$", "$6.65 + 0.05 + 7.03 + 7.76 + 0.06 + 8.21 = 29.74$"],
+    ] {
+        assert!(!listed(right) && listed(wrong), "{right} {wrong}");
+    }
+    // What was rounded up does not end in a five.
+    assert!(listed("$1 - 0.9294 = 0.0707$"));
+    // A few terms of two decimals add up to theirs.
+    assert!(listed("$12.34 + 5.67 = 18.02$"));
+}
+
+#[test]
+fn what_is_counted_or_labelled_cancels() {
+    for [right, wrong] in [
+        [
+            r"$100\text{ g water}\times\frac{1\text{ mol water}}{18.0\text{ g water}} = 5.56\text{ mol water}$",
+            "5.56|5.96",
+        ],
+        [r"$\frac{0.16\text{ mol methanol}}{0.750\text{ L solution}} = 0.21\text{ M}$", "0.21|0.31"],
+        [r"$\frac{-494\text{ MeV}}{56} = -8.82\text{ MeV/nucleon}$", "494|498"],
+        [r"$\frac{25{,}000 \text{ units}}{500 \text{ mL}} = 50 \text{ units/mL}$", "= 50|= 40"],
+        [r"$3 \text{ tsp} \times 5 \text{ mL/tsp} = 15 \text{ mL}$", "15|16"],
+        [r"$1200 \text{ mg/day} \times \frac{1 \text{ day}}{2 \text{ doses}} = 600 \text{ mg/dose}$", "600|500"],
+        [
+            r"$637.2\,\text{g}\,\ce{NH3}\times\frac{1\,\text{mol}\,\ce{NH3}}{17.03\,\text{g}\,\ce{NH3}}=37.42\,\text{mol}$",
+            "37.42|38.42",
+        ],
+        [r"$1/10 = 0.1 \text{ Gyr}^{-1}$", "0.1|6.1"],
+        [r"$2.0\text{ Myr} + 500\text{ kyr} = 2.5\text{ Myr}$", "2.5|2.7"],
+    ] {
+        let (from, to) = wrong.split_once('|').expect("two numbers");
+        let wrong = right.replace(from, to);
+        assert_told_apart(right, &wrong, TextFormat::Markdown);
+        assert_compared(right, TextFormat::Markdown);
+    }
+    // Other things are counted on the two sides, or what one side says is no label.
+    for text in [
+        r"$3 \text{ apples} + 4 \text{ pears} = 8 \text{ fruits}$",
+        r"$2 \cdot 3 \text{ units/mL} \cdot 4\text{ mL} = 9 \text{ doses}$",
+        r"$5\text{ km east} + 3\text{ km west} = 2\text{ km east}$",
+        r"$2\text{ mol Al} = 3\text{ mol Cl2}$",
+    ] {
+        assert_eq!(on_numbers(text, TextFormat::Markdown), 0, "{text}");
+    }
+    let shown = report(r"$2 \cdot 3 \text{ units/mL} \cdot 4\text{ mL} = 25 \text{ units}$", TextFormat::Markdown);
+    assert!(shown.findings.iter().any(|of| of.right == "25 units"), "{:?}", shown.findings);
+}
+
+#[test]
+fn an_approximation_with_many_digits_is_meant_to_be_right() {
+    for [right, wrong] in [
+        [
+            r"$\sqrt{1670^2+108000^2}\approx 108,013\text{ km/h}$",
+            r"$\sqrt{1670^2+108600^2}\approx 108,013\text{ km/h}$",
+        ],
+        [r"$7.15/3.55 \approx 2.0$", r"$7.15/3.95 \approx 2.0$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // A whole number may count pieces.
+    assert_eq!(on_numbers(r"$7.15/3.95 \approx 2$", TextFormat::Markdown), 0);
+}

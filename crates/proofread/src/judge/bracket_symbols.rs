@@ -174,6 +174,38 @@ pub(crate) fn may_be_classes(left: &[Token], right: &[Token]) -> bool {
     is_class(left) && is_class(right)
 }
 
+/// Whether decimals stand alone in square brackets in a side, or in one whose end is round, as for the integers next to them: `[-1.4] + [0.8)`.
+pub(crate) fn has_bracketed_decimals(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let is_decimal = |token: &Token| token.number().is_some_and(|digits| digits.contains('.'));
+    (0..solid.len()).any(|at| match &solid[at..] {
+        [open, number, close, ..] if open.is_sign('[') && is_decimal(number) => close.is_one_of("])"),
+        [open, sign, number, close, ..] if open.is_sign('[') && sign.is_sign('-') && is_decimal(number) => {
+            close.is_one_of("])")
+        }
+        _ => false,
+    })
+}
+
+/// Whether a side is written as a product of two pairs in brackets, and the commas in them were taken for points: `(0,3)·(1/2,5)`.
+pub(crate) fn has_pairs_as_decimals(text: &str, side: &ChainSide) -> bool {
+    let source = text.get(side.span.range()).unwrap_or_default();
+    // Thousands are parted by commas, too.
+    let is_thousands = |part: &str| part.len() == 3 && part.bytes().all(|c| c.is_ascii_digit());
+    let is_pair = |inside: &str| {
+        let parts: Vec<&str> = inside.split(',').map(str::trim).take(3).collect();
+        let is_part = |part: &&str| !part.is_empty() && part.len() <= LONGEST_PART;
+        parts.len() == 2 && parts.iter().all(is_part) && !is_thousands(parts[1]) && !inside.contains(['.', '='])
+    };
+    let inside = source.split('(').skip(1).filter_map(|behind| behind.split_once(')')).map(|(inside, _)| inside);
+    let is_list = any(&side.tokens, &|kind| matches!(kind, TokenKind::Operator(',' | ';')));
+    !is_list && inside.take(MOST_PAIRS).filter(|inside| is_pair(inside)).count() > 1
+}
+
+/// The longest coordinate of a pair, in bytes, and the most pairs that are looked at.
+const LONGEST_PART: usize = 12;
+const MOST_PAIRS: usize = 20;
+
 /// Whether fractions in brackets are symbols of quadratic residues: they equal 1, −1 or 0, or other fractions in brackets.
 pub(crate) fn may_be_residue_symbols(left: &[Token], right: &[Token]) -> bool {
     let is_residue = |side: &[Token]| {

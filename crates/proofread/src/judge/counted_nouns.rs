@@ -49,6 +49,18 @@ fn is_counted_noun(word: &str) -> bool {
         && !PREFIXES.iter().any(|prefix| lower.starts_with(prefix))
 }
 
+/// Whether a word may be a label of a quantity or a thing that is counted: no number, no operation, and no name of a unit that is not known.
+pub(super) fn may_be_counted(word: &str) -> bool {
+    let lower = word.to_ascii_lowercase();
+    let listed = |list: &str| list.split_ascii_whitespace().any(|known| known == lower);
+    word.chars().all(char::is_alphanumeric)
+        && word.starts_with(char::is_alphabetic)
+        && word.chars().any(|c| c.is_ascii_lowercase() || c.is_ascii_digit())
+        && !listed(NUMBER_WORDS)
+        && !listed(UNIT_WORDS)
+        && !PREFIXES.iter().any(|prefix| lower.starts_with(prefix))
+}
+
 /// The words at the end of tokens, and the tokens before them: what is counted, directly behind a number or a bracket.
 fn words_at_end(tokens: &[Token]) -> Option<(&[Token], Vec<&str>)> {
     let mut rest = trim_space(tokens);

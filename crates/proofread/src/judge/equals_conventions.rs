@@ -115,6 +115,10 @@ fn leaves_unit_out(bare_side: &[Token], bare: &SideValue, side: &[Token], other:
     if bare.has_unit || bare.angle.is_some() || !bare.dimension.is_none() {
         return false;
     }
+    // An interval with zero in it is met by any factor.
+    if bare.number().is_ok_and(|of| of.low <= 0.0 && of.high >= 0.0) {
+        return false;
+    }
     let with = |factor: f64| bare.scaled(factor).meets(other, 0.0);
     if other.has_unit {
         if !other.is_literal() {
@@ -156,12 +160,26 @@ fn leaves_unit_out(bare_side: &[Token], bare: &SideValue, side: &[Token], other:
 fn is_binary_multiple(side: &[Token], other: &SideValue) -> bool {
     const LETTERS: [&str; 5] = ["K", "M", "G", "T", "P"];
     let mut tokens = side.iter().filter(|token| !token.is_space());
-    let (Some(number), Some(letter), None) = (tokens.next(), tokens.next(), tokens.next()) else { return false };
+    let (Some(number), Some(mut letter)) = (tokens.next(), tokens.next()) else { return false };
+    // 2⁷ G
+    let mut exponent = Some(1.0);
+    if let TokenKind::Power(power) = &letter.kind {
+        exponent = match power.as_slice() {
+            [digits] => digits.number().and_then(parse_decimal),
+            _ => None,
+        };
+        let Some(next) = tokens.next() else { return false };
+        letter = next;
+    }
+    if tokens.next().is_some() {
+        return false;
+    }
     let letter = match &letter.kind {
         TokenKind::Word(letter) | TokenKind::Name(letter) => LETTERS.iter().position(|known| known == letter),
         _ => None,
     };
     let number = number.number().and_then(|digits| parse_decimal(&digits.replace(',', "")));
+    let number = number.zip(exponent).map(|(base, exponent)| libm::pow(base, exponent));
     let (Some(letter), Some(number), Ok(value)) = (letter, number, other.number()) else { return false };
     let multiple = number * libm::exp2(10.0 * (letter as f64 + 1.0));
     !other.has_unit && (value.point - multiple).abs() < 1e-9 * multiple

@@ -13,7 +13,7 @@ use crate::judge::surroundings;
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{Span, Token, TokenKind, show, trim_space};
+use crate::token::{Span, Token, TokenKind, any, show, trim_space};
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -343,7 +343,10 @@ const ROUNDS_UP: [&str; 12] = [
 /// or speaks of turns.
 fn try_whole_pieces(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     let (left, right) = pair.judgement.values.as_ref()?;
+    // Decimals count no pieces.
+    let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
     let explained = pair.judgement.verdict > ChainVerdict::Doubtful
+        && !any(&pair.right.tokens, &is_decimal)
         && notation::counts_up(left, right)
         && (pair.relation == Relation::Approximate || surroundings::speaks_around(pair.text, pair.place(), &ROUNDS_UP));
     explained.then(|| pair.with_verdict(ChainVerdict::Doubtful)).flatten()

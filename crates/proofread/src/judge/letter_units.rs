@@ -5,12 +5,13 @@
 
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSide};
+use crate::judge::unit_products::units_in_products;
 use crate::judge::verdict::evaluate_freely;
 use crate::token::{Token, TokenKind, any, has_number};
 use crate::unit::unit;
 
 /// Letters that are units by themselves often enough.
-const ALONE: &str = "mgsJNVWKALCFHT";
+pub(super) const ALONE: &str = "mgsJNVWKALCFHT";
 /// Digits of a result by which a single letter behind it is hardly a factor.
 const TELLING_DIGITS: usize = 3;
 
@@ -65,7 +66,7 @@ fn with_units(tokens: &[Token], found: &mut Vec<String>) -> Vec<Token> {
 }
 
 /// Whether a letter stands in these tokens with no number before it: `T/100`, `T ≈ 3`.
-fn stands_alone(tokens: &[Token], letter: &str) -> bool {
+pub(super) fn stands_alone(tokens: &[Token], letter: &str) -> bool {
     let mut solid = tokens.iter().filter(|token| !token.is_space());
     let mut before: Option<&Token> = None;
     solid.any(|token| {
@@ -78,9 +79,22 @@ fn stands_alone(tokens: &[Token], letter: &str) -> bool {
     })
 }
 
+/// Whether a term without a unit is beside one with a unit: then the letter is none.
+pub(super) fn has_mixed_terms(side: &ChainSide) -> bool {
+    let has_unit = |kind: &TokenKind| matches!(kind, TokenKind::Word(_));
+    let terms = side.tokens.split(|token| token.is_one_of("+-")).filter(|term| has_number(term));
+    let with: Vec<bool> = terms.map(|term| any(term, &has_unit)).collect();
+    with.contains(&true) && with.contains(&false)
+}
+
 /// A chain with the letters behind its numbers as units, if it makes sense with them and has letters there. A letter that stands for a
 /// quantity elsewhere in the formula is none.
 pub(crate) fn units_in_letters(chain: &Chain, formula: &[Token]) -> Option<Chain> {
+    with_single_units(chain, formula).or_else(|| units_in_products(chain, formula))
+}
+
+/// The chain with single letters and groups of them as units.
+fn with_single_units(chain: &Chain, formula: &[Token]) -> Option<Chain> {
     let is_letter = |kind: &TokenKind| matches!(kind, TokenKind::Name(name) if name.len() == 1 && name != "e");
     let last = chain.sides.last()?;
     if !has_number(&last.tokens) || !any(&last.tokens, &is_letter) {
@@ -110,14 +124,7 @@ pub(crate) fn units_in_letters(chain: &Chain, formula: &[Token]) -> Option<Chain
     if result.literal != Literal::Number || !result.has_unit || computed.is_empty() || !computed.iter().all(fits) {
         return None;
     }
-    // A term without a unit beside one with a unit: the letter is none.
-    let has_unit = |kind: &TokenKind| matches!(kind, TokenKind::Word(_));
-    let is_mixed = |side: &ChainSide| {
-        let terms = side.tokens.split(|token| token.is_one_of("+-")).filter(|term| has_number(term));
-        let with: Vec<bool> = terms.map(|term| any(term, &has_unit)).collect();
-        with.contains(&true) && with.contains(&false)
-    };
-    if sides.iter().any(is_mixed) {
+    if sides.iter().any(has_mixed_terms) {
         return None;
     }
     // Sides that are neither numbers nor names are not understood.

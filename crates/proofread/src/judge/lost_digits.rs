@@ -1,5 +1,6 @@
 //! What digits that were lost on the way explain: rounded steps, results that are cut off, a last digit that differs.
 
+use crate::decimal::parse_decimal;
 use crate::evaluate::step_rounding::significant_digits;
 use crate::evaluate::value::SideValue;
 use crate::token::{Token, TokenKind, any};
@@ -27,6 +28,44 @@ pub(super) fn most_digits_of_any(tokens: &[Token]) -> usize {
     };
     let inner = |token: &Token| token.inner().map(most_digits_of_any).max().unwrap_or(0);
     tokens.iter().map(|token| own(token).max(inner(token))).max().unwrap_or(0)
+}
+
+/// Terms of a sum whose rounding easily changes its last digit.
+const MANY_TERMS: usize = 6;
+/// Decimals behind which a half is rounded up on both sides of a difference from a whole number: 15 − 6.71875 = 8.28125.
+const MANY_DECIMALS: usize = 4;
+
+/// Whether the last digit of a sum may be one off by the rounding of its terms: of many decimals, or of one whose next digit was just a five,
+/// which is rounded up in it and in the result.
+pub(super) fn may_have_rounded_terms(side: &[Token], computed: &SideValue, printed: &SideValue) -> bool {
+    let (Ok(computed), Ok(printed)) = (computed.number(), printed.number()) else { return false };
+    let unit = 2.0 * printed.half_width();
+    let excess = (printed.point - computed.point) / unit;
+    if !is_plain_sum(side) || (excess.abs() - 1.0).abs() > 1e-6 {
+        return false;
+    }
+    let decimals = |token: &Token| token.number()?.split_once('.').map(|(_, behind)| behind.len());
+    let mut terms: Vec<usize> = side.iter().filter_map(decimals).collect();
+    terms.sort_unstable();
+    let numbers = side.iter().filter(|token| token.number().is_some()).count();
+    let subtracts = side.iter().any(|token| token.is_sign('-'));
+    // The five is the last digit of some part of a power of two.
+    let ends_in_five = |token: &Token| {
+        let value = token.number().and_then(parse_decimal).zip(decimals(token));
+        value.is_some_and(|(value, places)| {
+            let exact = value - 0.5 * libm::exp10(-(places as f64));
+            let parts = exact * libm::exp2(places as f64 + 1.0);
+            (parts - libm::round(parts)).abs() < 1e-6
+        })
+    };
+    let is_of_half = || {
+        matches!(terms.as_slice(), [one] if *one >= MANY_DECIMALS)
+            && numbers == 2
+            && subtracts
+            && excess > 0.0
+            && side.iter().any(ends_in_five)
+    };
+    terms.len() >= MANY_TERMS || is_of_half()
 }
 
 /// What explains a difference by digits that were lost on the way. Their errors hardly ever all point the same way.

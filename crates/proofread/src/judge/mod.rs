@@ -2,6 +2,7 @@
 
 mod binary_numbers;
 mod bracket_symbols;
+pub(crate) mod cancelled_words;
 pub(crate) mod caveat;
 pub(crate) mod chain_shape;
 pub(crate) mod chain_verdict;
@@ -37,5 +38,6 @@ pub(crate) mod surroundings;
 mod term_notation;
 mod two_equations;
 pub(crate) mod unchecked;
+mod unit_products;
 pub(crate) mod unrounded;
 pub(crate) mod verdict;

@@ -18,7 +18,7 @@ use crate::judge::substitution::without_space;
 use crate::judge::term_notation::{sum_in_degrees, with_braced_sign, without_large_number};
 use crate::judge::verdict::judge;
 use crate::reader::{Formula, FormulaStyle};
-use crate::token::{NamedOperation, Token, TokenKind, any};
+use crate::token::{MathFunction, NamedOperation, Token, TokenKind, any};
 use crate::unit::unit;
 use std::f64::consts::PI;
 
@@ -60,6 +60,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&local_notation::with_low_points);
     each(&with_whole_radicand);
     each(&in_degrees_by_factor);
+    each(&without_factor_of_degrees);
     each(&from_left_to_right);
     each(&|side| with_raised_points(text, side));
     each(&with_fractional_parts);
@@ -315,6 +316,28 @@ fn in_degrees_by_factor(side: &[Token]) -> Option<Vec<Token>> {
     let sign = |c| Token::new(TokenKind::Operator(c), at);
     let degree = Token::new(TokenKind::Word("°".to_owned()), at);
     turns_into_degrees(side).then(|| [&[sign('(')], side, &[sign(')'), degree]].concat())
+}
+
+/// A side in which a factor 180/π before an inverse function makes degrees of its radians, without the factor, since the function gives an
+/// angle; none if there is no such factor.
+fn without_factor_of_degrees(side: &[Token]) -> Option<Vec<Token>> {
+    if !turns_into_degrees(side) {
+        return None;
+    }
+    let is_inverse = |at: usize| {
+        let mut behind = side[at + 1..].iter().filter(|token| !token.is_space() && !token.is_one_of("·×"));
+        let inverse = |power: &Token| matches!(&power.kind, TokenKind::Power(of) if of.first().is_some_and(|sign| sign.is_sign('-')));
+        match behind.next().map(|token| &token.kind) {
+            Some(TokenKind::Function(MathFunction::Arcsin | MathFunction::Arccos | MathFunction::Arctan)) => true,
+            Some(TokenKind::Function(_)) => behind.next().is_some_and(inverse),
+            _ => false,
+        }
+    };
+    let at = (0..side.len()).find(|at| matches!(side[*at].kind, TokenKind::Fraction(..)) && is_inverse(*at))?;
+    let one = Token::new(TokenKind::Number("1".to_owned()), side[at].span);
+    let times = Token::new(TokenKind::Operator('·'), side[at].span);
+    let rest = side[at + 1..].iter().skip_while(|token| token.is_space() || token.is_one_of("·×")).cloned();
+    Some(side[..at].iter().cloned().chain([one, times]).chain(rest).collect())
 }
 
 /// Where one or two digits in brackets stand directly behind decimals.

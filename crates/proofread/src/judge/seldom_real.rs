@@ -112,14 +112,15 @@ impl PlacedPair<'_> {
     /// fraction is near what it stands for, and has its sign.
     pub(crate) fn is_coarse_approximation(&self, judgement: &PairJudgement) -> bool {
         let is_decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
-        let is_computed = |kind: &TokenKind| {
-            matches!(
-                kind,
-                TokenKind::Fraction(..) | TokenKind::Function(_) | TokenKind::Root(..) | TokenKind::Operator('/')
-            )
-        };
+        let is_computed =
+            |kind: &TokenKind| matches!(kind, TokenKind::Fraction(..) | TokenKind::Function(_) | TokenKind::Root(..));
         let right = &self.right.tokens;
-        let is_exact = any(right, &is_computed) && !any(right, &is_decimal);
+        // The stroke of a unit divides nothing.
+        let of_unit = |at: usize| {
+            right[at + 1..].iter().find(|token| !token.is_space()).is_some_and(|next| next.word().is_some())
+        };
+        let divides = right.iter().enumerate().any(|(at, token)| token.is_sign('/') && !of_unit(at));
+        let is_exact = (divides || any(right, &is_computed)) && !any(right, &is_decimal);
         let is_function = any(right, &|kind| matches!(kind, TokenKind::Function(_)));
         let is_near = || judgement.values.as_ref().is_none_or(|(left, right)| left.difference(right) <= COARSE);
         self.right.relation == Some(Relation::Approximate)

@@ -83,7 +83,32 @@ pub(super) fn without_tags(text: &str) -> String {
 
 /// Whether the text of the example so far, or just behind a formula, speaks of groups and their elements.
 pub(crate) fn speaks_of_groups(text: &str, span: Span) -> bool {
-    example_speaks_of(text, span, &["group", "cyclic", "generator", "the order"])
+    example_speaks_of(
+        text,
+        span,
+        &[
+            "group",
+            "cyclic",
+            "generator",
+            "the order",
+            "has order",
+            "order of",
+            "mathbb{z}/",
+            "mathbb z/",
+            "\\mathbb{z}_",
+            "abstract algebra",
+            "isomorphi",
+            "homomorphi",
+        ],
+    )
+}
+
+/// Whether the text has a function for the integers next to a number, or that of the example so far speaks of such integers.
+pub(crate) fn speaks_of_integer_parts(text: &str, span: Span) -> bool {
+    const WORDS: [&str; 7] =
+        ["greatest integer", "least integer", "integer part", "integral part", "floor", "ceiling", "nearest integer"];
+    effort::count_steps(text.len() / 32);
+    text.contains("greatest integer") || text.contains("least integer") || example_speaks_of(text, span, &WORDS)
 }
 
 /// Whether the text of the example so far, or just behind a formula, speaks of coordinates of which only the ratios count.

@@ -13,8 +13,8 @@ use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
 use crate::judge::lost_digits::{
     FEWER_DIGITS, FROM_TENS, LIKELY, LIKELY_OF_BARE, StepLikelihood, are_near, has_three_digits, has_words_of,
-    is_as_coarse, is_cut, is_exact, is_near, is_plain_sum, is_round, is_within, most_digits, most_digits_of_any,
-    relative_width,
+    is_as_coarse, is_cut, is_exact, is_near, is_plain_sum, is_round, is_within, may_have_rounded_terms, most_digits,
+    most_digits_of_any, relative_width,
 };
 use crate::judge::money::has_money;
 use crate::order::sort_few_without_repeats;
@@ -484,6 +484,9 @@ impl<'t> ComparedSides<'t> {
         // What the steps would allow, but not likely, is more than a digit; and of one or two digits, the last one is a large part.
         let near = near && (exact_steps || !left.meets(right, 0.0)) && (strictly || is_as_coarse(&lenient, literal));
         let near = near && !gains_digits && has_three_digits(&strict[usize::from(literal[1])]);
+        if near && literal == [false, true] && may_have_rounded_terms(self.sides[0], &points[0], right) {
+            return Ok(fine(ChainVerdict::Rounded));
+        }
         let found = judgement(if near { ChainVerdict::LastDigit } else { ChainVerdict::Inconsistent });
         let is_ill_conditioned = ill && self.cancels_decimals;
         Ok(found.map(|found| PairJudgement { is_ill_conditioned, ..found }))
@@ -514,6 +517,11 @@ impl<'t> ComparedSides<'t> {
         let is_whole = |of: f64| (of - libm::round(of)).abs() < 1e-9 && (of == 0.0 || (0.5..EXACT).contains(&of.abs()));
         let decimal = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if digits.contains('.'));
         let has_decimals = self.sides.iter().any(|side| any(side, &decimal));
+        // Decimals times a power of ten are rounded, whole as they may be.
+        let printed_side = self.sides[usize::from(literal[1])];
+        if any(printed_side, &decimal) && any(printed_side, &|kind| matches!(kind, TokenKind::Power(_))) {
+            return false;
+        }
         let [computed, printed] = if literal[1] { [left.point, right.point] } else { [right.point, left.point] };
         let in_full = computed.abs() < FULL && (printed != 0.0 || !has_decimals);
         let to_its_end = !has_decimals && printed % 10.0 != 0.0;

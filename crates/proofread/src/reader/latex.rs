@@ -22,6 +22,34 @@ pub(super) fn is_verbatim(name: &str) -> bool {
 /// Environments that are a problem by themselves.
 const SCOPES: [&str; 8] = ["example", "exercise", "problem", "solution", "question", "eg", "exam", "homework"];
 
+/// Tables whose arguments say how their columns are set, perhaps with dollar signs.
+const TABLES: [&str; 9] =
+    ["tabular", "tabular*", "tabularx", "tabulary", "longtable", "xltabular", "supertabular", "array", "tblr"];
+
+/// Longest argument of a table, in bytes.
+const LONGEST_COLUMNS: usize = 400;
+
+/// The bytes of the arguments behind the start of a table: a width or a place, and the columns.
+fn length_of_table_columns(behind: &str) -> usize {
+    let mut at = 0;
+    for _ in 0..3 {
+        let rest = &behind[at..];
+        let length = if rest.starts_with('[') {
+            rest.find(']').map(|end| end + 1)
+        } else if rest.starts_with('{') {
+            closing_brace(rest.as_bytes())
+        } else {
+            break;
+        };
+        // What is in braces behind the columns may be a cell.
+        match length.filter(|length| *length <= LONGEST_COLUMNS && !rest[..*length].contains('&')) {
+            Some(length) => at += length,
+            None => break,
+        }
+    }
+    at
+}
+
 /// A part of a document that is no running text.
 pub(super) enum LatexPart<'t> {
     /// A formula, from what is inside its marks, and the problem that it belongs to.
@@ -163,6 +191,9 @@ fn begin<'t>(text: &'t str, at: usize, scope: &mut u32, inside: &mut Vec<u32>, e
         let behind = behind.map_or(text.len(), |found| open + found + end.len());
         each(LatexPart::Hidden(at..behind, Some((UnreadKind::Environment, name))));
         return behind;
+    }
+    if TABLES.contains(&name) {
+        return open + length_of_table_columns(text.get(open..).unwrap_or_default());
     }
     if SCOPES.contains(&name) && inside.len() < 1000 {
         inside.push(*scope);

@@ -344,7 +344,7 @@ impl Tex<'_> {
             }
             "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
             | "textsf" | "hbox" | "textnormal" | "mathtt" | "textup" | "mathup" | "symup" | "symrm" | "textsc"
-            | "textmd" => self.read_upright(&name, depth, out),
+            | "textmd" | "ce" => self.read_upright(&name, depth, out),
             "underbrace" | "overbrace" | "underbracket" | "overbracket" => {
                 let inner = self.argument(depth);
                 push(out, TokenKind::Group(inner));
@@ -459,7 +459,7 @@ impl Tex<'_> {
             }
             "quad" => push(out, TokenKind::Space(10)),
             "qquad" | "hfill" | "hfil" => push(out, TokenKind::Space(20)),
-            "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => {
+            "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "space" | "\n" | "/" | "-" | "\t" => {
                 push(out, TokenKind::Space(2))
             }
             "%" | "$" => push(out, TokenKind::Word(name)),

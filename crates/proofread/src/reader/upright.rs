@@ -4,6 +4,18 @@ use super::symbols::merge_letters;
 use super::tex::{Tex, token};
 use super::words::{span_of_chars, tokenise_words};
 use crate::token::{MathFunction, SourceChar, Token, TokenKind};
+use crate::unit::unit;
+
+/// The formula of a substance as a word, which is no sign of a unit; what is no such formula isn't known.
+fn substance(text: &str) -> TokenKind {
+    let name: String = text.chars().filter(|c| !"{}_^$ ".contains(*c)).collect();
+    if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "()+-".contains(c)) || name.contains("->")
+    {
+        return TokenKind::Unknown("\\ce".to_owned());
+    }
+    let letters: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+    TokenKind::Word(if unit(&letters).is_some() { format!("ce{letters}") } else { letters })
+}
 
 impl Tex<'_> {
     /// Upright text: a function, units, or words.
@@ -11,6 +23,10 @@ impl Tex<'_> {
         self.skip_space();
         let raw = self.raw_group_or_digits();
         let text: String = raw.iter().map(|sign| sign.c).collect();
+        if command == "ce" {
+            out.push(token(substance(&text), span_of_chars(&raw)));
+            return;
+        }
         // A remark in brackets stands apart.
         if text.trim_start().starts_with(['(', '[']) && text.contains(|c: char| c.is_ascii_digit()) {
             out.push(token(TokenKind::Space(2), span_of_chars(&raw)));

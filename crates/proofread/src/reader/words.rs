@@ -141,6 +141,17 @@ fn in_word(c: char) -> bool {
     c.is_ascii_alphabetic() || is_greek(c) || matches!(c, 'Å' | 'ℓ') || (c.is_alphabetic() && !c.is_ascii())
 }
 
+/// Whether a sign joins a number and a word to one word: 3-day.
+fn is_hyphen(signs: &[SourceChar], before: Option<&Token>) -> bool {
+    /// Letters from which on it is a word, and no unit or quantity.
+    const SHORTEST: usize = 3;
+    let word: String = signs[1..].iter().map(|sign| sign.c).take_while(char::is_ascii_alphabetic).collect();
+    before.is_some_and(|before| before.number().is_some() && before.span.end == signs[0].span.start)
+        && word.len() >= SHORTEST
+        && word.chars().all(|c| c.is_ascii_lowercase())
+        && MathFunction::from_name(&word).is_none()
+}
+
 /// Reads running text. What it makes of a word is a unit or prose, never a letter of a formula, except Greek ones.
 pub(crate) fn tokenise_words(signs: &[SourceChar], out: &mut Vec<Token>) {
     let signs = plain_chars(signs);
@@ -209,6 +220,8 @@ pub(crate) fn tokenise_words(signs: &[SourceChar], out: &mut Vec<Token>) {
         } else if c == '…' || rest.iter().take(3).filter(|sign| sign.c == '.').count() == 3 {
             taken = if c == '…' { 1 } else { 3 };
             out.push(Token::new(TokenKind::Unknown("…".to_owned()), span_of_chars(&rest[..taken])));
+        } else if c == '-' && is_hyphen(rest, out.last()) {
+            out.push(Token::new(TokenKind::Unknown("a number in a word".to_owned()), span));
         } else {
             out.push(Token::new(TokenKind::Operator(c), span));
         }
@@ -247,6 +260,8 @@ fn word(signs: &[SourceChar], out: &mut Vec<Token>) {
     let kind = if !subscript.is_empty() {
         let base: String = signs.iter().map(|sign| sign.c).filter(|c| subscript_char(*c).is_none()).collect();
         TokenKind::Name(format!("{base}_{subscript}"))
+    } else if text == "Log" {
+        TokenKind::Function(MathFunction::Log)
     } else if let Some(function) = MathFunction::from_name(&text)
         .filter(|function| *function != MathFunction::Sec && !(function.takes_list() && text.starts_with('m')))
     {

@@ -166,6 +166,9 @@ const WHOLE: &[UnitRow] = &[
     ("d day days", 86_400.0, TIME),
     ("week weeks wk", 604_800.0, TIME),
     ("y yr year years", 3.155_76e7, TIME),
+    ("kyr", 3.155_76e10, TIME),
+    ("Myr", 3.155_76e13, TIME),
+    ("Gyr", 3.155_76e16, TIME),
     (
         "rad sr turns photons photon atoms atom molecules electrons electron particles decays fissions proton protons ion nuclei people \
          loops passes lines events ions slits cycles cycle fringes reactions nucleons layers pulses times beats Np deuterons \
@@ -324,7 +327,16 @@ static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
 
 /// The unit of this name or sign.
 pub(crate) fn unit(word: &str) -> Option<MeasurementUnit> {
-    TABLE.get(word).copied()
+    let things = MeasurementUnit { factor: 1.0, dimension: UnitDimension::NONE };
+    if word.starts_with(COUNTED) { Some(things) } else { TABLE.get(word).copied() }
+}
+
+/// The sign before a word for things that are counted, which is not shown.
+pub(crate) const COUNTED: char = '\u{2060}';
+
+/// A word for things that are counted, which is a unit without a dimension.
+pub(crate) fn counted(word: &str) -> String {
+    format!("{COUNTED}{word}")
 }
 
 /// Whether the letters are as likely a product of quantities as a unit.

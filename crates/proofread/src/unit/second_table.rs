@@ -56,6 +56,9 @@ const ENTRIES: &[SecondUnit] = &[
     // Seven days, and the 365.25 days of the International Astronomical Union.
     ("week weeks wk", "6.048e5", "s"),
     ("y yr year years", "3.15576e7", "s"),
+    ("kyr", "3.15576e10", "s"),
+    ("Myr", "3.15576e13", "s"),
+    ("Gyr", "3.15576e16", "s"),
     ("rad sr turns Np dB wt", "1", ""),
     ("$ USD dollar dollars € EUR euro euros Euro £ GBP CHF", "1", ""),
     ("rev revs revolution revolutions", "6.283185", ""),
