@@ -9,7 +9,7 @@ use crate::ledger_pages::ledger;
 use crate::page_items::{self, PageItem};
 use crate::placeholders::{self, ChapterContext, ENGINE_KEYS};
 use crate::{address, braces, chapter_tests, citing, data, fences, maths, modules, record_files, still, verify};
-use anyhow::ensure;
+use anyhow::{Context, ensure};
 use mdbook_preprocessor::book::{Book as Chapters, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{MDBOOK_VERSION, Preprocessor, PreprocessorContext};
@@ -21,6 +21,8 @@ use std::thread;
 /// The renderers for which a book is made in its own way: pages, and tests of its programs.
 const PAGES: &str = "html";
 const TESTS: &str = "test";
+/// Bytes of stack of a thread that makes chapters: what a program's first thread has on Linux.
+const STACK: usize = 8 << 20;
 
 /// Turns a chapter of a book with formulas and placeholders into one that is all there.
 ///
@@ -120,9 +122,9 @@ impl Preprocessor for Press {
             });
             shelf.take_in(figures.1);
             shelf.take_in(checks.1);
-            (made, Some((figures.0, checks.0)))
+            (made?, Some((figures.0, checks.0)))
         } else {
-            (chapters_of(&shelf), None)
+            (chapters_of(&shelf)?, None)
         };
         let mut files = Vec::new();
         let mut made = texts.iter().zip(made);
@@ -177,7 +179,7 @@ fn in_threads(
     shelf: &Shelf,
     texts: &[ChapterText],
     expand: &(dyn Fn(&ChapterText, &Shelf) -> Expanded + Sync),
-) -> Vec<Expanded> {
+) -> Result<Vec<Expanded>> {
     let next = AtomicUsize::new(0);
     let work = |branch: Shelf| {
         let mut made = Vec::new();
@@ -190,17 +192,23 @@ fn in_threads(
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(texts.len());
     let mut all: Vec<_> = thread::scope(|scope| {
         let branches = (0..threads).map(|_| shelf.branch()).collect::<Vec<_>>();
-        let at_work: Vec<_> = branches.into_iter().map(|branch| scope.spawn(|| work(branch))).collect();
+        let threads = branches.into_iter().map(|branch| {
+            thread::Builder::new()
+                .stack_size(STACK)
+                .spawn_scoped(scope, || work(branch))
+                .context("no thread for chapters")
+        });
+        let at_work = threads.collect::<Result<Vec<_>>>()?;
         let mut all = Vec::new();
         for done in at_work {
             let (made, branch) = joined(done.join());
             shelf.take_in(branch);
             all.extend(made);
         }
-        all
-    });
+        Ok::<_, anyhow::Error>(all)
+    })?;
     all.sort_by_key(|(at, _)| *at);
-    all.into_iter().map(|(_, made)| made).collect()
+    Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
 /// What a thread has made; its panic goes on in this one.
