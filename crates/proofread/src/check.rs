@@ -6,9 +6,8 @@ use crate::evaluate::binding::{KnownNames, NamePolicy, assignment, single_name};
 use crate::evaluate::value::{Literal, Obstacle, SideValue};
 use crate::join::chain::{Chain, ChainSide, ROW_END, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
-use crate::judge::cancelled_words::without_cancelled_words;
+use crate::judge::cancelled_words::without_words;
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::counted_nouns::without_counted_nouns;
 use crate::judge::denial;
 use crate::judge::doubt::{Doubt, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
@@ -314,8 +313,7 @@ impl DocumentCheck<'_> {
         let last = chains.len().saturating_sub(1);
         let false_from = place_of_denial(&formula.tokens).max(place_of_cross(self.text, formula.span));
         for (at, chain) in chains.iter().enumerate() {
-            let with_units = units_in_letters(chain, &formula.tokens).or_else(|| without_counted_nouns(chain));
-            let with_units = with_units.or_else(|| without_cancelled_words(chain));
+            let with_units = units_in_letters(chain, &formula.tokens).or_else(|| without_words(chain));
             let chain = with_units.as_ref().unwrap_or(chain);
             if !numeric(&chain) {
                 self.before = None;

@@ -6,7 +6,7 @@
 
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSide};
-use crate::judge::counted_nouns::may_be_counted;
+use crate::judge::counted_nouns::{may_be_counted, without_counted_nouns};
 use crate::judge::verdict::evaluate_freely;
 use crate::token::{Token, TokenKind, any, has_number};
 use crate::unit::{COUNTED, counted, unit};
@@ -97,8 +97,13 @@ fn without_labels(tokens: &[Token], is_below: bool, counts: &mut Counts) -> Opti
     Some(out)
 }
 
+/// A chain without the words that count or label its numbers, if it makes sense so.
+pub(crate) fn without_words(chain: &Chain) -> Option<Chain> {
+    without_counted_nouns(chain).or_else(|| without_cancelled_words(chain))
+}
+
 /// A chain without the labels in it, and with what is counted as units, if it makes sense so.
-pub(crate) fn without_cancelled_words(chain: &Chain) -> Option<Chain> {
+fn without_cancelled_words(chain: &Chain) -> Option<Chain> {
     let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if unit(word).is_none());
     if !chain.sides.iter().any(|side| has_number(&side.tokens) && any(&side.tokens, &is_other)) {
         return None;

@@ -15,6 +15,7 @@ mod flattened;
 mod function_arguments;
 mod joining_words;
 pub(crate) mod letter_units;
+pub(crate) mod letters_alone;
 mod local_notation;
 mod lost_digits;
 pub(crate) mod money;

@@ -5,7 +5,7 @@
 
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSide};
-use crate::judge::letter_units::{ALONE, has_mixed_terms, stands_alone};
+use crate::judge::letters_alone::{ALONE, has_mixed_terms, stands_alone};
 use crate::judge::verdict::evaluate_freely;
 use crate::token::{Span, Token, TokenKind, any, has_number};
 use crate::unit::unit;
