@@ -1,20 +1,8 @@
 //! Kinds of misreading that an eighteenth set of texts showed: each with a right formula, of which nothing is said, and a wrong one beside
 //! it that still is listed.
 
-use crate::{report, verdicts};
+use crate::{assert_told_apart, on_numbers, report, verdicts};
 use proofread::{ReportSection, TextFormat};
-
-/// How many pairs of a text are listed as wrong in their numbers.
-fn on_numbers(text: &str, format: TextFormat) -> usize {
-    report(text, format).findings.iter().filter(|of| of.section == ReportSection::Numbers).count()
-}
-
-/// Nothing in the first text is wrong; in the second one something is.
-#[track_caller]
-fn assert_told_apart(right: &str, wrong: &str, format: TextFormat) {
-    assert_eq!(on_numbers(right, format), 0, "{right}");
-    assert_ne!(on_numbers(wrong, format), 0, "{wrong}");
-}
 
 #[test]
 fn money_is_printed_to_its_cents() {

@@ -97,3 +97,15 @@ fn wrong(text: &str, format: TextFormat) -> Vec<String> {
         .map(|of| format!("{} | {}", of.left, of.right))
         .collect()
 }
+
+/// How many pairs of a text are listed as wrong in their numbers.
+fn on_numbers(text: &str, format: TextFormat) -> usize {
+    report(text, format).findings.iter().filter(|of| of.section == ReportSection::Numbers).count()
+}
+
+/// Nothing in the first text is wrong; in the second one something is.
+#[track_caller]
+fn assert_told_apart(right: &str, wrong: &str, format: TextFormat) {
+    assert_eq!(on_numbers(right, format), 0, "{right}");
+    assert_ne!(on_numbers(wrong, format), 0, "{wrong}");
+}
