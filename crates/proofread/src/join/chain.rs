@@ -133,45 +133,22 @@ impl Splitter {
 
 /// A side without the remark in brackets behind it that says to how many digits it is given: `16.1 (to 3 s.f.)`.
 fn without_digits_remark(side: &[Token]) -> &[Token] {
-    const WORDS: [&str; 22] = [
-        "s",
-        "f",
-        "sf",
-        "sig",
-        "fig",
-        "figs",
-        "significant",
-        "figures",
-        "digits",
-        "d",
-        "p",
-        "dp",
-        "decimal",
-        "places",
-        "place",
-        "to",
-        "correct",
-        "rounded",
-        "given",
-        "S",
-        "D",
-        "dec",
-    ];
-    const KINDS: [&str; 11] = ["sf", "f", "fig", "figs", "figures", "digits", "dp", "p", "places", "place", "dec"];
-    let Some((last, rest)) = side.split_last().filter(|(last, _)| last.is_sign(')')) else { return side };
+    /// Words that say what is counted, and those that may stand beside them.
+    const KINDS: &str = "sf f fig figs figures digits dp p places place dec";
+    const OTHERS: &str = "s sig significant d decimal to correct rounded given S D";
+    let is_of = |words: &str, token: &Token| match &token.kind {
+        TokenKind::Word(word) | TokenKind::Name(word) => words.split(' ').any(|known| known == word),
+        _ => false,
+    };
+    let Some((_, rest)) = side.split_last().filter(|(last, _)| last.is_sign(')')) else { return side };
     let Some(open) = rest.iter().rposition(|token| token.is_sign('(')) else { return side };
     let inner = &rest[open + 1..];
     let is_part = |token: &Token| match &token.kind {
-        TokenKind::Word(word) | TokenKind::Name(word) => WORDS.contains(&word.as_str()),
         TokenKind::Number(digits) => digits.len() == 1,
-        _ => token.is_space() || token.is_sign('.'),
+        _ => token.is_space() || token.is_sign('.') || is_of(KINDS, token) || is_of(OTHERS, token),
     };
-    let names_digits = inner.iter().any(|token| match &token.kind {
-        TokenKind::Word(word) | TokenKind::Name(word) => KINDS.contains(&word.as_str()),
-        _ => false,
-    });
-    let is_remark =
-        names_digits && has_number(inner) && inner.iter().all(is_part) && last.span.start >= rest[open].span.start;
+    let names_digits = inner.iter().any(|token| is_of(KINDS, token));
+    let is_remark = names_digits && has_number(inner) && inner.iter().all(is_part);
     if is_remark && open > 0 { &rest[..open] } else { side }
 }
 
