@@ -1,6 +1,6 @@
 //! Texts with a decimal comma, and with thousands separated by spaces.
 
-use crate::{report, wrong};
+use crate::{assert_told_apart, report, wrong};
 use proofread::{ReportSection, TextFormat};
 
 /// How many pairs were compared, and what is wrong.
@@ -179,4 +179,27 @@ fn thousands_among_tags_are_no_decimals() {
         let wrong = leaf_by_leaf(&line.replace("=", "=9"));
         assert_eq!(compared(&format!("<p>{wrong}</p><p>{money}</p>"), TextFormat::Html).1.len(), 1, "{line}");
     }
+}
+
+#[test]
+fn a_comma_before_three_digits_may_part_decimals() {
+    for [right, wrong] in [
+        ["Der Quarz schwingt mit 500 MHz / 9 = 55,556 MHz.", "Der Quarz schwingt mit 500 MHz / 9 = 54,556 MHz."],
+        [r"$\sqrt{62} \approx 7,874$", r"$\sqrt{62} \approx 7,884$"],
+        [
+            r"$\qty{150}{\mega\hertz} + \qty{1,350}{\giga\hertz} = \qty{1,5}{\giga\hertz}$",
+            r"$\qty{150}{\mega\hertz} + \qty{1,350}{\giga\hertz} = \qty{1,6}{\giga\hertz}$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // In siunitx it does in any case, so that the sum is checked.
+    let sum = r"$\qty{150}{\mega\hertz} + \qty{1,350}{\giga\hertz} = \qty{1,5}{\giga\hertz}$";
+    assert_eq!(report(sum, TextFormat::Markdown).findings[0].section, ReportSection::Agreeing);
+}
+
+#[test]
+fn a_decimal_comma_leaves_points_to_thousands() {
+    let chain = |comma: &str| format!(r"$f = \frac{{300}}{{0{comma}03}} = \frac{{300 \cdot 100}}{{3}} = 10.000$");
+    assert_told_apart(&chain(","), &chain(".").replace("10.000", "20.000"), TextFormat::Markdown);
 }

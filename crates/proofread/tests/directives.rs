@@ -1,6 +1,6 @@
 //! What other programs show as text is read as text: directives, chunks with any options, formulas with space inside their marks.
 
-use crate::{report, wrong};
+use crate::{assert_told_apart, report, wrong};
 use proofread::TextFormat::{Latex, Markdown};
 
 #[test]
@@ -135,5 +135,27 @@ fn admonitions_and_tabs_of_mkdocs_are_read() {
         "!!! note\n\nText\n\n    $2 + 3 = 6$\n",
     ] {
         assert_eq!(wrong(code, Markdown), [""; 0], "{code}");
+    }
+}
+
+#[test]
+fn code_in_an_environment_of_its_own_is_not_read() {
+    let code = |name: &str| format!("\\begin{{{name}}}\n2 + 2 = 5\n\\end{{{name}}}\n");
+    assert_told_apart(&code("pythoncode"), &code("remark"), Latex);
+}
+
+#[test]
+fn a_chunk_ends_with_its_line_of_marks_in_html_and_in_lists_too() {
+    for before in [
+        "<center>\n```{r}\n\nx <- 1\n```\n</center>\n\n",
+        "1. Item.\n\n    ```{r}\nx <- 1\n```\n\n1. ",
+        "<div>\n\n```{r}\ny <- 2\n```\n\n</div>\n\n",
+    ] {
+        let text = |result: &str| format!("{before}So $0.9\\cdot 0.9 = {result}$.\n");
+        assert_told_apart(&text("0.81"), &text("0.85"), Markdown);
+        let code = before.replace(" 1\n```", " 1\n2 + 2 = 5\n```").replace(" 2\n```", " 2\n2 + 2 = 5\n```");
+        let report = report(&code, Markdown);
+        assert!(report.findings.is_empty(), "{code}");
+        assert_eq!(report.not_read.total(), 1, "{code}");
     }
 }

@@ -1,6 +1,7 @@
 //! Which differences are set aside, each in a chain of ours beside one that has the same fault and is read whole.
 
 use crate::report;
+use crate::unusual::{listed, unlisted};
 use proofread::{CheckOptions, Doubt, ReportSection, TextFormat, proofread};
 
 /// Why the differences in a text are set aside; none for one that counts.
@@ -186,4 +187,50 @@ fn uncertainties_in_per_cent_are_a_doubt() {
     let quotient = r"$R=\frac{5.00\text{ V}\,(\pm1\%)}{0.250\text{ A}\,(\pm2\%)}=20.0\,\Omega\,(\pm3\%)$";
     aside(Doubt::Unknown, &[quotient]);
     counts(&[r"$R=\frac{5.00\text{ V}}{0.250\text{ A}}=21.0\,\Omega$"]);
+}
+
+#[test]
+fn what_stands_behind_approximately_may_be_exact_and_coarse() {
+    let doubt = |text: &str| report(text, TextFormat::Latex).findings.iter().find_map(|of| of.doubt);
+    for text in [
+        r"$\sqrt{5}\approx \dfrac{5}{2}$",
+        r"$\log(1.08)\approx \log(1)=0$",
+        r"$2\tan(0.9) \approx 2\tan\left(\dfrac{\pi}{4}\right)=2$",
+    ] {
+        unlisted(TextFormat::Latex, &[text]);
+        assert_eq!(doubt(text), Some(Doubt::Approximation), "{text}");
+    }
+    listed(
+        TextFormat::Latex,
+        &[r"$\sqrt{5} = \dfrac{5}{2}$", r"$\sqrt{5} \approx 2.546$", r"$\frac{7}{3} \approx 2.433$"],
+    );
+}
+
+/// Each kind of flag that was real in less than two of five cases at first contact.
+#[test]
+fn flags_that_were_seldom_real_are_doubts() {
+    let doubt = |text: &str| report(text, TextFormat::Markdown).findings.iter().find_map(|of| of.doubt);
+    for (text, why) in [
+        // Digits that are not printed in a result of many.
+        (r"$P = 0.9137\cdot 0.53164 = 0.4857632$", Doubt::Inputs),
+        // A sign that is left out.
+        ("We find the difference between scores, e.g., $2-5 = 3$ here.", Doubt::Fragment),
+        ("Factor A has $t^2=-3.12^2 = 9.73$.", Doubt::Fragment),
+        // A factor that only changes a number to per cent.
+        (r"$80\% = \frac{80}{100} = .8 = .8*100 = 80\%$", Doubt::Fragment),
+    ] {
+        unlisted(TextFormat::Markdown, &[text]);
+        assert_eq!(doubt(text), Some(why), "{text}");
+    }
+    listed(
+        TextFormat::Markdown,
+        &[
+            r"$P = 0.9137\cdot 0.53164 = 0.4957632$",
+            r"$768\pi = 2413.3$",
+            r"$0.5\times 0.2\times 54.6^2=309.136$",
+            "We find the sum, e.g., $2-5 = 3$ here.",
+            "Factor A has $-3.12^2 = 9.73$.",
+            r"$.8 = .7*100 + 10 = 80\%$",
+        ],
+    );
 }

@@ -5,6 +5,7 @@ mod action;
 mod adjoining;
 #[cfg(feature = "cli")]
 mod archives;
+mod bases;
 mod certainty;
 mod chains;
 #[cfg(feature = "cli")]
@@ -12,13 +13,12 @@ mod command;
 mod commas;
 mod conventions;
 mod counted;
+mod decimals_and_units;
 mod definitions;
+mod denied;
 mod directives;
 mod doubts;
-mod eighteenth;
-mod fifteenth;
 mod formats;
-mod fourteenth;
 mod fuzz;
 mod growth;
 mod hints;
@@ -29,15 +29,16 @@ mod inclusions;
 #[cfg(feature = "cli")]
 mod integrations;
 mod judged;
+mod layouts;
 #[cfg(feature = "cli")]
 mod lsp;
 mod mathematics;
 mod mathematics_in_texts;
-mod measured;
 mod messages;
 #[cfg(feature = "cli")]
 mod neovim;
 mod notations;
+mod number_forms;
 #[cfg(feature = "cli")]
 mod office;
 mod operations;
@@ -46,10 +47,10 @@ mod plain;
 mod rates;
 mod readings;
 mod remarks;
+mod residues;
 mod running;
 #[cfg(feature = "cli")]
 mod sarif;
-mod seventeenth;
 mod silent;
 #[cfg(feature = "cli")]
 mod since;
@@ -108,4 +109,16 @@ fn on_numbers(text: &str, format: TextFormat) -> usize {
 fn assert_told_apart(right: &str, wrong: &str, format: TextFormat) {
     assert_eq!(on_numbers(right, format), 0, "{right}");
     assert_ne!(on_numbers(wrong, format), 0, "{wrong}");
+}
+
+/// A document in CNXML around what is in a paragraph.
+fn cnxml(inner: &str) -> String {
+    format!(
+        "<document xmlns:m=\"http://www.w3.org/1998/Math/MathML\"><content><para>{inner}</para></content></document>"
+    )
+}
+
+/// A book in PreTeXt around what is in a paragraph.
+fn pretext(inner: &str) -> String {
+    format!("<pretext><book><chapter><section><p>{inner}</p></section></chapter></book></pretext>")
 }

@@ -1,5 +1,6 @@
 //! What is told of a difference: printed and recomputed in one unit, never by the same characters, and what is told is right.
 
+use crate::report;
 use proofread::{ChainFinding, ChainVerdict, CheckOptions, ReportSection, TextFormat, proofread};
 
 fn findings(text: &str) -> Vec<ChainFinding> {
@@ -158,4 +159,26 @@ fn printed_and_recomputed_never_look_alike_and_the_recomputed_agrees() {
         disagreeing.len(),
         &disagreeing[..disagreeing.len().min(12)]
     );
+}
+
+#[test]
+fn a_value_far_below_the_printed_one_is_shown_as_it_is() {
+    let found =
+        report(r"$6.63 \times 10^{-34} \times 480 \times 10^{-9} = 3.2 \times 10^{40}$", TextFormat::Latex).findings;
+    assert_eq!(found[0].recomputed.as_deref(), Some("3.2 × 10^−40"));
+}
+
+#[test]
+fn what_was_not_read_is_shown_as_dots_and_commands_keep_their_names() {
+    let shown =
+        |text: &str| report(text, TextFormat::Latex).findings.into_iter().map(|of| of.chain).collect::<Vec<_>>();
+    assert_eq!(shown(r"$3 \times 1.2\times 10^12 = 4$"), ["3 × 1.2 × 10^1 2 = 4"]);
+    assert_eq!(shown(r"$\log_3(2) = 0.7$"), ["log_3 (2) = 0.7"]);
+    assert_eq!(shown(r"$\quux x = 2 \cdot 3 = 7$"), [r"\quux x = 2·3 = 7"]);
+}
+
+#[test]
+fn limits_with_pi_are_no_degrees() {
+    let found = report(r"$$\left[x+\sin x\right]_0^{2\pi} = 6.5$$", TextFormat::Markdown).findings;
+    assert_eq!(found[0].recomputed.as_deref(), Some("6.3"));
 }

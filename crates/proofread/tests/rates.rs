@@ -285,9 +285,9 @@ fn a_list_is_on_by_default_if_half_of_its_flags_are_real() {
         counted(&[LAST]).1
     );
     assert!(readme.contains(&told), "{told}");
-    // The help says half, in words.
     let share = |(real, all): Count| f64::from(real) / f64::from(all);
-    assert!(include_str!("../src/cli/arguments.rs").contains("half of what this list finds in new texts is real"));
+    let help = format!("{real} of the {all} that this list found in new texts were real");
+    assert!(include_str!("../src/cli/arguments.rs").contains(&help), "{help}");
     for count in [(real, all), counted(&CONTACTS)] {
         assert!((0.5..0.67).contains(&share(count)), "{count:?}");
     }

@@ -1,6 +1,6 @@
 //! The running text of pages in HTML: what is shown as one formula is read as one, and what is cut out of a line is no part of it.
 
-use crate::{report, wrong};
+use crate::{on_numbers, report, unusual, wrong};
 use proofread::{CheckOptions, LineIndex, ReportSection, TextFormat, proofread};
 
 /// How many chains of a page are compared.
@@ -100,4 +100,56 @@ fn what_is_found_is_where_the_page_has_it() {
     assert_eq!(&page[first.left_span.range()], "9.0&nbsp;V&thinsp;/\n  3.0 A");
     assert_eq!(first.hint.as_ref().map(|hint| &page[hint.at.range()]), Some("4.0"));
     assert_eq!(&page[findings[2].left_span.range()], "2 &times; 10<sup>3</sup> + 1");
+}
+
+#[test]
+fn running_text_is_read_as_it_is_shown() {
+    unusual::unlisted(
+        TextFormat::Markdown,
+        &[
+            "Here 2 atm = 202.65 kPa = 1520 mm Hg.",
+            "The scale: 1 unit = 20 <b>÷</b> 80 = 0.25 µm.",
+            "The probability is 2/5 &times; 7/24 = 7/60. The area is 0.6 &times; 0.3 = 0.18.",
+            "There are 9<sup>4</sup> = 6,561.",
+        ],
+    );
+    unusual::listed(
+        TextFormat::Markdown,
+        &[
+            "Here 2 atm = 202.65 kPa = 1620 mm Hg.",
+            "The scale: 1 unit = 20 <b>÷</b> 80 = 0.35 µm.",
+            "The probability is 2/5 &times; 7/24 = 7/61.",
+            "There are 9<sup>4</sup> = 262,144.",
+            "The rest is 19 (70 - 52 = 19). Next.",
+        ],
+    );
+    let cell = r#"{"cells": [{"cell_type": "markdown", "metadata": {}, "source": ["It is 2/5 &times; 7/24 = 7/60.\n"]}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}"#;
+    unusual::unlisted(TextFormat::Notebook, &[cell]);
+    unusual::listed(TextFormat::Notebook, &[&cell.replace("7/60", "7/61")]);
+    unusual::unlisted(
+        TextFormat::Plain,
+        &[
+            "The rest is 18 (70 - 52 = 18).",
+            "So P (X = 2) = 0.3 and f(x = 3) = 9.",
+            "Codes (1 = yes, 2 = no) and 3 (= 1 + 2).",
+        ],
+    );
+    unusual::listed(TextFormat::Plain, &["The rest (70 - 52 = 19) is here."]);
+    unusual::listed(TextFormat::Html, &["<p>The rest (70 - 52 = 19) is here.</p>"]);
+    unusual::listed(
+        TextFormat::Latex,
+        &["The rest (70 - 52 = 19) is here.", r"so the point $(x=\log_2 2^3=3, y=3\cdot 4 = 13)$ is"],
+    );
+}
+
+#[test]
+fn running_text_is_read_in_any_language_of_xml() {
+    for text in ["<para>We need 252×16 = 4042 of them.</para>", "<p>So 2*3=7 joules <me>x</me></p>"] {
+        assert_ne!(on_numbers(text, TextFormat::Xml), 0, "{text}");
+    }
+    for text in
+        ["<para>We need 252×16 = 4032 of them.</para>", "<p><m>x</m> and <c>2*3=7</c> <program>2*3=7</program></p>"]
+    {
+        assert_eq!(on_numbers(text, TextFormat::Xml), 0, "{text}");
+    }
 }

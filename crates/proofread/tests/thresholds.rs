@@ -253,6 +253,42 @@ fn behind_an_approximate_sign_only_the_rounding_of_steps_is_forgiven() {
 }
 
 #[test]
+fn behind_an_approximate_sign_three_digits_are_judged_as_behind_an_equals_sign() {
+    for sign in ["=", r"\approx"] {
+        let judged = |left: &str, right: &str, verdict: &str| {
+            let tex = format!("{left} {sign} {right}");
+            assert_eq!(verdicts(&tex), [verdict], "{tex}");
+        };
+        judged("67/120", "0.558", "consistent");
+        judged("67/120", "0.559", "inconsistent");
+        // A printed number with no fewer digits is no estimate.
+        judged("12.345", "12.3", "consistent");
+        judged("12.345", "12.4", "last-digit");
+        judged(r"123.45\,\text{m}", r"123\,\text{m}", "consistent");
+        judged(r"123.45\,\text{m}", r"122\,\text{m}", "last-digit");
+        judged("0.55600", r"55.6\%", "consistent");
+        judged("0.55600", r"55.7\%", "last-digit");
+    }
+    // With fewer digits it is one.
+    judged(&[(r"12.3 \approx 12.35", "consistent")]);
+}
+
+#[test]
+fn a_share_in_per_cent_leaves_as_little_open_as_a_bare_number() {
+    judged(&[
+        (r"67/120 = 55.8\%", "consistent"),
+        (r"67/120 = 55.9\%", "inconsistent"),
+        (r"67/120 \approx 55.9\%", "inconsistent"),
+        (r"(1+0.05)(1-0.03)-1 = 1.85\%", "consistent"),
+        (r"(1+0.05)(1-0.03)-1 = 1.95\%", "inconsistent"),
+        // With another unit, the numbers are measured.
+        (r"67\,\text{m}/(120\,\text{m}) = 55.9\%", "rounded"),
+        // A zero is a rounded one.
+        (r"1 - 0.998 = 0\%", "consistent"),
+    ]);
+}
+
+#[test]
 fn a_small_difference_of_rounded_numbers_explains_nothing_by_itself() {
     apart(r"$\frac{0.83-0.78}{0.0142} = 3.61$", r"$\frac{0.83-0.78}{0.0142} = 7.61$", Doubt::Inputs);
     judged(&[

@@ -149,3 +149,17 @@ fn what_is_compared_as_a_statistic_is_not_unchecked() {
     assert_eq!(told.as_deref(), Some("Not checked: 1 chain that only gives a letter a value."));
     assert_eq!(said("It is $t(28) = 2.20$ in all.").0.len(), 1);
 }
+
+#[test]
+fn what_stays_open_is_listed_as_unchecked() {
+    let unchecked = |text: &str, format: TextFormat| {
+        let options = CheckOptions { unchecked: true, ..CheckOptions::default() };
+        let report = proofread(text, format, options).expect("a text");
+        report.unchecked.into_iter().map(|chain| (chain.kind, chain.name)).collect::<Vec<_>>()
+    };
+    for text in [r"$$1^2 (0.8) + 2^2 (0.2) =4.8$$", r"$\log_{10}(100) = 6$"] {
+        let found = unchecked(text, TextFormat::Markdown);
+        assert!(found.iter().any(|(_, name)| name.starts_with("sides that may agree")), "{text}: {found:?}");
+    }
+    assert_eq!(unchecked("$2 + 2 = 4$", TextFormat::Markdown), []);
+}

@@ -1,6 +1,7 @@
 //! Units as texts write them: each is known, so that a wrong number beside it is noticed.
 
-use crate::{report, verdicts, wrong};
+use crate::unusual::{listed, unlisted};
+use crate::{assert_told_apart, pretext, report, verdicts, wrong};
 use proofread::{ReportSection, TextFormat};
 
 /// Ways to write a quantity in TeX.
@@ -122,4 +123,124 @@ fn a_result_may_be_in_another_multiple_of_the_unit_that_was_left_out() {
     let of = |text: &str| report(text, TextFormat::Latex).findings.iter().map(|of| of.section).collect::<Vec<_>>();
     assert_eq!(of(r"$125 \cdot 16.0 = 2.00\,\mathrm{km}$"), [ReportSection::Units]);
     assert_eq!(of(r"$125 \cdot 16.0 = 2.30\,\mathrm{km}$"), [ReportSection::Numbers]);
+}
+
+#[test]
+fn a_sign_of_degrees_on_one_term_is_for_all() {
+    unlisted(TextFormat::Latex, &[r"$90-21.5^\circ = 68.5$"]);
+    unlisted(TextFormat::Markdown, &["130.05° − 80.25 − 30 = 19.80°"]);
+    listed(TextFormat::Latex, &[r"$90-21.5^\circ = 78.5$"]);
+    listed(TextFormat::Markdown, &["130.05° − 80.25 − 30 = 29.80°"]);
+}
+
+#[test]
+fn upright_sec_without_an_argument_is_the_second() {
+    unlisted(
+        TextFormat::Markdown,
+        &[
+            r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 31.11\,\text{hours}$$",
+            r"$\text{sec}(60^\circ) = 2$",
+        ],
+    );
+    listed(
+        TextFormat::Markdown,
+        &[
+            r"$$112000\,\text{sec} \times \frac{1\,\text{hour}}{3600\,\text{sec}} = 41.11\,\text{hours}$$",
+            r"$\text{sec}(60^\circ) = 3$",
+        ],
+    );
+}
+
+#[test]
+fn letters_behind_numbers_are_units_where_the_chain_makes_sense() {
+    listed(
+        TextFormat::Latex,
+        &[
+            r"$R = \frac{12.40mm+12.44mm+12.45mm}{3} = 12.83mm$",
+            r"$Q=0.5\cdot 4186\cdot(100-30)=166510J$",
+            r"$17 - 273 = -246K$",
+            r"$V = \frac{2.5 \times 1.5}{1.7} = 2.31m^3$",
+            r"$15\% \times 110g = 15g$",
+            r"$u = 132.4 \times 0.05 = 0.00662V$",
+            r"$E_k=\frac12\times0.2\times54.6^2=309.136\ J$",
+            r"$\Delta H = \Delta H_{(1)} - \Delta H_{(2)} = (-383.5kJ) - (-253.5kJ) = -120kJ$",
+        ],
+    );
+    unlisted(
+        TextFormat::Latex,
+        &[
+            r"$R = \frac{12.40mm+12.44mm+12.45mm}{3} = 12.43mm$",
+            r"$123.4mm = 0.1234m$",
+            r"$10 + 4 = 2V$",
+            r"$5m = 20$",
+            r"$2m \cdot 3m = 6m$",
+            r"$6 + 2m = 10m$",
+            r"$12 - 2s = 4s$",
+        ],
+    );
+}
+
+#[test]
+fn an_upright_letter_may_be_a_side() {
+    let area =
+        r"<m>\text{Area} = \frac{\sqrt{3}}{4} \times \text{s}^2 = \frac{\sqrt{3}}{4} \times 8^2 = 16\sqrt{3}</m>";
+    unlisted(TextFormat::Xml, &[&pretext(area)]);
+    listed(TextFormat::Xml, &[&pretext(&area.replace(r"16\sqrt", r"15\sqrt"))]);
+}
+
+#[test]
+fn a_degree_beside_kelvins_is_one_of_temperature() {
+    unlisted(TextFormat::Markdown, &["It melts at 900 K = 627°", "At 1000 K = 727° it boils."]);
+    listed(TextFormat::Markdown, &["It melts at 900 K = 637°"]);
+}
+
+#[test]
+fn a_temperature_is_converted_with_its_uncertainty() {
+    let celsius = |kelvin: &str| format!(r"$(20 \pm 0.5)\,^\circ\mathrm{{C}} = ({kelvin} \pm 0.5)\,\mathrm{{K}}$");
+    assert_told_apart(&celsius("293.15"), &celsius("283.15"), TextFormat::Latex);
+    let fahrenheit =
+        |celsius: &str| format!(r"$(68 \pm 1)\,^\circ\mathrm{{F}} = ({celsius} \pm 0.6)\,^\circ\mathrm{{C}}$");
+    assert_told_apart(&fahrenheit("20"), &fahrenheit("30"), TextFormat::Latex);
+}
+
+#[test]
+fn a_rate_may_have_a_prefix_alone() {
+    for [right, wrong] in [
+        [r"$8/(25\,\text{M}) = 320\,\text{ns}$", r"$8/(25\,\text{M}) = 330\,\text{ns}$"],
+        ["It takes 8/(25 M) = 320 ns.", "It takes 8/(25 M) = 330 ns."],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn units_and_dots_have_more_spellings() {
+    for [right, wrong] in [
+        [
+            r"$(\SI{2}{\ampere})^2 \cdot \SI{50}{\milli\Omega} = \SI{0.2}{\watt}$",
+            r"$(\SI{2}{\ampere})^2 \cdot \SI{50}{\milli\Omega} = \SI{0.3}{\watt}$",
+        ],
+        [
+            r"$2\,\mathrm{A} \cdot 3\,\mathrm{V}\,\mathrm{mi} = 360\,\mathrm{J}$",
+            r"$2\,\mathrm{A} \cdot 3\,\mathrm{V}\,\mathrm{min} = 380\,\mathrm{J}$",
+        ],
+        [r"$\mathrm{60\,(m)m = 60\left(\frac{1}{1000}\right)m}$", r"$\mathrm{60\,m = 60\left(\frac{1}{1000}\right)m}$"],
+        [
+            r"$\sin^{-1}\left(\frac{8}{15}\right) \approx 32.2309...^\circ$",
+            r"$\sin^{-1}\left(\frac{8}{15}\right) \approx 33.2309...^\circ$",
+        ],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+    }
+}
+
+#[test]
+fn letters_with_coefficients_are_no_units() {
+    assert_told_apart("The budget is 100 = 5J + 10N.", "The energy is 60 J = 40 J + 30 J.", TextFormat::Markdown);
+}
+
+#[test]
+fn letters_of_quantities_stand_behind_signs_of_products() {
+    assert_told_apart("So h = 150 m = 0.5·g·3^2 here.", "So h = 150 m = 0.5·3 m·3 here.", TextFormat::Markdown);
+    assert_told_apart("It is 8/(5.43A°)^3 = 5 × 10^22.", "It is 8/(5.43 m)^3 = 5 × 10^22 m^-3.", TextFormat::Markdown);
 }

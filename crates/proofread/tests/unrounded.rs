@@ -1,6 +1,7 @@
 //! Differences that digits printed elsewhere explain, and what can't be explained by rounding.
 
-use crate::{report, verdicts, wrong};
+use crate::unusual::{listed, unlisted};
+use crate::{assert_told_apart, on_numbers, report, verdicts, wrong};
 use proofread::TextFormat;
 
 #[track_caller]
@@ -159,4 +160,109 @@ fn a_count_of_electrons_leaves_the_sign_of_their_charge_out() {
         (r"\frac{3.750\times10^{21}\,\text{e}}{6.242\times10^{18}\,\text{e/C}} = -600.8\,\text{C}", &["doubtful"]),
         (r"\frac{3.750\times10^{21}}{6.242\times10^{18}}\,\text{C} = -600.8\,\text{C}", &["inconsistent"]),
     ]);
+}
+
+#[test]
+fn pi_may_be_taken_as_a_fraction_or_as_few_decimals() {
+    unlisted(
+        TextFormat::Latex,
+        &[
+            r"The volume is $\frac{4}{3}\pi \times 64 = 268.19$.",
+            r"The volume is $\frac{4}{3}\pi \times 64 = 267.95$.",
+            r"$\pi \times 7^2 = 154\,\mathrm{cm}$",
+        ],
+    );
+    listed(TextFormat::Latex, &[r"The volume is $\frac{4}{3}\pi \times 64 = 268.91$.", r"$\pi \times 7^2 = 156$"]);
+}
+
+#[test]
+fn dots_behind_decimals_leave_the_next_digit_open() {
+    unlisted(
+        TextFormat::Latex,
+        &[
+            r"$1/17 \approx 0.0588\dots$",
+            r"$\frac{5}{7}\approx 0.7143\dots$",
+            r"$7\text{ cm}-(2.3411\dots\text{ cm})\approx 4.6588\dots\text{ cm}$",
+            r"$2.282\times(0.55\dots)\approx 1.25\dots$",
+            r"$1/3 = 0.333\dots$",
+            r"$2/3 = 0.66\dots$",
+        ],
+    );
+    listed(TextFormat::Latex, &[r"$1/17 \approx 0.0598\dots$", r"$1/3 = 0.353\dots$", r"$2/3 = 0.77\dots$"]);
+}
+
+#[test]
+fn estimates_have_more_digits_than_are_printed() {
+    unlisted(
+        TextFormat::Markdown,
+        &[
+            "The odds ratio is $e^{-0.41} = 0.661$.",
+            r"$Z = \frac{-0.0241}{0.0063} = -3.81$",
+            r"$F = \frac{4.21\times10^{10}}{5.33\times10^8} = 78.91$",
+        ],
+    );
+    listed(
+        TextFormat::Markdown,
+        &["The odds ratio is $e^{-0.41} = 0.681$.", r"$Z = \frac{-0.0241}{0.0063} = -3.61$", "$e^{-0.41} = 0.661$"],
+    );
+}
+
+#[test]
+fn money_is_printed_to_its_cents() {
+    for [right, wrong] in [
+        [r"$\$101.50 - \$100 = \$1.50$", r"$\$101.50 - \$100 = \$1.95$"],
+        [r"$\$102.40 - \$100 = \$2.40$", r"$\$102.40 - \$100 = \$2.04$"],
+        [r"$€101.50 - €100 = €1.50$", r"$€101.50 - €100 = €1.95$"],
+        [r"$\$200 \times 1.05 = \$210.00$", r"$\$200 \times 1.05 = \$210.50$"],
+        [r"$3 \times \$45 = \$135$", r"$3 \times \$45 = \$140$"],
+        [r"$\$6/\$13 = 0.46$", r"$\$6/\$13 = 0.64$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // With the sign before it, a sum is a printed number all the same.
+    assert_eq!(verdicts(r"\$1.23 \times 3 = \$3.69"), ["consistent"]);
+}
+
+#[test]
+fn a_result_with_many_digits_has_exact_operands() {
+    for [right, wrong] in [
+        ["$294/0.0001 = 2940000$", "$294/0.0001 = 2940002$"],
+        [r"$\frac{48}{0.002} = 24000$", r"$\frac{48}{0.002} = 24001$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // With as many digits in its operands, it may be of others than are printed.
+    assert_eq!(on_numbers("$35.21/0.0103 = 3421$", TextFormat::Markdown), 0);
+}
+
+#[test]
+fn an_estimate_has_the_exact_value_in_brackets_behind_it() {
+    for [right, wrong] in [
+        [
+            r"$\frac12 + 1 = 1\frac12 \left(1\frac{5}{24}\right)$",
+            r"$\frac12 + 1 = 1\frac13 \left(1\frac{5}{24}\right)$",
+        ],
+        [r"$3 + 2 = 5\; (4\frac78)$", r"$3 + 2 = 6\; (4\frac78)$"],
+        [r"$0.5 + 0.2 = 0.7\,(0.68)$", r"$0.5 + 0.2 = 0.8\,(0.68)$"],
+        // Far from it, the bracket is a factor.
+        [r"$3 + 2 = 5\; (4\frac78)$", r"$3 + 2 = 5\; (2\frac78)$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+}
+
+#[test]
+fn a_large_exponent_takes_all_digits() {
+    let power = |n: u32| format!(r"$\left(1 - \frac{{1}}{{10^{{{n}}}}}\right)^{{10^{{{n}}}}} \approx e^{{-1}}$");
+    assert_told_apart(&power(20), &power(20).replace("10^{20}", "3"), TextFormat::Latex);
+}
+
+#[test]
+fn textbooks_round_angles_to_degrees() {
+    for [right, wrong] in [
+        [r"$\frac{3}{4} = \tan 37^\circ$", r"$\frac{3}{4} = \tan 39^\circ$"],
+        [r"$\sin 53^\circ = \frac45$", r"$\sin 50^\circ = \frac45$"],
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Latex);
+    }
 }

@@ -45,8 +45,7 @@ pub(super) fn may_have_rounded_terms(side: &[Token], computed: &SideValue, print
         return false;
     }
     let decimals = |token: &Token| token.number()?.split_once('.').map(|(_, behind)| behind.len());
-    let mut terms: Vec<usize> = side.iter().filter_map(decimals).collect();
-    terms.sort_unstable();
+    let terms: Vec<usize> = side.iter().filter_map(decimals).collect();
     let numbers = side.iter().filter(|token| token.number().is_some()).count();
     let subtracts = side.iter().any(|token| token.is_sign('-'));
     // The five is the last digit of some part of a power of two.

@@ -19,7 +19,7 @@ use crate::judge::lost_digits::{
 use crate::judge::money::has_money;
 use crate::order::sort_few_without_repeats;
 use crate::token::{Token, TokenKind, any};
-use crate::unit::currency;
+use crate::unit::{currency, is_percent};
 use std::f64::consts::PI;
 
 /// A verdict, and the values behind it.
@@ -327,8 +327,9 @@ impl<'t> ComparedSides<'t> {
         let fine = |verdict: ChainVerdict| judgement(if by_numbers { ChainVerdict::Units } else { verdict });
         // A function of an angle or a ratio is mostly of something measured.
         let is_function = |kind: &TokenKind| matches!(kind, TokenKind::Function(_));
+        let is_of_functions = self.sides.iter().any(|side| any(side, &is_function));
         let bare = (points.iter().all(|point| !point.has_unit && point.angle.is_none()) || self.is_all_money())
-            && !self.sides.iter().any(|side| any(side, &is_function));
+            && !is_of_functions;
         if bare && self.relation == Relation::Equal && self.is_of_whole_numbers(&points, literal) {
             let printed = usize::from(literal[1]);
             let near = is_near(&points[1 - printed], &strict[printed]) && has_three_digits(&strict[printed]);
@@ -422,6 +423,8 @@ impl<'t> ComparedSides<'t> {
         // They are whole, or have so few digits beside the result that they must be meant as they are.
         let has_exact_operands =
             (result > 0 && (operands == 0 || result >= operands + 2)) || self.has_long_result(literal);
+        // A share in per cent is a bare number, too, though its zero is a rounded one.
+        let bare = bare || (!is_of_functions && self.is_all_share());
         // A bare number is given as it is, or it has the digits of the others and one more was dropped.
         let likelihood = match literal[0] == literal[1] || !bare {
             true => StepLikelihood { share: LIKELY, of_one_digit: Some(f64::INFINITY) },
@@ -440,9 +443,11 @@ impl<'t> ComparedSides<'t> {
         // Three digits behind ≈ are meant to be right.
         let exact = if literal[1] { is_exact(right) } else { literal[0] && is_exact(left) && !is_round(self.sides[1]) };
         let strictly = (literal[1] && is_near(left, right)) || (literal[0] && is_near(right, left));
-        let by_digits = literal == [false, true] && has_three_digits(right);
+        // A printed number before them that has no fewer digits is no estimate.
+        let is_estimate = literal[0] && relative_width(left) > 1.0001 * relative_width(right);
+        let by_digits = literal[1] && has_three_digits(right) && !is_estimate;
         let rough = if by_digits {
-            let lost = close && left.meets(right, 0.0);
+            let lost = close && left.meets(right, 0.0) && !(is_bare_result && has_exact_operands);
             lost || (self.relation == Relation::Approximate && self.agrees_with_rounded_steps(reading, right))
         } else {
             !exact || strictly
@@ -496,6 +501,13 @@ impl<'t> ComparedSides<'t> {
     fn is_all_money(&self) -> bool {
         let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if currency(word).is_none());
         self.sides.iter().all(|side| has_money(side) && !any(side, &is_other))
+    }
+
+    /// Whether a side is in per cent and neither has any unit.
+    fn is_all_share(&self) -> bool {
+        let is_share = |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if is_percent(word));
+        let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Word(word) if !is_percent(word));
+        self.sides.iter().any(|side| any(side, &is_share)) && !self.sides.iter().any(|side| any(side, &is_other))
     }
 
     /// The most digits of a decimal number that goes into a result, and of the printed one.

@@ -1,0 +1,74 @@
+//! Numbers in other bases and bits: right chains that must not be listed, beside wrong ones that must.
+
+use crate::unusual::{listed, unlisted};
+use crate::{assert_told_apart, on_numbers, pretext};
+use proofread::TextFormat;
+
+#[test]
+fn a_subscript_may_be_a_base() {
+    unlisted(
+        TextFormat::Markdown,
+        &[r"$1101_2 = 13_{10}$", r"$327_8 = 3\times 8^2 + 2 \times 8 + 7$", r"$101_{\text{two}} = 5$"],
+    );
+    listed(
+        TextFormat::Markdown,
+        &[r"$1101_2 = 14_{10}$", r"$327_8 = 3\times 8^2 + 2 \times 8 + 8$", r"$101_{\text{two}} = 6$"],
+    );
+}
+
+#[test]
+fn digits_in_another_base_may_stand_in_groups() {
+    let chain = "<m>75_{10} = 100 1011_2 = 2210_3 = 300_5</m>";
+    let long = "<m>2012_{10} = 111 1101 1100_2 = 220 2112_3 = 3 1022_5 = 7D\\text{C}_{16}</m>";
+    unlisted(TextFormat::Xml, &[&pretext(chain), &pretext(long), &pretext("<m>64_{10} = 100 0000_2 = 40_{16}</m>")]);
+    listed(
+        TextFormat::Xml,
+        &[
+            &pretext(&chain.replace("1011", "1010")),
+            &pretext(&long.replace("2112", "2111")),
+            &pretext("<m>64_{10} = 100 0000_2 = 41_{16}</m>"),
+        ],
+    );
+}
+
+#[test]
+fn numbers_of_computing_are_powers_of_two() {
+    unlisted(
+        TextFormat::Markdown,
+        &[
+            "In binary we write 0.10 + 0.10 = 1.00 for two halves.",
+            "$1.0110*2^0=1.375$",
+            "For the 5-bit twos complement numbers $x = -7 = 11001_2$ we have",
+            "$1011_2=(10)(11)=(2)(3)=23_4$",
+            "So 2^14 = 16K and 2^44 = 16T.",
+            "There are 2^16 - 1 = 64K - 1 of them.",
+        ],
+    );
+    listed(TextFormat::Markdown, &["$1.0110*2^0=1.475$", "So 2^14 = 17K.", "0.10 + 0.10 = 1.10"]);
+}
+
+#[test]
+fn a_sentence_may_name_the_base_of_its_numbers() {
+    let thirds = r"\[ \frac13 = 0.1 = 0.0\overline{2} \]";
+    let with = |words: &str| format!("Numbers are written {words}: {thirds}");
+    assert_told_apart(&with("with respect to basis $3$"), &with("as usual"), TextFormat::Latex);
+    assert_ne!(on_numbers(&with("in a basis of the space"), TextFormat::Latex), 0);
+}
+
+#[test]
+fn bits_have_an_exclusive_or() {
+    let text = |words: &str| format!("Mit {words} wird umgeschaltet: für r=1 gilt 1^1=0 und sonst 0^1=1.");
+    assert_told_apart(&text("XOR"), &text("Potenzen"), TextFormat::Markdown);
+    assert_told_apart("- boolesch: $1+1=1$", "- hier: $1+1=1$", TextFormat::Markdown);
+}
+
+#[test]
+fn bits_have_their_own_sums_and_signs() {
+    let field = |sign: &str| format!("Die Nullstellen in {sign}: $1^2+1+1 = 1 + 0$.");
+    assert_told_apart(&field("𝔽_2"), &field("𝔽_3"), TextFormat::Latex);
+    let element = "<msub><mi>𝔽</mi><mn>2</mn></msub>";
+    assert_told_apart(&field(element), &field(&element.replace('2', "3")), TextFormat::Latex);
+    let item = |words: &str| format!("- 10 - 11 = 1 {words}: When subtracting");
+    assert_told_apart(&item("with a borrow"), &item("in all"), TextFormat::Markdown);
+    assert_told_apart("$1000_2 = -8_{10}$", "$1000_2 = -7_{10}$", TextFormat::Markdown);
+}
