@@ -81,8 +81,9 @@
 
         // Where the drawing is so small that nobody could read its dimensions, it shows the parts alone.
         const picture = figure.querySelector('.drawing');
+        const isCropped = () => figure.classList.contains('cropped');
         const crop = () => {
-            if (!figure.classList.contains('cropped')) {
+            if (!isCropped()) {
                 return;
             }
             const svg = picture.querySelector('svg');
@@ -92,6 +93,12 @@
             svg.dataset.whole ??= svg.getAttribute('viewBox');
             svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
         };
+
+        // What a cropped drawing does not show (live.css) is not put into the page.
+        const unseen = /<g [^]*?<\/g>|<text [^]*?<\/text>|<(line|path) (?![^>]*class="(?!ground))[^>]*>/g;
+        const visible = svg => drawn(isCropped() ? svg.replace(unseen, '') : svg);
+        // The last drawing, and how its parts were turned.
+        let source, posed;
 
         // The heights of what stays and of its drawing while nothing was refused.
         let usual;
@@ -146,6 +153,7 @@
         // Wheel and driver turn in the drawing, which stays. Play and errors come as large as they are to be seen.
         const words = figure.querySelector('.turned');
         const turn = parts => {
+            posed = parts;
             const svg = figure.querySelector('.drawing svg'), line = svg.querySelector('.line-of-centres');
             const [x, y, far] = ['x1', 'y1', 'x2'].map(name => Number(line.getAttribute(name)));
             const scale = (far - x) / parts.centre_distance, apart = parts.apart * scale;
@@ -194,7 +202,8 @@
                 pending = false;
                 return refuse(error);
             }
-            const drawing = drawn(svg);
+            const drawing = visible(svg);
+            source = svg;
             figure.classList.remove('refused');
             stale.hidden = true;
             files.forEach(button => button.disabled = false);
@@ -624,7 +633,12 @@
                 svg.setAttribute('viewBox', svg.dataset.whole);
                 delete svg.dataset.whole;
             }
+            const wasCropped = isCropped();
             figure.classList.toggle('cropped', getComputedStyle(picture).getPropertyValue('--cropped').trim() === '1');
+            if (source && isCropped() !== wasCropped) {
+                picture.replaceChildren(visible(source));
+                posed && turn(posed);
+            }
             crop();
             const isBeside = getComputedStyle(form).display === 'contents';
             const { clientHeight } = document.documentElement;
