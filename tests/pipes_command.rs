@@ -10,8 +10,8 @@ fn nothing_but_text_goes_into_a_pipe() {
     let CommandOutput { stdout, stderr, code } = errata();
     assert!(!stdout.contains('\u{1b}') && stderr.is_empty() && *code == 0, "{stderr}");
     for arguments in [
-        &["claims", "--source", "jazar"][..],
-        &["errata", "--source", "jazar", "--all"],
+        &["claims", "--source", "quick-return"][..],
+        &["errata", "--source", "quick-return", "--all"],
         &["coverage"],
         &["--help"],
         &["claims", "--source", "pim"],
@@ -42,10 +42,10 @@ fn colour_is_shown_when_asked_for_and_no_color_wins() {
 
 #[test]
 fn a_reader_that_has_seen_enough_is_no_error() {
-    let jazar = ["claims", "--source", "jazar"];
+    let claims = ["claims", "--source", "quick-return"];
     for arguments in [
-        &jazar[..],
-        &[&jazar[..], &["--format", "json"]].concat(),
+        &claims[..],
+        &[&claims[..], &["--format", "json"]].concat(),
         &["mimic", "run", "escapement"],
         &["completions", "zsh"],
     ] {
@@ -58,7 +58,7 @@ fn a_reader_that_has_seen_enough_is_no_error() {
         assert!(output.status.success() && output.stderr.is_empty(), "{arguments:?}: {output:?}");
     }
     // Closed before the first character.
-    let mut child = geneva(&jazar).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
+    let mut child = geneva(&claims).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
     drop(child.stdout.take());
     let output = child.wait_with_output().expect("it ends");
     assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
