@@ -237,7 +237,7 @@ fn a_refused_setting_leaves_no_number_of_another_one() {
     let refused = of(&mut browser, "design", shown);
     assert!(refused[0].as_str().is_some_and(|told| told.split(',').all(|number| number == "–")), "{refused}");
     assert!(refused[1] == first[1] && refused[2] == json!(true), "it is not said whose drawing it is");
-    assert!(refused[3].as_str().is_some_and(|why| why.contains("Give diameter of a pin: up to")), "{}", refused[3]);
+    assert!(refused[3].as_str().is_some_and(|why| why.contains("Give “diameter of a pin” up to")), "{}", refused[3]);
     // There is nothing to draw a file of, and the page says so.
     assert_eq!(refused[4], json!("true"));
     let stale = of(&mut browser, "design", "f.querySelector('.stale').textContent");

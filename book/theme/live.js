@@ -18,12 +18,20 @@
         const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
         for (const element of [parsed, ...parsed.querySelectorAll('*')]) {
             const strange = element.namespaceURI !== svgSpace || !elements.has(element.localName) ||
-                [...element.attributes].some(({ name, value }) => !attributes.has(name) || /url\(|:\/\//.test(value) && name !== 'xmlns');
+                element.getAttributeNames().some(name =>
+                    !attributes.has(name) || name !== 'xmlns' && /url\(|:\/\//.test(element.getAttribute(name)));
             if (strange) {
                 throw new Error('the drawing has parts that no drawing of this book has');
             }
         }
         return document.adoptNode(parsed);
+    };
+
+    // The same words written again would be laid out again.
+    const write = (element, text) => {
+        if (element.textContent !== text) {
+            element.textContent = text;
+        }
     };
 
     const begin = figure => {
@@ -52,12 +60,12 @@
         const question = (ending = '') =>
             `${figure.dataset.live}${ending}?${[figure.dataset.given, settings()].filter(part => `${part}`).join('&')}`;
         const say = (text, wrong) => {
-            message.textContent = text;
+            write(message, text);
             message.classList.toggle('wrong', Boolean(wrong));
         };
 
         // Where there is nothing that a control would stand for, its box is empty.
-        const write = (input, value) => {
+        const stand = (input, value) => {
             if (value === null) {
                 box(input).value = '';
                 return;
@@ -73,8 +81,9 @@
 
         // Where the drawing is so small that nobody could read its dimensions, it shows the parts alone.
         const picture = figure.querySelector('.drawing');
+        const isCropped = () => figure.classList.contains('cropped');
         const crop = () => {
-            if (!figure.classList.contains('cropped')) {
+            if (!isCropped()) {
                 return;
             }
             const svg = picture.querySelector('svg');
@@ -85,11 +94,17 @@
             svg.setAttribute('viewBox', `${left} ${top} ${right + 6 - left} ${bottom + 6 - top}`);
         };
 
+        // What a cropped drawing does not show (live.css) is not put into the page.
+        const unseen = /<g [^]*?<\/g>|<text [^]*?<\/text>|<(line|path) (?![^>]*class="(?!ground))[^>]*>/g;
+        const visible = svg => drawn(isCropped() ? svg.replace(unseen, '') : svg);
+        // The last drawing, and how its parts were turned.
+        let source, posed;
+
         // The heights of what stays and of its drawing while nothing was refused.
         let usual;
         const refuse = why => {
             stop();
-            drawnFor = undefined;
+            drawnFor = late = undefined;
             if (!figure.classList.contains('refused')) {
                 usual = [shows, picture].map(({ offsetHeight }) => offsetHeight);
             }
@@ -138,6 +153,7 @@
         // Wheel and driver turn in the drawing, which stays. Play and errors come as large as they are to be seen.
         const words = figure.querySelector('.turned');
         const turn = parts => {
+            posed = parts;
             const svg = figure.querySelector('.drawing svg'), line = svg.querySelector('.line-of-centres');
             const [x, y, far] = ['x1', 'y1', 'x2'].map(name => Number(line.getAttribute(name)));
             const scale = (far - x) / parts.centre_distance, apart = parts.apart * scale;
@@ -164,7 +180,7 @@
                 const places = { class: 'contact', cx: x + along * scale, cy: y - left * scale, r: 10 };
                 Object.entries(places).forEach(([name, value]) => contact.setAttribute(name, value));
             }
-            words.textContent = parts.words;
+            write(words, parts.words);
             svg.querySelector('desc').textContent = `${described} ${parts.words}`.trim();
             figure.classList.toggle('jams', parts.jams);
             [halfFree, movedBy, jammed] = [parts.half_free, parts.moved_by, parts.jams];
@@ -174,27 +190,37 @@
         };
         // Whether the last answer has only a part of a long calculation, and the settings that were asked for last.
         let pending = false, before;
-        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams, turned, command }) => {
+        // Numbers far out of sight are written once a setting stays: a picture does not wait for them.
+        const others = figure.querySelector('.others');
+        let isFar = false, late;
+        others && new IntersectionObserver(([entry]) => {
+            isFar = !entry.isIntersecting;
+            isFar || late?.();
+        }, { rootMargin: '64px' }).observe(others);
+        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg, steps, jams, turned, command }, stays) => {
             if (error !== undefined) {
                 pending = false;
                 return refuse(error);
             }
-            const drawing = drawn(svg);
+            const drawing = visible(svg);
+            source = svg;
             figure.classList.remove('refused');
             stale.hidden = true;
             files.forEach(button => button.disabled = false);
-            followers.forEach(input => write(input, told.find(({ name }) => name === input.name).value));
+            followers.forEach(input => stand(input, told.find(({ name }) => name === input.name).value));
             heard = numbers;
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
-            outputs.forEach(output => output.value = texts[output.name] ?? '–');
+            const tell = outputs => outputs.forEach(output => write(output, texts[output.name] ?? '–'));
+            tell(figure.querySelectorAll('.results output'));
+            late = () => {
+                tell(others?.querySelectorAll('output') ?? []);
+                late = undefined;
+            };
+            isFar && !stays || late();
             say([words, progress?.parts && `${progress.done} of ${progress.all} ${progress.parts}`].filter(Boolean).join(' '), words);
             picture.replaceChildren(drawing);
             crop();
-            // The same words written again would be laid out again.
-            const says = figure.querySelector('.says');
-            if (says.textContent !== caption) {
-                says.textContent = caption;
-            }
+            write(figure.querySelector('.says'), caption);
             if (worked) {
                 worked.hidden = !steps.length;
                 solution = steps;
@@ -209,7 +235,7 @@
                 turn(turned);
             }
             if (command) {
-                form.querySelector('.command').textContent = command;
+                write(form.querySelector('.command'), command);
             }
             pending = Boolean(progress);
         };
@@ -240,7 +266,7 @@
                     if (turns && answer.error === undefined) {
                         turn(answer);
                     } else {
-                        show(answer);
+                        show(answer, stays);
                         drawnFor = answer.error === undefined ? asked : undefined;
                     }
                 } catch (error) {
@@ -248,10 +274,11 @@
                     refuse(`The figure has no answer for this setting: ${error.message}.`);
                 }
                 // What runs goes on instead of waiting for the rest, which is counted once the setting stays for a while.
-                if (pending && !playing && !again) {
+                if ((pending || late) && !playing && !again) {
                     if (!stays) {
                         await quiet();
                     }
+                    again || late?.();
                     again ||= pending && !playing;
                 }
                 // A first question does not wait for a frame; those that follow it are asked once in each.
@@ -338,7 +365,7 @@
                     exact.set(other, shown(other));
                 }
             }
-            write(input, value);
+            stand(input, value);
             // A number beside the slider's is asked for all the same, and the answer says what is possible.
             if (Number(input.value) === Number(value)) {
                 exact.delete(input);
@@ -423,8 +450,9 @@
             [announced, words].forEach(element => element?.setAttribute('aria-live', on ? 'off' : 'polite'));
             if (on) {
                 requestAnimationFrame(frame);
-            } else if (pending) {
-                draw();
+            } else {
+                late?.();
+                pending && draw();
             }
         };
         const stop = () => {
@@ -605,7 +633,12 @@
                 svg.setAttribute('viewBox', svg.dataset.whole);
                 delete svg.dataset.whole;
             }
+            const wasCropped = isCropped();
             figure.classList.toggle('cropped', getComputedStyle(picture).getPropertyValue('--cropped').trim() === '1');
+            if (source && isCropped() !== wasCropped) {
+                picture.replaceChildren(visible(source));
+                posed && turn(posed);
+            }
             crop();
             const isBeside = getComputedStyle(form).display === 'contents';
             const { clientHeight } = document.documentElement;

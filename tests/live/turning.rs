@@ -192,6 +192,21 @@ fn on_a_phone_the_drawing_is_small_and_stays_beside_any_control() {
 }
 
 #[test]
+fn on_a_phone_the_drawing_has_no_dimensions_until_the_window_is_wide_and_numbers_out_of_sight_are_of_the_setting() {
+    let Some(mut browser) = browser() else { return };
+    browser.show_in([390, 664], Medium::Light);
+    open(&mut browser, "making", "#fig-wheel-dimensions");
+    of(&mut browser, NAME, &typed("crank-radius", "31"));
+    let state = "[f.querySelectorAll('.drawing text').length, f.querySelector('.others').getBoundingClientRect().top > innerHeight, \
+                 f.querySelector('output[name=crank-radius]').value]";
+    assert_eq!(of(&mut browser, NAME, state), json!([0, true, "31.000 mm"]));
+    browser.show_in([1280, 800], Medium::Light);
+    let label = "until(() => [...f.querySelectorAll('.drawing text')].map(text => text.textContent).find(text => \
+                 text.startsWith('crank radius')))";
+    assert_eq!(of(&mut browser, NAME, &format!("await {label}")), json!("crank radius 31"));
+}
+
+#[test]
 fn each_file_is_there_and_the_command_follows_the_setting() {
     let Some(mut browser) = browser() else { return };
     browser.show_in([1280, 800], Medium::Light);

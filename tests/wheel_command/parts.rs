@@ -100,12 +100,15 @@ fn the_length_that_was_given_comes_back() {
 #[test]
 fn what_does_not_fit_is_refused_with_how_much_and_what_to_change() {
     for (options, said) in [
-        (&["--pin-diameter", "60"][..], "run into each other by 13.1000 mm; give --pin-diameter up to 21.91"),
+        (&["--pin-diameter", "60"][..], "run into each other by 13.1 mm; give --pin-diameter up to 21.91"),
         (&["--play", "90"], "--play 90"),
         (&["--bottom-clearance", "45"], "--bottom-clearance 45"),
         (&["--horn", "40"], "give --horn from 3 to 26.38"),
         (&["--wheel-shaft", "80"], "it is too thick for the parts around it; give --wheel-shaft up to 69.97"),
-        (&["--driver-shaft", "30"], "give --driver-shaft up to 14.96, or let the shaft end in the plate"),
+        (
+            &["--driver-shaft", "30"],
+            "give --driver-shaft up to 14.96 for sound walls and locking arcs, or let the shaft end in the plate",
+        ),
         (&["--locking-arc-radius", "90"], "--locking-arc-radius 90: a locking arc runs into the slots"),
         (&["--locking-play", "60"], "give --locking-play up to"),
         (&["--pin-diameter", "0.01", "--play", "200"], "mm"),

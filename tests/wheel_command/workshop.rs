@@ -96,7 +96,8 @@ fn an_internal_wheel_gets_every_file_of_an_external_one_and_what_is_lacking_of_o
             &["--type", "spherical", "--crank-radius", "40"][..],
             "parts of a spherical wheel are not worked out",
         ),
-        ("unsized", &["--type", "internal"], "--crank-radius MM"),
+        ("unsized", &["--type", "internal"], "--crank-radius MM and --thickness MM"),
+        ("flat", &["--type", "internal", "--crank-radius", "40"], "the thickness of the wheel: add --thickness MM"),
     ] {
         let (_, missing, text) = out(name, options);
         assert!(text.contains(why), "{text}");

@@ -250,10 +250,6 @@ fn proposed(question: &WheelQuestion) -> anyhow::Result<Option<MechanismReport>>
 
 /// Writes all that is said of a wheel to a folder: each file is complete or not there. Tells what is where.
 fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextLayout) -> anyhow::Result<String> {
-    let is_internal = design.wheel.kind() == WheelKind::Internal && design.crank_radius.is_some();
-    if is_internal && design.question.thickness.is_none() {
-        bail!("--out {}: the files of an internal wheel need its thickness; add --thickness MM", folder.display());
-    }
     // All of them before the first is written: what can't be made leaves nothing.
     let answer = design.answer()?;
     let on_sheet = fields::with_lengths_in(unit, answer.clone());
@@ -286,6 +282,12 @@ fn write_all(design: &WheelDesign, folder: &Path, unit: SheetUnit, layout: TextL
     if !missing.is_empty() {
         let why = match design.wheel.kind() {
             WheelKind::Spherical => "because the parts of a spherical wheel are not worked out",
+            WheelKind::Internal if design.crank_radius.is_some() && design.question.thickness.is_none() => {
+                "because they need the thickness of the wheel: add --thickness MM"
+            }
+            WheelKind::Internal if design.crank_radius.is_none() => {
+                "because they need a size and a thickness: add --crank-radius MM and --thickness MM"
+            }
             _ if design.crank_radius.is_some() => {
                 "because with so little play, meshes would have more corners than a printer has use for: give a larger --play"
             }
@@ -410,7 +412,7 @@ fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: 
         let why = "without a size in mm; add --crank-radius MM, or another of the sizes";
         reject_any(given, acts_on(ActsOn::Parts), why)?;
     }
-    if wanted.speed().is_none() {
+    if !wanted.has_speed() {
         let why = "without a speed; add --rpm R or --index-time S";
         reject_any(
             given,

@@ -48,15 +48,35 @@ pub(crate) fn label(argument: &Argument) -> Option<&'static str> {
 fn sizes_words(error: &SizesError, remedies: &[FittingValues]) -> String {
     let control = |of: &FittingValues| {
         let argument = arguments().find(|argument| argument.name == of.name)?;
-        Some(format!("{}: {} {}", label(argument)?, of.range(), argument.knob?.unit))
+        let range = format!("“{}” {} {}", label(argument)?, of.range(), argument.knob?.unit);
+        Some(range.trim_end().to_owned() + of.purpose())
     };
     let controls: Vec<String> = remedies.iter().filter_map(control).collect();
-    if controls.is_empty() { error.to_string() } else { format!("{}. Give {}", error.reason(), controls.join(", or ")) }
+    let reason = capitalised(&error.reason());
+    if controls.is_empty() {
+        capitalised(&error.to_string())
+    } else {
+        format!("{reason}. Give {}", controls.join(", or "))
+    }
+}
+
+/// A sentence with a capital letter at its beginning.
+fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::with_labels;
+    use super::{with_labels, words};
+    use geneva_ask::wheel::{WheelDesign, WheelQuestion};
+
+    #[test]
+    fn a_refusal_of_sizes_is_a_sentence_with_the_labels_of_the_controls() {
+        let question = WheelQuestion::parse("--stations 6 --crank-radius 62 --play 0.1 --pin-diameter 40");
+        let refused = question.and_then(WheelDesign::new).map(|_| ()).map_err(words).expect_err("too thick");
+        assert!(refused.starts_with("The ") && refused.contains(". Give “diameter of a pin” up to "), "{refused}");
+    }
 
     #[test]
     fn an_argument_goes_by_the_label_of_its_control_and_what_has_none_stays() {

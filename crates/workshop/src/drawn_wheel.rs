@@ -140,9 +140,14 @@ impl Drawing {
     ///
     /// # Errors
     ///
-    /// [`DrawingError::Missing`] for a layer without the wheel's rim or slots, and [`DrawingError::Sizes`] for what no wheel has.
+    /// [`DrawingError::Missing`] for a layer without the wheel's rim or slots, [`DrawingError::Internal`] for a drawing of an internal wheel by
+    /// this program, and [`DrawingError::Sizes`] for what no wheel has.
     pub fn measure(&self, layers: &LayerNames, uncertainty: f64) -> Result<DrawnWheel, DrawingError> {
         let missing = |layer: &str, missing| DrawingError::Missing { layer: layer.to_owned(), missing };
+        let of_ring = [Layer::LockingSegment, Layer::RingPlate].map(Layer::name);
+        if let Some(layer) = of_ring.into_iter().find(|layer| self.on(layer).next().is_some()) {
+            return Err(DrawingError::Internal { layer });
+        }
         let arcs = self.arcs(&layers.wheel);
         let size = arcs.iter().map(|arc| arc.radius).fold(0.0, f64::max);
         let axis = shared_centre(&arcs, size, |_| 1.0).ok_or_else(|| missing(&layers.wheel, "there is no arc"))?;

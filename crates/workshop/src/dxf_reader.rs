@@ -38,6 +38,14 @@ pub enum DrawingError {
         /// What is missing.
         missing: &'static str,
     },
+    /// A drawing of an internal wheel.
+    #[error(
+        "layer {layer}: this is a drawing of an internal wheel, and only external wheels can be checked; give one of an external wheel"
+    )]
+    Internal {
+        /// Name of the layer that only internal wheels have.
+        layer: &'static str,
+    },
     /// Sizes that no wheel has.
     #[error("{0}")]
     Sizes(String),

@@ -3,10 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
 
 use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::internal_sizes::InternalSizes;
+use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::wheel::as_built::{AsBuiltWheel, MeasuredSize, Process, ProcessNumbers, SplitMix64};
 use geneva_kinematics::wheel::{Choices, Edge, Loop, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{
-    Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, PinMount, ScrewHole, Thread, dxf, parts,
+    Drawing, DrawingError, Fastener, LayerNames, Mounting, PartLayout, Pattern, PinMount, ScrewHole, Thread, dxf,
+    internal_parts, parts,
 };
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -15,6 +18,15 @@ use std::fmt::Write;
 fn sizes(stations: u32, pins: u32, play: f64) -> Sizes {
     let choices = Choices { play: Some(Play::from_slot(play)), ..Choices::default() };
     Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CentreDistance(100.0), &choices).unwrap()
+}
+
+#[test]
+fn a_drawing_of_an_internal_wheel_is_refused_as_such() {
+    let sizes = InternalSizes::new(InternalWheel::new(5).unwrap(), 40.0, &Choices::default()).unwrap();
+    let list = internal_parts(&sizes, 6.0, &Mounting::default()).unwrap();
+    let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Apart)).unwrap();
+    let refused = drawing.measure(&LayerNames::default(), 0.01).unwrap_err();
+    assert!(refused.to_string().contains("only external wheels can be checked"), "{refused}");
 }
 
 #[test]
@@ -204,10 +216,11 @@ fn a_slot_whose_walls_are_not_straight_from_end_to_mouth_is_refused_with_its_pla
         assert!(error.contains(words) && error.contains("of the slot at "), "{error}");
     }
     // The slots of a ring open inwards.
-    let wheel = geneva_kinematics::internal_wheel::InternalWheel::new(6).unwrap();
-    let ring = geneva_kinematics::internal_sizes::InternalSizes::new(wheel, 50.0, &Choices::default()).unwrap();
-    let list = geneva_workshop::internal_parts(&ring, 5.0, &Mounting::default()).unwrap();
-    let drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
+    let ring = InternalSizes::new(InternalWheel::new(6).unwrap(), 50.0, &Choices::default()).unwrap();
+    let list = internal_parts(&ring, 5.0, &Mounting::default()).unwrap();
+    let mut drawing = Drawing::read(&dxf(&list.parts, PartLayout::Assembled)).unwrap();
+    // As another program draws it, on the layer of a wheel alone.
+    drawing.edges.retain(|drawn| drawn.layer == LayerNames::default().wheel);
     let error = drawing.measure(&LayerNames::default(), 0.01).unwrap_err().to_string();
     assert!(error.contains("no wall goes on outwards"), "{error}");
 }

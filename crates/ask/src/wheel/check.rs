@@ -1,6 +1,7 @@
 //! A wheel that exists, by its measured sizes: which right wheel is nearest, which size contradicts the others, does it turn, and what
 //! to change first.
 
+use super::check_advice::design_remark;
 use super::check_arguments::{CHECK_ARGUMENTS, measured_error};
 use super::check_certainty::{ShallowSlot, TooCoarse, is_chance, shallow_slots, too_coarse};
 use super::check_doubts::{doubt_words, measuring_words, stations_words, untold_words};
@@ -17,7 +18,7 @@ use crate::{DataRow, Error, FieldValue, Item, MechanismReport, ReportField, Roun
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltError, BuiltTurn, Culprit, DoubtReason, KnownMistake, MeasuredSize, MeasuredWheel, NearestWheel,
-    UndecidedCulprit, UntoldWear,
+    UncertainWear, UndecidedCulprit, UntoldWear,
 };
 use geneva_kinematics::wheel::{SizesError, Wheel};
 use geneva_workshop::{Drawing, DrawingError, LayerNames};
@@ -147,6 +148,7 @@ impl CheckQuestion {
             mistakes: self.measured.known_mistakes(&nearest, jam.map(|_| &turn)),
             fitting_stations: self.measured.fitting_stations(&nearest),
             untold_wear: self.measured.untold_wear(&nearest),
+            uncertain_wear: self.measured.uncertain_wear(&nearest),
             culprits,
             doubts,
             open,
@@ -163,7 +165,8 @@ impl CheckQuestion {
                 count(wheel.stations() as usize, "station"),
                 count(wheel.pins() as usize, "pin")
             ),
-            introduction: "What was not measured is as in the nearest right wheel, and what rests on it is not told. Slots and arcs are \
+            introduction: "What was not measured is as the command geneva wheel takes it by default for the sizes that were, unless the measured \
+                           cut in the disc tells more; a pin then has the usual play in its slot. What rests on it is not told. Slots and arcs are \
                            numbered counter-clockwise from 1; in a drawing, slot 1 is the one nearest to the right, and arc 1 is between \
                            the slots 1 and 2.",
             sections: vec![
@@ -233,7 +236,7 @@ impl CheckQuestion {
             ReportField::new("culprit", first_culprit.map(|culprit| named(culprit.size)))
                 .words("contradiction", self.contradiction_words(checked)),
             ReportField::new("in_doubt", in_doubt(&checked.doubts)),
-            untold_wear_field(&checked.untold_wear),
+            untold_wear_field(&checked.untold_wear, &checked.uncertain_wear),
             ReportField::new(
                 "fitting_stations",
                 FieldValue::List(checked.fitting_stations.iter().map(|of| FieldValue::from(*of as usize)).collect()),
@@ -254,7 +257,7 @@ impl CheckQuestion {
             ),
             ReportField::new("change_first", first.clone())
                 .words("change first", first.unwrap_or_else(|| nothing.to_owned())),
-            design_field(remedies, &self.mouth),
+            design_field(remedies, &self.measured, &self.mouth),
         ]
     }
 
@@ -314,15 +317,17 @@ fn in_doubt(doubts: &[UndecidedCulprit]) -> FieldValue {
     FieldValue::List(doubts.iter().flat_map(|doubt| &doubt.sizes).map(|size| named(*size).into()).collect())
 }
 
-/// The wear that these sizes can't tell from an ordinary play, and what to give so that they do; missing where they tell all wear.
-fn untold_wear_field(untold: &[UntoldWear]) -> ReportField {
-    let most = untold.iter().map(|wear| wear.below).reduce(f64::max);
+/// The wear that these sizes can't tell from an ordinary play or from chance, and what to give so that they do; missing where they tell
+/// all wear.
+fn untold_wear_field(untold: &[UntoldWear], uncertain: &[UncertainWear]) -> ReportField {
+    let all = untold.iter().map(|wear| wear.below).chain(uncertain.iter().map(|wear| wear.certain_from));
+    let most = all.reduce(f64::max);
     let field = ReportField::in_unit("untold_wear_mm", most, "mm");
-    if untold.is_empty() { field } else { field.line("wear", untold_words(untold)) }
+    if most.is_none() { field } else { field.line("wear", untold_words(untold, uncertain)) }
 }
 
 /// The commands that design new parts, in the order of the remedies.
-fn design_field(remedies: &[WheelRemedy], mouth: &TypedMouth) -> ReportField {
+fn design_field(remedies: &[WheelRemedy], measured: &MeasuredWheel, mouth: &TypedMouth) -> ReportField {
     let mut commands: Vec<String> = Vec::new();
     for arguments in remedies.iter().filter_map(|remedy| remedy.design.as_ref()) {
         let command = format!("geneva wheel {}", mouth.beside(arguments));
@@ -330,7 +335,8 @@ fn design_field(remedies: &[WheelRemedy], mouth: &TypedMouth) -> ReportField {
             commands.push(command);
         }
     }
-    let words = commands.join("; or ");
+    let filled_in = design_remark(measured).map_or_else(String::new, |remark| format!(" ({remark})"));
+    let words = if commands.is_empty() { String::new() } else { commands.join("; or ") + &filled_in };
     let field =
         ReportField::new("design_commands", FieldValue::List(commands.into_iter().map(FieldValue::from).collect()));
     if words.is_empty() { field } else { field.words("design them", words) }
@@ -379,6 +385,8 @@ struct CheckedWheel<'a> {
     doubts: Vec<UndecidedCulprit>,
     /// Wear that can't be told from play.
     untold_wear: Vec<UntoldWear>,
+    /// Wear that may be chance.
+    uncertain_wear: Vec<UncertainWear>,
     /// Other numbers of stations with which nothing is wrong.
     fitting_stations: Vec<u32>,
 }

@@ -106,15 +106,11 @@ impl From<&NearestWheel> for PartSizes {
 /// The arguments of `geneva wheel` that design parts of these sizes, as far as they were measured; none if no wheel can be designed so.
 pub(super) fn design_arguments(measured: &MeasuredWheel, sizes: &PartSizes) -> Option<String> {
     use MeasuredSize as Size;
-    let has = |is_it: fn(Size) -> bool| measured.sizes().iter().any(|of| is_it(of.size));
+    let [has_pin, has_slot, has_arc, has_disc] = measured_of_fit(measured);
     let wheel = measured.wheel();
     let pins = if wheel.pins() > 1 { format!(" --pins {}", wheel.pins()) } else { String::new() };
     let mut options =
         vec![format!("--stations {}{pins} --centre-distance {}", wheel.stations(), typed(sizes.centre_distance))];
-    let has_pin = has(|size| matches!(size, Size::PinDiameter | Size::NewPinDiameter));
-    let has_slot = has(|size| matches!(size, Size::SlotWidth(_) | Size::NewSlotWidth));
-    let has_arc = has(|size| matches!(size, Size::ArcRadius(_) | Size::NewArcRadius));
-    let has_disc = has(|size| matches!(size, Size::DiscRadius | Size::NewDiscRadius));
     if has_pin || has_slot {
         options.push(format!("--pin-diameter {}", typed(sizes.pin_diameter)));
     }
@@ -128,7 +124,7 @@ pub(super) fn design_arguments(measured: &MeasuredWheel, sizes: &PartSizes) -> O
         options.push(format!("--locking-play {}", typed(2.0 * (sizes.arc_radius - sizes.disc_radius))));
     }
     let clearance = sizes.centre_distance - sizes.crank_radius - sizes.slot_end;
-    if has(|size| matches!(size, Size::SlotEnd(_))) && clearance > 0.0 {
+    if measured.sizes().iter().any(|of| matches!(of.size, Size::SlotEnd(_))) && clearance > 0.0 {
         options.push(format!("--bottom-clearance {}", typed(clearance)));
     }
     // What can't be designed with all of them may be with fewer, the first of which count most.
@@ -136,6 +132,28 @@ pub(super) fn design_arguments(measured: &MeasuredWheel, sizes: &PartSizes) -> O
         .rev()
         .map(|count| options[..count].join(" "))
         .find(|arguments| WheelQuestion::parse(arguments).and_then(WheelDesign::new).is_ok())
+}
+
+/// Whether pin, slots, locking arcs and disc were measured, as they are or when they were new.
+fn measured_of_fit(measured: &MeasuredWheel) -> [bool; 4] {
+    use MeasuredSize as Size;
+    let has = |is_it: fn(Size) -> bool| measured.sizes().iter().any(|of| is_it(of.size));
+    [
+        has(|size| matches!(size, Size::PinDiameter | Size::NewPinDiameter)),
+        has(|size| matches!(size, Size::SlotWidth(_) | Size::NewSlotWidth)),
+        has(|size| matches!(size, Size::ArcRadius(_) | Size::NewArcRadius)),
+        has(|size| matches!(size, Size::DiscRadius | Size::NewDiscRadius)),
+    ]
+}
+
+/// Which size of a design command nobody measured, and whence it comes; none if all were measured.
+pub(super) fn design_remark(measured: &MeasuredWheel) -> Option<String> {
+    let [has_pin, has_slot, has_arc, has_disc] = measured_of_fit(measured);
+    let pin = (has_slot && !has_pin).then_some("the pin, which was not measured, is given the usual play in the slots");
+    let arc = (has_disc && !has_arc)
+        .then_some("the locking arcs, which were not measured, are given the usual play on the disc");
+    let all: Vec<&str> = pin.into_iter().chain(arc).collect();
+    (!all.is_empty()).then(|| all.join("; "))
 }
 
 /// A length in millimetres to a thousandth, as it is typed.

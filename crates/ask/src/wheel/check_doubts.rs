@@ -2,8 +2,10 @@
 
 use super::check_needs::UnmeasuredSize;
 use super::check_words::named;
-use crate::number_format::{number, rounded_up};
-use geneva_kinematics::wheel::as_built::{DoubtReason, MeasuredSize, NearestWheel, UndecidedCulprit, UntoldWear};
+use crate::number_format::{number, rounded_down, rounded_up};
+use geneva_kinematics::wheel::as_built::{
+    DoubtReason, MeasuredSize, NearestWheel, UncertainWear, UndecidedCulprit, UntoldWear,
+};
 
 /// Measurements that are named at most, each of which would tell.
 const MOST_NAMED: usize = 3;
@@ -38,20 +40,33 @@ pub(super) fn doubt_words(doubt: &UndecidedCulprit, nearest: &NearestWheel) -> S
     format!("{what}. Which one cannot be told from these sizes; {}", measuring_words(doubt))
 }
 
-/// Wear that can't be told from play, in words, and what to give so that it is told.
-pub(super) fn untold_words(untold: &[UntoldWear]) -> String {
+/// Wear that can't be told from play or from chance, in words, and what to give so that it is told.
+pub(super) fn untold_words(untold: &[UntoldWear], uncertain: &[UncertainWear]) -> String {
     let of_pair = |wear: &UntoldWear| {
         let [wide, thin] = wear.sizes;
         let names = if thin == MeasuredSize::PinDiameter { "slots or pins" } else { "arcs or disc" };
         let sizes = [wide, thin].into_iter().filter_map(MeasuredSize::size_when_new).map(UnmeasuredSize::of_all);
         let options: Vec<String> = sizes.map(|size| format!("--{}", size.option())).collect();
         format!(
-            "{names} worn by less than {} mm cannot be told from play without a size when new; give {}",
+            "{names} worn by less than {} mm cannot be told from play without a size when new, because a new wheel may have had anything \
+             from no play to all of the {} mm that are measured, and these are uncertain, too; give {}",
             rounded_up(wear.below),
+            number(wear.play.max(0.0)),
             options.join(" or ")
         )
     };
-    untold.iter().map(of_pair).collect::<Vec<_>>().join("; ")
+    let of_one = |wear: &UncertainWear| {
+        let when_new = wear.size.size_when_new().map_or_else(String::new, |size| UnmeasuredSize::of_all(size).words());
+        format!(
+            "{}: {} mm off the {when_new}, but with these uncertainties it is certain only from {} mm on; measure both with an \
+             uncertainty of {} mm or less",
+            wear.size.name(),
+            number(wear.wear),
+            rounded_up(wear.certain_from),
+            rounded_down(wear.needed_uncertainty)
+        )
+    };
+    untold.iter().map(of_pair).chain(uncertain.iter().map(of_one)).collect::<Vec<_>>().join("; ")
 }
 
 /// What to measure so that it is told which size is wrong.

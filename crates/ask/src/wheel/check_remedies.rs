@@ -2,7 +2,11 @@
 
 use super::check_advice::{PartSizes, change_words, design_arguments, part_words};
 use super::check_certainty::{ShallowSlot, too_coarse};
-use crate::number_format::to_digits;
+use super::design::WheelDesign;
+use super::question::WheelQuestion;
+use crate::number_format::{number, to_digits};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::Sizes;
 use geneva_kinematics::wheel::as_built::{
     AsBuiltWheel, BuiltError, Culprit, MeasuredSize, MeasuredWheel, NearestWheel, SizeChange,
 };
@@ -19,6 +23,8 @@ pub(super) struct WheelRemedy {
     digits: usize,
     /// The change after that.
     change: Option<SizeChange>,
+    /// A new wheel and a new driver for the axes as they are; none where these are not what is kept.
+    rebuilt: Option<Sizes>,
     /// The arguments of `geneva wheel` that design the parts; none where no part is new.
     pub(super) design: Option<String>,
 }
@@ -34,6 +40,9 @@ struct RemedySize {
 impl WheelRemedy {
     /// The remedy in words.
     fn words(&self) -> String {
+        if let Some(sizes) = &self.rebuilt {
+            return rebuilding_words(sizes);
+        }
         let mut work: Vec<String> = Vec::new();
         for RemedySize { size, measured, value } in &self.sizes {
             // Several worn slots or arcs are of one wheel.
@@ -51,6 +60,9 @@ impl WheelRemedy {
 
     /// The wheel after the remedy, its change by this part larger, dimensionless.
     pub(super) fn carried_out(&self, built: &AsBuiltWheel, more: f64) -> AsBuiltWheel {
+        if let Some(sizes) = &self.rebuilt {
+            return AsBuiltWheel::from(sizes);
+        }
         let mut mended = built.clone();
         for RemedySize { size, value, .. } in &self.sizes {
             mended.set(*size, *value);
@@ -82,7 +94,7 @@ pub(super) fn remedies(
                 measured: culprit.measured,
                 value: to_precision(culprit.size, culprit.expected, digits),
             });
-            WheelRemedy { sizes: sizes.collect(), digits, change: None, design: design.clone() }
+            WheelRemedy { sizes: sizes.collect(), digits, change: None, rebuilt: None, design: design.clone() }
         };
         let finest = rounded(*DIGITS.end());
         let mended = DIGITS.map(rounded).find(is_enough).or_else(|| {
@@ -94,6 +106,8 @@ pub(super) fn remedies(
             Some(WheelRemedy { change: Some(change), ..finest.clone() })
         });
         found.extend(mended);
+        let for_axes = for_axes(measured, nearest, culprits);
+        found.extend(for_axes.filter(|remedy| !is_known || is_enough(remedy)));
         let for_worn = for_worn_part(measured, nearest, culprits);
         found.extend(for_worn.filter(|remedy| !is_known || is_enough(remedy)));
     }
@@ -106,10 +120,40 @@ pub(super) fn remedies(
             sizes: Vec::new(),
             digits: *DIGITS.start(),
             change: Some(change),
+            rebuilt: None,
             design: None,
         }));
     }
     Ok(found)
+}
+
+/// A new wheel and a new driver for axes that are not the right distance apart for the old ones, with the other sizes as they should be;
+/// none where the axes are right.
+fn for_axes(measured: &MeasuredWheel, nearest: &NearestWheel, culprits: &[Culprit]) -> Option<WheelRemedy> {
+    let axes = culprits.iter().find(|culprit| culprit.size == MeasuredSize::CentreDistance)?.measured;
+    let right = PartSizes::from(nearest);
+    let crank_radius = axes * libm::sin(measured.wheel().half_pitch_angle());
+    let bottom = right.centre_distance - right.crank_radius - right.slot_end;
+    let sizes = PartSizes { centre_distance: axes, crank_radius, slot_end: axes - crank_radius - bottom, ..right };
+    let design = design_arguments(measured, &sizes)?;
+    let rebuilt = WheelQuestion::parse(&design).and_then(WheelDesign::new).ok()?.sizes;
+    rebuilt.is_some().then_some(WheelRemedy {
+        sizes: Vec::new(),
+        digits: *DIGITS.start(),
+        change: None,
+        rebuilt,
+        design: Some(design),
+    })
+}
+
+/// The parts to make for axes that stay where they are, in words.
+fn rebuilding_words(sizes: &Sizes) -> String {
+    format!(
+        "leave the axes {} mm apart and make a new wheel with an outside diameter of {} mm and a new driver with the pin {} mm from its axis",
+        number(sizes.centre_distance),
+        number(2.0 * sizes.tip_radius),
+        number(sizes.crank_radius)
+    )
 }
 
 /// A thicker pin for slots that are all as much too wide, or a larger disc for such arcs, with the play of the right wheel; none for other
@@ -147,6 +191,7 @@ fn for_worn_part(measured: &MeasuredWheel, nearest: &NearestWheel, culprits: &[C
         sizes: vec![RemedySize { size, measured: now, value: to_precision(size, value, digits) }],
         digits,
         change: None,
+        rebuilt: None,
         design: design_arguments(measured, &sizes),
     })
 }
@@ -159,7 +204,7 @@ pub(super) fn first_change(remedies: &[WheelRemedy]) -> Option<String> {
     let words: Vec<String> = remedies
         .iter()
         .map(|remedy| {
-            let is_to_turn = remedy.sizes.is_empty();
+            let is_to_turn = remedy.sizes.is_empty() && remedy.rebuilt.is_none();
             format!("{}{}", if is_to_turn { "to make it turn at all, " } else { "" }, remedy.words())
         })
         .collect();

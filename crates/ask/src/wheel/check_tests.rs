@@ -90,7 +90,9 @@ fn every_wrong_size_is_named_the_worst_first_with_the_numbers_of_the_right_wheel
     );
     assert_eq!(
         text(&report, "change_first"),
-        "put the axes 50.15 mm apart, in a new plate if they can't be moved, then make a new wheel with slots of 6.100 mm, because slot 4 gets no narrower"
+        "put the axes 50.15 mm apart, in a new plate if they can't be moved, then make a new wheel with slots of 6.100 mm, because slot 4 gets no narrower; or, \
+         leave the axes 50.40 mm apart and make a new wheel with an outside diameter of 87.51 mm and a new driver with the pin 25.20 mm from its \
+         axis"
     );
     let shown = report.field("centre_distance_mm").and_then(ReportField::number).expect("a size");
     assert_eq!(report.field("culprit_expected").and_then(ReportField::number), Some(shown));

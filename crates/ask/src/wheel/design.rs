@@ -26,8 +26,10 @@ use std::sync::OnceLock;
 /// A wheel, and what its question says about it.
 #[derive(Debug)]
 pub struct WheelDesign {
-    /// The question.
+    /// The question as it was asked: another one with an option changed is a question, too.
     pub question: WheelQuestion,
+    /// Speed of the driver, however it was given.
+    pub driver_speed: Option<DriverSpeed>,
     /// The wheel; its lengths are in crank radii.
     pub wheel: AnyWheel,
     /// Crank radius in millimetres.
@@ -89,7 +91,7 @@ impl WheelDesign {
             }
             _ => None,
         };
-        let question = with_speed(question, &wheel)?;
+        let driver_speed = driver_speed(&question, &wheel)?;
         let crank_radius = match (sizes, wanted) {
             (Some(sizes), _) => Some(sizes.crank_radius),
             (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
@@ -106,6 +108,7 @@ impl WheelDesign {
             .map(|(sizes, thickness)| LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, pin, wall));
         let mut design = Self {
             question,
+            driver_speed,
             wheel,
             crank_radius,
             sizes,
@@ -138,7 +141,7 @@ impl WheelDesign {
 
     /// Speed of the driver in rad/s.
     pub fn speed(&self) -> Option<f64> {
-        self.question.speed().map(DriverSpeed::radians_per_second)
+        self.driver_speed.map(DriverSpeed::radians_per_second)
     }
 
     /// Times of an index and of a dwell of its wheel in s, if the speed is given.
@@ -327,11 +330,11 @@ fn usual_thickness(pin_diameter: f64) -> f64 {
     if pin_diameter < 1.0 { pin_diameter } else { libm::ceil(pin_diameter) }
 }
 
-/// The question with the speed that the time of an index or of a dwell asks for.
-fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion, Error> {
+/// The speed of the driver: the one that is given, or that which the time of an index or of a dwell asks for.
+fn driver_speed(question: &WheelQuestion, wheel: &AnyWheel) -> Result<Option<DriverSpeed>, Error> {
     let wheel = wheel.indexing();
     let (time, option, fraction) = match (question.index_time, question.dwell_time) {
-        (None, None) => return Ok(question),
+        (None, None) => return Ok(question.speed()),
         (Some(time), _) => (time, "index-time", wheel.motion_fraction()),
         (None, Some(time)) => (time, "dwell-time", wheel.dwell_fraction()),
     };
@@ -342,8 +345,7 @@ fn with_speed(question: WheelQuestion, wheel: &AnyWheel) -> Result<WheelQuestion
             wheel.pins()
         ));
     }
-    let rpm = 60.0 * fraction / (time * f64::from(wheel.pins()));
-    Ok(WheelQuestion { rpm: Some(rpm), ..question })
+    Ok(Some(DriverSpeed::Rpm(60.0 * fraction / (time * f64::from(wheel.pins())))))
 }
 
 /// What is found at the first time, and kept.

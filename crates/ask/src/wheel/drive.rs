@@ -63,7 +63,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     };
     let ratio = question.gear_ratio;
     let geared = |torque: Option<f64>| torque.zip(ratio).map(|(torque, ratio)| torque / ratio);
-    let motor_speed = question.speed().zip(ratio).map(|(speed, ratio)| speed.rpm() * ratio);
+    let motor_speed = design.driver_speed.zip(ratio).map(|(speed, ratio)| speed.rpm() * ratio);
     let newton_metres = |key, value: Option<f64>| ReportField::in_unit(key, value, "N m");
     let inertia = |key, value: Option<f64>| ReportField::in_unit(key, value, "kg m²");
     // Without the driver's inertia, the motor turns the wheel alone.

@@ -133,9 +133,9 @@ impl WheelDesign {
         made.is_some_and(|(parts, sizes)| corners(&parts, sizes.chords()) > MOST_CORNERS)
     }
 
-    /// Whether it has parts in millimetres.
+    /// Whether it has parts in millimetres with a thickness.
     fn has_parts(&self) -> bool {
-        self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some())
+        self.sizes.is_some() || (self.is_internal() && self.crank_radius.is_some() && self.question.thickness.is_some())
     }
 
     fn is_internal(&self) -> bool {

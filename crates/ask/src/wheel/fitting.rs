@@ -20,6 +20,8 @@ pub struct FittingValues {
     pub least: Option<String>,
     /// The greatest value that fits, in its own unit, as it can be typed; none where all above fit.
     pub most: Option<String>,
+    /// Whether more fits, but leaves walls or locking arcs that can hardly be made.
+    pub is_for_walls: bool,
 }
 
 impl FittingValues {
@@ -33,6 +35,21 @@ impl FittingValues {
             (Some(least), None) => format!("{least} or more"),
             (None, None) => "another value".to_owned(),
         }
+    }
+
+    /// What the values leave, where they are not all that fit: the end of a sentence, with a blank before it, or nothing.
+    ///
+    /// ```
+    /// use geneva_ask::Error;
+    /// use geneva_ask::wheel::{WheelDesign, WheelQuestion};
+    ///
+    /// let question = WheelQuestion::parse("--stations 6 --crank-radius 62 --pin-diameter 40")?;
+    /// let Err(Error::Sizes { remedies, .. }) = WheelDesign::new(question) else { panic!("too thick") };
+    /// assert!(remedies[0].range().starts_with("up to ") && !remedies[0].purpose().is_empty());
+    /// # Ok::<(), geneva_ask::Error>(())
+    /// ```
+    pub fn purpose(&self) -> &'static str {
+        if self.is_for_walls { " for sound walls and locking arcs" } else { "" }
     }
 }
 
@@ -59,11 +76,11 @@ pub(super) fn remedies(question: &WheelQuestion, fits: impl Fn(&WheelQuestion) -
     let others = FIT.iter().filter(|argument| !is_given(argument) && argument.knob.is_some());
     let sizes = SIZE.iter().filter(|argument| argument.acts_on.contains(&ActsOn::Size)).filter(is_given);
     let groups: [Vec<&Argument>; 3] = [given.collect(), others.collect(), sizes.collect()];
-    well_or_barely(|fit| of_first_group(&groups, question, |other| fits(other) >= fit))
+    well_or_barely(&groups, question, fits)
 }
 
 /// How the parts of a question fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fit {
     /// They don't.
     Not,
@@ -81,9 +98,22 @@ impl Fit {
 }
 
 /// What helps so that the parts fit well, or if nothing does, so that they fit at all.
-fn well_or_barely(found: impl Fn(Fit) -> Vec<FittingValues>) -> Vec<FittingValues> {
-    let well = found(Fit::Well);
-    if well.is_empty() { found(Fit::Barely) } else { well }
+fn well_or_barely(
+    groups: &[Vec<&Argument>],
+    question: &WheelQuestion,
+    fits: impl Fn(&WheelQuestion) -> Fit,
+) -> Vec<FittingValues> {
+    let fit_at_all = |other: &WheelQuestion| fits(other) != Fit::Not;
+    let mut well = of_first_group(groups, question, |other| fits(other) == Fit::Well);
+    if well.is_empty() {
+        return of_first_group(groups, question, fit_at_all);
+    }
+    for of in &mut well {
+        let argument = groups.iter().flatten().find(|argument| argument.name == of.name);
+        let all = argument.and_then(|argument| fitting_values(argument, question, &fit_at_all));
+        of.is_for_walls = all.is_some_and(|all| all.range() != of.range());
+    }
+    well
 }
 
 /// The arguments among these, each with its values, with which a question `fits`, well if it can.
@@ -93,7 +123,7 @@ pub(super) fn remedies_among(
     fits: impl Fn(&WheelQuestion) -> Fit,
 ) -> Vec<FittingValues> {
     let groups = [arguments.iter().filter(|argument| question.number(argument).is_some()).collect()];
-    well_or_barely(|fit| of_first_group(&groups, question, |other| fits(other) >= fit))
+    well_or_barely(&groups, question, fits)
 }
 
 fn of_first_group(
@@ -122,7 +152,7 @@ pub(super) fn fitting_values(
     let seed = nearest_that_fits(around, IN_A_DECADE, &fits).or_else(finely);
     let Some(seed) = seed else {
         let zero = (may_be_zero && fits(0.0)).then(|| "0".to_owned())?;
-        return Some(FittingValues { name: argument.name, given, least: None, most: Some(zero) });
+        return Some(FittingValues { name: argument.name, given, least: None, most: Some(zero), is_for_walls: false });
     };
     // What was given doesn't fit, so a limit is on the way to it; on the other side it is looked for.
     let [floor, ceiling] = argument.range().unwrap_or([0.0, f64::INFINITY]);
@@ -140,7 +170,7 @@ pub(super) fn fitting_values(
         if rounded.parse().is_ok_and(fits) { rounded } else { as_typed(limit) }
     };
     let (least, most) = (least.map(|least| typed(least, rounded_up)), most.map(|most| typed(most, rounded_down)));
-    Some(FittingValues { name: argument.name, given, least, most })
+    Some(FittingValues { name: argument.name, given, least, most, is_for_walls: false })
 }
 
 /// The value nearest to another one, by their ratio, that fits, of those evenly many in a decade.
@@ -158,7 +188,8 @@ pub(crate) fn refusal(reason: &str, remedies: &[FittingValues]) -> String {
     let given = remedies.iter().filter_map(|of| Some(format!("--{} {}", of.name, as_typed(of.given?))));
     let given: Vec<String> = given.collect();
     let head = if given.is_empty() { String::new() } else { format!("{}: ", given.join(", ")) };
-    let values: Vec<String> = remedies.iter().map(|of| format!("--{} {}", of.name, of.range())).collect();
+    let values: Vec<String> =
+        remedies.iter().map(|of| format!("--{} {}{}", of.name, of.range(), of.purpose())).collect();
     format!("{head}{reason}; give {}", values.join(", or "))
 }
 
@@ -323,6 +354,28 @@ mod tests {
             }
         }
         assert!(tried > 6, "{tried}");
+    }
+
+    #[test]
+    fn a_limit_is_the_true_one_or_says_what_it_leaves_and_beyond_it_is_a_warning() {
+        let wheel = "--stations 6 --crank-radius 62 --thickness 10 --play 0.1";
+        let pin = |diameter: &str| with(wheel, "pin-diameter", diameter);
+        let said = ask(&pin("31")).expect_err("too thick").to_string();
+        assert!(said.contains("for sound walls and locking arcs"), "{said}");
+        let warnings = |diameter: &str| {
+            let question = WheelQuestion::parse(&pin(diameter)).expect("a question");
+            WheelDesign::new(question).expect("a wheel").warnings().expect("warnings").join("; ")
+        };
+        for diameter in ["28", "29.9", "30.5"] {
+            let said = warnings(diameter);
+            assert!(said.contains("the locking arcs reach only") || said.contains("the locking disc is"), "{said}");
+        }
+        let (_, most) = values(&said).remove(0);
+        let said = warnings(&most);
+        assert!(!said.contains("the locking arcs reach only") && !said.contains("the locking disc is"), "{said}");
+        // A limit beyond which nothing fits has no such words.
+        let shaft = ask("--stations 6 --crank-radius 62 --driver-shaft 60").expect_err("too thick").to_string();
+        assert!(shaft.contains("give --driver-shaft up to "), "{shaft}");
     }
 
     #[test]

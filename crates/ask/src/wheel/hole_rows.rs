@@ -41,7 +41,8 @@ fn hole_words(dimension: &PrintedDimension, layer: Layer, mounting: &Mounting) -
     let hub = if matches!(layer, Layer::Wheel | Layer::RingPlate) { mounting.wheel_hub } else { mounting.driver_hub };
     let (before, behind) = match dimension.measured {
         Measured::Bore => ("bore", String::new()),
-        Measured::KeywayWidth => ("keyway", String::new()),
+        // Its text says what it is.
+        Measured::KeywayWidth => ("", String::new()),
         Measured::AcrossBore => ("to the opposite side", String::new()),
         Measured::HubHole => ("hub", hub.map_or_else(String::new, |hub| fastener_words(hub.fastener))),
         Measured::DowelHole => ("dowels", String::new()),
@@ -57,7 +58,7 @@ fn hole_words(dimension: &PrintedDimension, layer: Layer, mounting: &Mounting) -
         _ => return None,
     };
     let limits = dimension.limit_text().map_or_else(String::new, |limits| format!(" ({limits})"));
-    Some(format!("{before} {}{limits}{behind}", dimension.text))
+    Some(format!("{before} {}{limits}{behind}", dimension.text).trim_start().to_owned())
 }
 
 fn fastener_words(fastener: Fastener) -> String {
@@ -224,6 +225,7 @@ mod tests {
         ] {
             assert!(all.contains(words), "{words}: {all}");
         }
+        assert!(!all.contains("keyway keyway"), "{all}");
         assert!(of("--type internal --wheel-shaft 8 --process fdm").contains("ring plate: bore Ø8.4 (±0.2)"));
     }
 }

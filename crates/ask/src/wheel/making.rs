@@ -39,7 +39,7 @@ impl WheelDesign {
             ReportField::in_unit("driver_speed_rad_s", self.speed(), "rad/s")
                 .line("driver", "speed")
                 .needing(Needs::SPEED),
-            ReportField::in_unit("turn_s", self.question.speed().map(|speed| 60.0 / speed.rpm()), "s")
+            ReportField::in_unit("turn_s", self.driver_speed.map(|speed| 60.0 / speed.rpm()), "s")
                 .line("", "time of a turn")
                 .needing(Needs::SPEED),
             ReportField::in_unit("pin_speed_mm_s", self.pin_speed(), "mm/s")

@@ -10,6 +10,8 @@ mod check_made;
 mod check_mouth;
 mod check_needs;
 mod check_remedies;
+#[cfg(test)]
+mod check_rule_tests;
 mod check_words;
 mod design;
 mod drive;

@@ -29,8 +29,6 @@ impl WheelDesign {
             centre_distance: None,
             wheel_radius: None,
             outside_diameter: None,
-            index_time: None,
-            dwell_time: None,
             ..self.question.clone()
         };
         let design = Self::new(question).ok()?;

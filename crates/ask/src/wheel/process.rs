@@ -147,11 +147,18 @@ pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
     };
     let interval = found.map(|found| found.interval());
     let for_certain = if is_internal { "for certain " } else { "" };
-    let varied = if is_internal {
-        "at most, likewise. Those count for which a clear way to turn is found; more may turn. Width and end of a slot, pin, crank radius and axes vary by the error of a size; radii and places by half of it"
+    let [low, high] = if is_internal {
+        [
+            "at least, with a probability of about 97.5 % (Wilson's interval); those count for which a clear way to turn is found, so no upper \
+             limit is known. Width and end of a slot, pin, crank radius and axes vary by the error of a size; radii and places by half of it",
+            "",
+        ]
     } else {
-        "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by \
-         the error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns"
+        [
+            "at least, with a probability of about 97.5 % (Wilson's interval)",
+            "at most, likewise. Every slot, arc, pin and crescent varies by itself: width and end of a slot, pin, crank radius and axes by the \
+             error of a size; radii and places by half of it. A wheel whose pin pushes the corner of a mouth aside counts as one that turns",
+        ]
     };
     [
         share("yield", found.map(Yield::share)).line(
@@ -161,8 +168,8 @@ pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
                  distributed, with a third of its error as standard deviation, and both axes are anywhere within their bore play{few}"
             ),
         ),
-        share("yield_low", interval.map(|[low, _]| low))
-            .line("", "at least, with a probability of about 97.5 % (Wilson's interval)"),
-        share("yield_high", interval.map(|[_, high]| high)).line("", varied),
+        share("yield_low", interval.map(|[low, _]| low)).line("", low),
+        // What is counted of an internal wheel is a lower bound, and the upper limit of that is none of the share.
+        share("yield_high", interval.map(|[_, high]| high).filter(|_| !is_internal)).line("", high),
     ]
 }

@@ -168,6 +168,11 @@ impl WheelQuestion {
         self.rpm.map(DriverSpeed::Rpm).or(self.rad_s.map(DriverSpeed::RadiansPerSecond))
     }
 
+    /// Whether the speed of the driver is given, as such or as the time of an index or of a dwell.
+    pub fn has_speed(&self) -> bool {
+        self.speed().is_some() || self.index_time.is_some() || self.dwell_time.is_some()
+    }
+
     /// The length in millimetres that scales the wheel, if one is given.
     pub fn scale(&self) -> Option<Scale> {
         let crank = self.crank_radius.map(Scale::CrankRadius);

@@ -38,6 +38,7 @@ pub(super) fn refuse_out_of_range(
         given: Some(value),
         least: Some(as_typed(least)),
         most: Some(as_typed(most)),
+        is_for_walls: false,
     };
     let reason = match argument.place {
         ArgumentSlot::Count(_) => "that is no number of holes on a circle",

@@ -127,6 +127,11 @@ fn a_wall_beside_a_flat_is_compared_with_the_bore_and_no_keyway_is_named() {
     assert!(!of_flat.contains("keyway"), "{of_flat}");
     let of_key = warned("--stations 5 --crank-radius 40 --driver-shaft 20 --driver-bore-shape key");
     assert!(of_key.contains("half of the keyway's width: choose a thinner shaft, or one without keyway"), "{of_key}");
+    let hub = |circle: &str| {
+        warned(&format!("--stations 6 --crank-radius 40 --wheel-shaft 12 --hub-screw M3 --wheel-hub-circle {circle}"))
+    };
+    assert!(hub("18").contains("choose a larger circle for the hub"), "{}", hub("18"));
+    assert!(!hub("26").contains("circle for the hub"), "{}", hub("26"));
 }
 
 #[test]

@@ -96,7 +96,7 @@ fn given(design: &WheelDesign) -> Vec<ReportField> {
         ReportField::new("type", design.wheel.kind().name()),
         ReportField::new("stations", wheel.stations()),
         ReportField::new("pins", wheel.pins()),
-        ReportField::new("rpm", design.question.speed().map(DriverSpeed::rpm)).needing(Needs::SPEED),
+        ReportField::new("rpm", design.driver_speed.map(DriverSpeed::rpm)).needing(Needs::SPEED),
         ReportField::in_unit("crank_radius_mm", design.crank_radius, "mm").needing(Needs::SIZE),
     ]
 }
@@ -200,7 +200,7 @@ fn title(design: &WheelDesign) -> String {
     let radius =
         design.crank_radius.map_or_else(String::new, |radius| format!(", crank radius {} mm", short_length(radius)));
     let speed = |speed: DriverSpeed| format!(", {} {}", as_typed(speed.value()), speed.unit());
-    let rpm = design.question.speed().map_or_else(String::new, speed);
+    let rpm = design.driver_speed.map_or_else(String::new, speed);
     format!("{name} Geneva wheel: {stations}, driver with {pins}{radius}{rpm}")
 }
 
@@ -218,13 +218,12 @@ fn missing(design: &WheelDesign) -> String {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"
     };
     let lengths = design.crank_radius.is_none().then(|| format!("For sizes in mm, add {sizes}."));
-    let rates =
-        design.question.speed().is_none().then(|| "For s, rad/s and rad/s², add --rpm R or --rad-s W.".to_owned());
+    let rates = design.driver_speed.is_none().then(|| "For s, rad/s and rad/s², add --rpm R or --rad-s W.".to_owned());
     let loads = design.inertia.is_none().then(|| {
-        let also = if design.question.speed().is_none() { "also " } else { "" };
+        let also = if design.driver_speed.is_none() { "also " } else { "" };
         format!("For torques, {also}add --inertia KGM2.")
     });
-    let without = design.question.speed().and(design.inertia).map(|_| {
+    let without = design.driver_speed.and(design.inertia).map(|_| {
         let question = &design.question;
         let parts = [
             ("the pin", question.pin_friction),

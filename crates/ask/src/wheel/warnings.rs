@@ -7,11 +7,14 @@ use super::pin_load::weaknesses;
 use crate::Error;
 use crate::number_format::{as_typed, number, rounded_down};
 use crate::worked::DriverSpeed;
+use geneva_kinematics::wheel::as_built::Process;
 use geneva_kinematics::wheel::{Sizes, Warning};
 use geneva_workshop::ThinWall;
 
 /// Stations up to which parts can be made: the same as are proposed for times.
 const MOST_MADE: u32 = 60;
+/// Thickness in millimetres of the thickest sheet that a laser cuts without a warning: our choice.
+const LASER_SHEET: f64 = 12.0;
 /// Millimetres of a metre, and pascals of a megapascal.
 const MILLIMETRES: f64 = 1000.0;
 const MEGA: f64 = 1e6;
@@ -43,7 +46,7 @@ impl WheelDesign {
             AnyWheel::External(wheel) => weaknesses(self, wheel)?,
             AnyWheel::Internal(_) | AnyWheel::Spherical(_) => Vec::new(),
         };
-        let shape = self.thick_wheel(sizes).into_iter().chain(self.fast_rim(sizes));
+        let shape = self.thick_wheel(sizes).into_iter().chain(self.fast_rim(sizes)).chain(self.thick_sheet());
         Ok(placed.into_iter().chain(of_sizes).chain(self.loose_parts()).chain(weak).chain(shape).chain(many).collect())
     }
 
@@ -72,6 +75,20 @@ impl WheelDesign {
                 number(across)
             )
         })
+    }
+
+    /// The sheet that is too thick for a laser; none of parts that are made otherwise.
+    fn thick_sheet(&self) -> Option<String> {
+        let is_laser = self.question.process == Some(Process::Laser);
+        let thickness = self.thickness.filter(|thickness| is_laser && *thickness > LASER_SHEET)?;
+        let chosen =
+            if self.question.thickness.is_some() { "" } else { " (as thick as the pin, because none was given)" };
+        Some(format!(
+            "the sheet would be {} mm thick{chosen}, and few lasers cut more than {} mm: give --thickness as that of your sheet, \
+             or build the wheel up from several sheets",
+            as_typed(thickness),
+            as_typed(LASER_SHEET)
+        ))
     }
 
     /// The stress from spinning alone, where it is more than the wheel's material bears. A thin ring has density times rim speed squared;
@@ -156,6 +173,19 @@ mod tests {
         let thick = warnings("wheel --stations 6 --crank-radius 25 --thickness 500");
         assert!(thick.contains("--thickness 500: the wheel would be thicker than"), "{thick}");
         assert!(!warnings("wheel --stations 6 --crank-radius 25 --thickness 50").contains("--thickness"));
+    }
+
+    #[test]
+    fn a_sheet_that_few_lasers_cut_is_warned_of_whoever_chose_it() {
+        let laser = |more: &str| warnings(&format!("wheel --stations 6 --crank-radius 60 --process laser {more}"));
+        assert!(
+            laser("").contains("(as thick as the pin, because none was given), and few lasers cut"),
+            "{}",
+            laser("")
+        );
+        assert!(laser("--thickness 40").contains("the sheet would be 40 mm thick, and few lasers cut"));
+        assert!(!laser("--thickness 6").contains("few lasers"));
+        assert!(!warnings("wheel --stations 6 --crank-radius 60 --process mill --thickness 40").contains("few lasers"));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! named was tried with all 1000 assemblies.
 
 use super::design::WheelDesign;
+use super::mounting::PinKind;
 use super::process::{ASSEMBLIES, ENOUGH, SEED};
 use super::question::WheelQuestion;
 use crate::Error;
@@ -62,12 +63,26 @@ pub struct CauseSearch {
     changes: Option<Vec<Change>>,
     /// How many changes have been tried.
     tried: usize,
+    /// How many of them can't be made.
+    refused: usize,
     /// The change that is being tried.
-    trial: Option<(String, WheelDesign, Yield)>,
+    trial: Option<(Change, WheelDesign, Yield)>,
+    /// The changes that help, each in words; all are against the same cause.
+    helping: Vec<String>,
 }
 
-/// A change in words, and the question so changed.
-type Change = (String, WheelQuestion);
+/// A change that may help.
+#[derive(Clone, Debug)]
+struct Change {
+    /// What it is against.
+    cause: JamCause,
+    /// Which of the ways against that cause: of each way, the change that costs least is told.
+    way: u32,
+    /// The change in words, such as `--play 0.3`.
+    words: String,
+    /// The question with that change and no other.
+    question: WheelQuestion,
+}
 
 impl CauseSearch {
     /// A search that has not begun, for a design of which so many assemblies turn; none where enough do, or no process is named.
@@ -84,7 +99,15 @@ impl CauseSearch {
             JamCause::Errors => true,
         };
         let causes = JamCause::ALL.into_iter().filter(is_there).map(|cause| (cause, Yield::default()));
-        let search = Self { found, causes: causes.collect(), changes: None, tried: 0, trial: None };
+        let search = Self {
+            found,
+            causes: causes.collect(),
+            changes: None,
+            tried: 0,
+            refused: 0,
+            trial: None,
+            helping: Vec::new(),
+        };
         Ok((found.share() < ENOUGH).then_some(search))
     }
 
@@ -112,17 +135,15 @@ impl CauseSearch {
                 empty.insert(all.into_iter().rev().collect())
             }
         };
-        let Some((words, trial, counted)) = &mut self.trial else {
-            let Some((words, other)) = changes.pop() else {
-                return Ok(Some(self.words(
-                    design,
-                    "no one change is enough: give tighter bores and more --play, or choose a process with smaller errors",
-                )));
+        let Some((change, trial, counted)) = &mut self.trial else {
+            let Some(change) = changes.pop() else {
+                return Ok(Some(self.words(design, &self.remedy_words())));
             };
             self.tried += 1;
-            let trial = WheelDesign::new(WheelQuestion { is_trial: true, ..other }).ok();
-            let trial = trial.filter(|trial| trial.makeable_parts().is_ok());
-            self.trial = trial.map(|trial| (words, trial, Yield::default()));
+            let question = WheelQuestion { is_trial: true, ..change.question.clone() };
+            let trial = WheelDesign::new(question).ok().filter(|trial| trial.makeable_parts().is_ok());
+            self.refused += usize::from(trial.is_none());
+            self.trial = trial.map(|trial| (change, trial, Yield::default()));
             return Ok(None);
         };
         let counts = trial.count_assemblies(*counted, more).ok().flatten();
@@ -131,12 +152,26 @@ impl CauseSearch {
         match counts.filter(|now| now.tried - now.turning <= may_fail) {
             Some(now) if now.tried < ASSEMBLIES => *counted = now,
             Some(now) if now.share() >= ENOUGH => {
-                let helps = format!("with {words}, {} do", percent(now.share()));
-                return Ok(Some(self.words(design, &helps)));
+                self.helping.push(format!("with {}, {} do", change.words, percent(now.share())));
+                // Another way against the same cause may suit the maker better.
+                let (cause, way) = (change.cause, change.way);
+                changes.retain(|other| other.cause == cause && other.way != way);
+                self.trial = None;
             }
             _ => self.trial = None,
         }
         Ok(None)
+    }
+
+    /// What helps, in words.
+    fn remedy_words(&self) -> String {
+        if !self.helping.is_empty() {
+            return self.helping.join(", or ");
+        }
+        let can_be_made = if self.refused > 0 { " that can be made" } else { "" };
+        format!(
+            "no one change{can_be_made} is enough: give tighter bores and more --play, or choose a process with smaller errors"
+        )
     }
 
     /// What is counted at the moment, how much of it is done, and how much there is of it at most.
@@ -190,16 +225,18 @@ impl WheelDesign {
         Ok(Some(assemblies))
     }
 
-    /// Changes that may help against a cause, from the one that costs least.
+    /// Changes that may help against a cause, from the one that costs least: each is the question as it was asked, with what the words
+    /// say changed.
     fn changes(&self, cause: JamCause) -> Vec<Change> {
         let Some(sizes) = &self.sizes else { return Vec::new() };
         let play = sizes.play;
         let value = |part: f64, length: f64| to_digits(part * length, DIGITS).parse().ok();
+        let change = |way: u32, words: String, question: WheelQuestion| Change { cause, way, words, question };
         match cause {
             JamCause::BorePlay => {
                 let with = |bore: f64| {
                     let other = WheelQuestion { bore_play: Some(bore), ..self.question.clone() };
-                    (format!("--bore-play {}", as_typed(bore)), other)
+                    change(0, format!("--bore-play {}", as_typed(bore)), other)
                 };
                 LESS.into_iter().filter_map(|part| value(part, play.bore)).chain([0.0]).map(with).collect()
             }
@@ -211,9 +248,9 @@ impl WheelDesign {
                     let also = if self.question.bore_play.is_some() {
                         String::new()
                     } else {
-                        format!(" --bore-play {}", as_typed(play.bore))
+                        format!(" and --bore-play {}", as_typed(play.bore))
                     };
-                    (format!("--play {}{also}", as_typed(slot)), other)
+                    change(0, format!("--play {}{also}", as_typed(slot)), other)
                 };
                 MORE.into_iter().filter_map(|part| value(part, play.slot)).map(with).collect()
             }
@@ -223,15 +260,27 @@ impl WheelDesign {
                 let mut itself = tapped.clone();
                 itself.pin_diameter = self.question.mounting.pin_screw.map(|thread| thread.diameter());
                 let diameter = itself.pin_diameter.map_or_else(String::new, as_typed);
+                let mut dowel = self.question.clone();
+                dowel.mounting.pin_screw = None;
+                dowel.mounting.pin_screw_hole = None;
+                dowel.mounting.pin_mount = Some(PinKind::Dowel);
+                // A dowel is as thick as the bush that it replaces.
+                dowel.pin_diameter = Some(sizes.pin_diameter);
+                let same = if self.question.pin_diameter.is_some() {
+                    String::new()
+                } else {
+                    format!(" and --pin-diameter {}", as_typed(sizes.pin_diameter))
+                };
                 vec![
-                    ("--pin-screw-hole tapped".to_owned(), tapped),
-                    (format!("--pin-screw-hole tapped --pin-diameter {diameter}"), itself),
+                    change(0, "--pin-screw-hole tapped".to_owned(), tapped),
+                    change(0, format!("--pin-screw-hole tapped and --pin-diameter {diameter}"), itself),
+                    change(1, format!("--pin-mount dowel{same} instead of --pin-screw"), dowel),
                 ]
             }
             JamCause::DiscOnPlate => {
                 let mut one = self.question.clone();
                 one.mounting.stacked = Some(false);
-                vec![("--driver-pieces one-piece".to_owned(), one)]
+                vec![change(0, "--driver-pieces one-piece".to_owned(), one)]
             }
         }
     }
@@ -243,11 +292,51 @@ fn percent(share: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::ENOUGH;
     use crate::wheel::{WheelDesign, WheelQuestion};
 
     fn cause(question: &str) -> Option<String> {
         let design = WheelDesign::new(WheelQuestion::parse(question).expect(question)).expect(question);
         design.yield_cause().expect(question)
+    }
+
+    /// The changes that are said to help: `--play 0.3`.
+    fn helping(said: &str) -> Vec<String> {
+        let each = said.split("with --").skip(1).filter_map(|rest| rest.split_once(','));
+        each.map(|(change, _)| format!("--{}", change.replace(" and ", " "))).collect()
+    }
+
+    /// A question with a change; what it changes is given once.
+    fn changed(question: &str, change: &str) -> String {
+        let (change, without) = change.split_once(" instead of ").unwrap_or((change, ""));
+        let named =
+            |text: &str| text.split("--").filter_map(|part| part.split(' ').next()).map(str::to_owned).collect();
+        let new: Vec<String> = named(&format!("{change} {without}"));
+        let is_kept = |part: &&str| !new.iter().any(|name| !name.is_empty() && part.split(' ').next() == Some(name));
+        let kept = question.split("--").filter(|part| !part.is_empty()).filter(is_kept);
+        format!("{} {change}", kept.map(|part| format!("--{}", part.trim())).collect::<Vec<_>>().join(" "))
+    }
+
+    #[test]
+    fn what_helps_is_the_same_however_the_speed_is_given() {
+        let wheels = [
+            ("--stations 6 --crank-radius 40 --process mill --pin-screw M5", 2),
+            ("--stations 6 --crank-radius 40 --process fdm --play 0.3", 1),
+        ];
+        for (wheel, ways) in wheels {
+            let without = cause(wheel).expect(wheel);
+            let all = helping(&without);
+            assert_eq!(all.len(), ways, "{without}");
+            for change in &all {
+                let question = changed(wheel, change);
+                let design = WheelDesign::new(WheelQuestion::parse(&question).expect(&question)).expect(&question);
+                let found = design.assemblies_that_turn().expect("a yield").expect("a process");
+                assert!(found.share() >= ENOUGH, "{question}: {}", found.share());
+            }
+            for speed in ["--rpm 50", "--rad-s 5", "--index-time 0.4", "--dwell-time 0.4"] {
+                assert_eq!(cause(&format!("{wheel} {speed}")).as_ref(), Some(&without), "{speed}");
+            }
+        }
     }
 
     #[test]
@@ -260,16 +349,9 @@ mod tests {
             let question = format!("{wheel} {more}");
             let said = cause(&question).expect(&question);
             assert!(said.contains(&format!("the largest cause is {named}")), "{said}");
-            let (_, change) = said.split_once("with --").expect(&said);
-            let (change, _) = change.split_once(',').expect(&said);
-            assert!(format!("--{change}").starts_with(option), "{said}");
-            // What is changed is given once.
-            let kept = question.split(" --").filter(|part| {
-                !part.starts_with("--stations")
-                    && change.split(" --").all(|new| new.split(' ').next() != part.split(' ').next())
-            });
-            let changed = format!("--stations 4 --{} --{change}", kept.collect::<Vec<_>>().join(" --"));
-            assert_eq!(cause(&changed), None, "{said}: {changed}");
+            let change = helping(&said).remove(0);
+            assert!(change.starts_with(option), "{said}");
+            assert_eq!(cause(&changed(&question, &change)), None, "{said}");
         }
         assert_eq!(cause(&format!("{wheel} --bore-play 0.1")), None);
     }

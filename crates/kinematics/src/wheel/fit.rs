@@ -83,6 +83,18 @@ impl fmt::Display for ShaftOf {
     }
 }
 
+/// A length in millimetres with as many decimals as count: fewer where it is long.
+fn told(length: f64) -> String {
+    let decimals = if length >= 10.0 {
+        1
+    } else if length >= 1.0 {
+        2
+    } else {
+        4
+    };
+    format!("{length:.decimals$}")
+}
+
 fn joined_by_or(remedies: &[Remedy]) -> String {
     remedies.iter().map(Remedy::to_string).collect::<Vec<_>>().join(" or ")
 }
@@ -104,7 +116,7 @@ pub enum SizesError {
         asked: f64,
     },
     /// Parts in each other's way.
-    #[error("{what} by {by:.4} mm; choose {}", joined_by_or(remedies))]
+    #[error("{what} by {} mm; choose {}", told(*by), joined_by_or(remedies))]
     DoesNotFit {
         /// What is in the way.
         what: &'static str,
@@ -178,7 +190,7 @@ impl SizesError {
     /// ```
     pub fn reason(&self) -> String {
         match self {
-            Self::DoesNotFit { what, by, .. } => format!("{what} by {by:.4} mm"),
+            Self::DoesNotFit { what, by, .. } => format!("{what} by {} mm", told(*by)),
             Self::Mouth { name, asked, reason, .. } => format!("{name} {asked} mm: {reason}"),
             Self::TooFlat { asked, .. } => {
                 format!("flare of the lead-in {asked} mm: so flat an arc is a straight wall")

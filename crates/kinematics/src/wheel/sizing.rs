@@ -103,7 +103,7 @@ fn fits(room: f64, what: &'static str, remedies: &'static [Remedy]) -> Result<f6
 
 /// Diameter of a pin and the plays, in millimetres, with this crank radius and centre distance: those that were chosen, or their
 /// defaults.
-fn pin_and_play(wheel: &Wheel, [a, c]: [f64; 2], choices: &Choices) -> Result<(f64, Play), SizesError> {
+pub(super) fn pin_and_play(wheel: &Wheel, [a, c]: [f64; 2], choices: &Choices) -> Result<(f64, Play), SizesError> {
     // a tan(α/2), without the difference of nearly equal lengths.
     let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
     let pin_diameter = match choices.pin_diameter {

@@ -104,9 +104,14 @@ impl Sizes {
     pub fn has_sound_walls(&self) -> bool {
         // But for rounding.
         let least = (1.0 - 1e-9) * THIN * self.pin_diameter;
-        let reach = self.locking_arc_radius + self.tip_radius - self.centre_distance;
+        let reach = self.arc_reach();
         let has_disc = self.locking_disc.is_none_or(|disc| disc.radius >= (1.0 - 1e-9) * self.pin_radius());
         has_disc && reach >= least && self.walls().all(|(_, thickness)| thickness >= least)
+    }
+
+    /// How far the locking arcs reach into the wheel from its rim, in millimetres.
+    pub(super) fn arc_reach(&self) -> f64 {
+        self.locking_arc_radius + self.tip_radius - self.centre_distance
     }
 
     /// All walls that may be too thin, with their thickness in millimetres: of the wheel, of the disc, of the plate.

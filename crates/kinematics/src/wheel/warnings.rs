@@ -44,6 +44,18 @@ pub enum Warning {
         /// Its thickness, in millimetres.
         thickness: f64,
     },
+    /// The locking arcs reach into the wheel by less than a fifth of the pin, so they hardly hold it.
+    ShallowArc {
+        /// How far they reach, in millimetres.
+        reach: f64,
+    },
+    /// The locking disc is thinner than the pin.
+    SmallDisc {
+        /// Diameter of the disc, in millimetres.
+        disc: f64,
+        /// Diameter of the pin, in millimetres.
+        pin: f64,
+    },
     /// The play is more than that of the fit H8/e8 for the pin. It is for a play that the program chose.
     LooserThanFit {
         /// Play of the slot, in millimetres.
@@ -92,6 +104,15 @@ impl fmt::Display for Warning {
             Self::ThinWall { wall, thickness } => {
                 write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
             }
+            Self::ShallowArc { reach } => write!(
+                f,
+                "the locking arcs reach only {reach:.3} mm into the wheel, less than a fifth of the pin, and hardly hold it: choose a thinner \
+                 pin or horn"
+            ),
+            Self::SmallDisc { disc, pin } => write!(
+                f,
+                "the locking disc is {disc:.3} mm wide, less than the pin's {pin:.3} mm: choose a thinner pin or horn"
+            ),
             Self::LooserThanFit { play, fit: [least, most] } => write!(
                 f,
                 "the program's play of {play:.3} mm is more than a fit H8/e8 has for this pin, {least:.3} to {most:.3} mm: set \
@@ -127,7 +148,17 @@ impl Sizes {
             .chain(turns.map(|turns| Warning::CanMiss { turns }))
             .chain(self.harder_mouth())
             .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
+            .chain(self.weak_lock())
             .collect()
+    }
+
+    /// The warning that disc and arcs hardly hold the wheel in the dwell, where they do.
+    fn weak_lock(&self) -> Option<Warning> {
+        let (disc, pin, reach) = (2.0 * self.locking_disc?.radius, self.pin_diameter, self.arc_reach());
+        // But for rounding.
+        let least = (1.0 - 1e-9) * pin;
+        let shallow = (reach < THIN * least).then_some(Warning::ShallowArc { reach });
+        shallow.or((disc < least).then_some(Warning::SmallDisc { disc, pin }))
     }
 
     /// The warning that a mouth makes the hardest blow at entry harder, where it does.

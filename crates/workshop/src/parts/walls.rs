@@ -54,6 +54,9 @@ pub(crate) fn remedy(hole: &Hole) -> &'static str {
     }
 }
 
+/// What to change where a bore and the holes of a hub are too near to each other.
+const BESIDE_HUB: &str = "choose a larger circle for the hub, thinner screws or dowels, or a thinner shaft";
+
 /// Whether a bore has a keyway: three lines, where one with a flat has one.
 fn is_keyed(hole: &Hole) -> bool {
     hole.outline.edges.iter().filter(|edge| matches!(edge, Edge::Line { .. })).count() > 1
@@ -157,7 +160,11 @@ pub(super) fn thin_walls(part: &Part) -> Result<Vec<ThinWall>, MountingError> {
     // A ring's own inside is seen from the holes beside it, which were chosen.
     for hole in part.holes.iter().filter(|hole| hole.purpose != HolePurpose::Inside) {
         let Some((other, thickness)) = least_wall(part, hole) else { continue };
-        let (name, words, remedy) = (part.layer.words(), hole.purpose.words(), remedy(hole));
+        let (name, words) = (part.layer.words(), hole.purpose.words());
+        // The circle of a hub is easier to choose than its shaft.
+        let pair = [words, other];
+        let is_beside_hub = pair.contains(&HolePurpose::Bore.words()) && pair.contains(&HolePurpose::Hub.words());
+        let remedy = if is_beside_hub { BESIDE_HUB } else { remedy(hole) };
         if thickness <= 0.0 {
             return Err(MountingError::BreaksOut { part: name, hole: words, other, by: -thickness, remedy });
         }

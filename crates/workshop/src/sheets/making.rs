@@ -45,12 +45,18 @@ impl Making<'_> {
 
     /// Limits of a width or a diameter that the process holds; `chain` is what a tolerance chain leaves below and above.
     pub(super) fn held(&self, usual: Limits, chain: [f64; 2]) -> Limits {
-        usual.held(self.error(), chain)
+        self.of_known_chain(usual.held(self.error(), chain))
+    }
+
+    /// The limits, which come from no chain where none is known.
+    fn of_known_chain(&self, limits: Limits) -> Limits {
+        let is_marked = limits.origin == LimitOrigin::Chain && !self.chain.is_known;
+        if is_marked { Limits { origin: LimitOrigin::Standard, ..limits } } else { limits }
     }
 
     /// Limits of a radius that the process holds: half of its error.
     pub(super) fn held_radius(&self, usual: Limits, chain: [f64; 2]) -> Limits {
-        usual.held(self.error().map(|error| error / 2.0), chain)
+        self.of_known_chain(usual.held(self.error().map(|error| error / 2.0), chain))
     }
 
     /// Limits of a place that only a chain has.

@@ -80,6 +80,29 @@ fn no_limit_on_a_sheet_is_less_than_the_process_holds() {
 }
 
 #[test]
+fn every_mark_on_a_sheet_is_explained_on_it() {
+    let mut marked = 0;
+    for process in [None].into_iter().chain(Process::ALL.map(Some)) {
+        for (stations, is_known) in [(4, true), (6, true), (6, false), (9, false)] {
+            let sizes = sizes(stations, 1, None, None);
+            let numbers = process.map(|process| ProcessNumbers::new(process, sizes.centre_distance).unwrap());
+            let shared = if is_known { sizes.shared_tolerance() } else { None };
+            let limits = SheetLimits { shared, process: numbers, yield_share: Some(0.987) };
+            let mounting = Mounting { base: Some(BasePlate::default()), is_stacked: true, ..Mounting::default() };
+            for sheet in drawn(&sizes, &mounting, &limits, STEEL) {
+                for mark in ["†", "‡"] {
+                    let is_used = texts(&sheet).any(|text| text == mark);
+                    let is_explained = texts(&sheet).any(|text| text.contains(mark) && text != mark);
+                    assert_eq!(is_used, is_explained, "{process:?} {stations} {is_known} {mark}: {}", all_text(&sheet));
+                    marked += usize::from(is_used);
+                }
+            }
+        }
+    }
+    assert!(marked > 20, "{marked}");
+}
+
+#[test]
 fn hardness_is_asked_of_metals() {
     let sheets = drawn(&sizes(6, 1, None, None), &Mounting::default(), &SheetLimits::default(), STEEL);
     assert!(sheets[1..].iter().all(|sheet| all_text(sheet).contains("Hardness 58 HRC")));

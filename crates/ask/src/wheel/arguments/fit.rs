@@ -23,7 +23,8 @@ pub(super) const ROWS: &[Argument] = &[
         "MM",
         ArgumentSlot::Length(|question| &mut question.measured_play),
         &[Parts],
-        "Least play in millimetres with which the pin ran on the test piece of --process: its plays and errors then come from there",
+        "Least play in millimetres with which the pin ran on the test piece of --process: the play of slots and locking arcs and the \
+         errors then come from there, and so does that of bores, but not with fdm and resin, which have one of their own",
     )
     .depending_on(&["process"])
     .with_knob(Knob::follows("play with which a printed pin runs", "mm", [0.05, 1.0], 0.05, "measured_play").typed([0.001, 10.0])),
@@ -68,7 +69,7 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::LengthOrZero(|question| &mut question.bore_play),
         &[Parts],
         "How much wider the bores are than the shafts that run in them, in millimetres, zero or more [default: a quarter of \
-         --play]",
+         --play, or that of --process]",
     )
     .with_knob(Knob::follows("play of the bores", "mm", [0.0, 0.2], 0.001, "bore_play_mm").typed([0.0, 1000.0])),
     Argument::new(

@@ -42,7 +42,7 @@ fn design(measured: &MeasuredWheel, of: &Logarithms) -> Option<Sizes> {
 }
 
 /// The free sizes of the right wheel that a design is.
-fn right_wheel(sizes: &Sizes) -> Free {
+pub(super) fn right_wheel(sizes: &Sizes) -> Free {
     let disc = sizes.locking_disc;
     Free::from([
         sizes.crank_radius,

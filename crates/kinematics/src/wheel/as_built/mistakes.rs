@@ -134,65 +134,113 @@ impl MeasuredWheel {
             .collect()
     }
 
-    /// The wrong formulas that give the measured sizes, whether these contradict each other or not.
+    /// The mean of what is measured of a size, with the greatest of its uncertainties; none if nothing is.
+    fn mean_within(&self, is_it: fn(MeasuredSize) -> bool) -> Option<Uncertain> {
+        let value = self.mean(is_it)?;
+        let uncertainties = self.sizes().iter().filter(|of| is_it(of.size)).map(|of| of.uncertainty);
+        Some(Uncertain { value, uncertainty: uncertainties.fold(0.0, f64::max) })
+    }
+
+    /// The wrong formulas that give the measured sizes, whether these contradict each other or not. A formula counts only the uncertainties
+    /// of the sizes that it has.
     fn fitting_mistakes(&self) -> Vec<KnownMistake> {
-        let mean = |is_it: fn(MeasuredSize) -> bool| self.mean(is_it);
-        let spread = self.sizes().iter().filter(|of| !matches!(of.size, MeasuredSize::SlotDirection(_)));
-        let uncertainty = spread.map(|of| of.uncertainty).fold(0.0, f64::max);
+        let mean = |is_it: fn(MeasuredSize) -> bool| self.mean_within(is_it);
         let (sine, cosine) = libm::sincos(self.wheel().half_pitch_angle());
         let crank = mean(|size| size == MeasuredSize::CrankRadius);
         let axes = mean(|size| size == MeasuredSize::CentreDistance);
         let pin = mean(|size| size == MeasuredSize::PinDiameter);
         let rim = mean(|size| size == MeasuredSize::TipRadius);
-        let slot = mean(|size| matches!(size, MeasuredSize::SlotWidth(_))).or(pin).unwrap_or_default();
+        let slot = mean(|size| matches!(size, MeasuredSize::SlotWidth(_))).or(pin);
+        let slot = slot.unwrap_or(Uncertain { value: 0.0, uncertainty: 0.0 });
         let disc = mean(|size| size == MeasuredSize::DiscRadius);
         let arc = mean(|size| matches!(size, MeasuredSize::ArcRadius(_)));
         let cut = mean(|size| size == MeasuredSize::CrescentCentre);
         let cut_radius = mean(|size| size == MeasuredSize::CrescentRadius);
         // Where the slot's corners are along it, or where the blank of some makers ends.
-        let along = rim.map(|rim| (rim * rim - slot * slot / 4.0).max(0.0).sqrt());
-        let near = |one: f64, other: f64| (one - other).abs() <= WITHIN * uncertainty;
+        let along = rim.map(|rim| {
+            following(&|[rim, slot]: [f64; 2]| (rim * rim - slot * slot / 4.0).max(0.0).sqrt(), [rim, slot])
+        });
+        let scale = axes.or(crank.map(|a| following(&|[a]: [f64; 1]| a / sine, [a])));
         let mut found = Vec::new();
         if let (Some(a), Some(c)) = (crank, axes)
-            && (c - a / sine).abs() > (WITHIN * uncertainty / sine).max(WRONG * c)
+            && is_beyond(&|[c, a]: [f64; 2]| (c - a / sine).abs(), [c, a], WRONG * c.value)
         {
-            let radii: Vec<f64> = [along, rim].into_iter().flatten().collect();
-            let by_radius = |formula: &dyn Fn(f64) -> f64| radii.iter().any(|b| near(c, formula(*b)));
-            let square = |b: f64| (b * b - a * a).abs().sqrt();
+            let radii: Vec<Uncertain> = [along, rim].into_iter().flatten().collect();
+            let by_radius = |formula: &dyn Fn(f64, f64) -> f64| {
+                radii.iter().any(|b| is_near(&|[c, a, b]: [f64; 3]| c - formula(a, b), [c, a, *b]))
+            };
             let known = [
-                (KnownMistake::TouchingCircles, by_radius(&|b| a + b)),
+                (KnownMistake::TouchingCircles, by_radius(&|a, b| a + b)),
                 // With four slots both are one.
-                (KnownMistake::SineForCosine, by_radius(&|b| b / sine) && !by_radius(&|b| b / cosine)),
-                (KnownMistake::CosineForSine, near(c, a / cosine)),
-                (KnownMistake::RightAngleAtAxis, by_radius(&square)),
+                (KnownMistake::SineForCosine, by_radius(&|_, b| b / sine) && !by_radius(&|_, b| b / cosine)),
+                (KnownMistake::CosineForSine, is_near(&|[c, a]: [f64; 2]| c - a / cosine, [c, a])),
+                (KnownMistake::RightAngleAtAxis, by_radius(&|a, b| (b * b - a * a).abs().sqrt())),
             ];
             let before = found.len();
             found.extend(known.into_iter().filter(|(_, is_it)| *is_it).map(|(mistake, _)| mistake));
             if found.len() == before {
                 found.push(KnownMistake::NoRightAngle);
             }
-        } else if let (Some(along), Some(scale)) = (along, axes.or(crank.map(|a| a / sine)))
-            && scale * cosine - along.max(rim.unwrap_or_default()) > (WITHIN * uncertainty).max(WRONG * scale)
-        {
-            found.push(KnownMistake::ShortRim);
+        } else if let (Some(along), Some(rim), Some(scale)) = (along, rim, scale) {
+            let reach = if along.value > rim.value { along } else { rim };
+            let short = |[scale, reach]: [f64; 2]| scale * cosine - reach;
+            if is_beyond(&short, [scale, reach], WRONG * scale.value) {
+                found.push(KnownMistake::ShortRim);
+            }
         }
         if let (Some(a), Some(p)) = (crank, pin) {
-            let (wrong, right) = (a - libm::pow(p, 1.5), a - 1.5 * p);
-            let is_it = |z: f64| near(z, wrong) && !near(z, right);
+            let is_it = |z: Uncertain| {
+                is_near(&|[z, a, p]: [f64; 3]| z - a + libm::pow(p, 1.5), [z, a, p])
+                    && !is_near(&|[z, a, p]: [f64; 3]| z - a + 1.5 * p, [z, a, p])
+            };
             if disc.into_iter().chain(arc).any(is_it) {
                 found.push(KnownMistake::PinToThePower);
             }
         }
-        if let (Some(q), Some(radius), Some(c)) = (cut, cut_radius, axes.or(crank.map(|a| a / sine))) {
-            let wheel = rim.unwrap_or(c * cosine);
-            let is_about_axis = (q - c).abs() <= (WITHIN * uncertainty).max(WRONG * c);
+        if let (Some(q), Some(radius), Some(c)) = (cut, cut_radius, scale) {
+            let wheel = rim.unwrap_or(following(&|[c]: [f64; 1]| c * cosine, [c]));
+            let is_about_axis = !is_beyond(&|[q, c]: [f64; 2]| (q - c).abs(), [q, c], WRONG * c.value);
             // With three slots a right cut can have its centre there too; its edges are then where the pin enters.
-            let through_edges = |z: f64| (q * q + z * z - 2.0 * q * z * sine).max(0.0).sqrt();
-            let is_right = disc.map_or(self.wheel().stations() == 3, |z| near(radius, through_edges(z)));
-            if is_about_axis && !is_right && radius >= wheel - WITHIN * uncertainty && radius <= wheel + WRONG * c {
+            let off_edges = |[radius, q, z]: [f64; 3]| radius - (q * q + z * z - 2.0 * q * z * sine).max(0.0).sqrt();
+            let is_right = disc.map_or(self.wheel().stations() == 3, |z| is_near(&off_edges, [radius, q, z]));
+            let short = |[radius, wheel]: [f64; 2]| wheel - radius;
+            let is_as_wheel = !is_beyond(&short, [radius, wheel], 0.0) && radius.value <= wheel.value + WRONG * c.value;
+            if is_about_axis && !is_right && is_as_wheel {
                 found.push(KnownMistake::CrescentAboutWheelAxis);
             }
         }
         found
     }
+}
+
+/// A size with its standard uncertainty, in millimetres.
+#[derive(Clone, Copy, Debug)]
+struct Uncertain {
+    value: f64,
+    uncertainty: f64,
+}
+
+/// What follows from some sizes, with the uncertainty that theirs give it: by differences over one uncertainty, added as squares.
+fn following<const N: usize>(formula: &dyn Fn([f64; N]) -> f64, of: [Uncertain; N]) -> Uncertain {
+    let values = of.map(|size| size.value);
+    let value = formula(values);
+    let squares = (0..N).map(|k| {
+        let mut other = values;
+        other[k] += of[k].uncertainty;
+        let by = formula(other) - value;
+        by * by
+    });
+    Uncertain { value, uncertainty: squares.sum::<f64>().sqrt() }
+}
+
+/// Whether a difference of sizes is none within their uncertainties.
+fn is_near<const N: usize>(difference: &dyn Fn([f64; N]) -> f64, of: [Uncertain; N]) -> bool {
+    let found = following(difference, of);
+    found.value.abs() <= WITHIN * found.uncertainty
+}
+
+/// Whether a difference of sizes is more than their uncertainties and this length, in millimetres, let it be.
+fn is_beyond<const N: usize>(difference: &dyn Fn([f64; N]) -> f64, of: [Uncertain; N], least: f64) -> bool {
+    let found = following(difference, of);
+    found.value > (WITHIN * found.uncertainty).max(least)
 }

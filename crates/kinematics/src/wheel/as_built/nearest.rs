@@ -91,6 +91,7 @@ impl MeasuredWheel {
         let fitted = self.nearest_fit()?;
         let (found, kept, (free, left)) = self.contradictions(fitted);
         let rest = self.only(&kept);
+        let free = self.as_new(&free);
         let right = Right { wheel: self.wheel(), free };
         let drawn = rest.drawn_slots();
         let residuals: Vec<Residual> = self
@@ -120,6 +121,9 @@ impl MeasuredWheel {
         culprits.sort_by(|(_, one), (_, other)| other.uncertainties.abs().total_cmp(&one.uncertainties.abs()));
         let suspects = culprits.first().map_or_else(Vec::new, |(index, _)| self.suspects(*index, &kept, (free, left)));
         let mut culprits = culprits.into_iter().map(|(_, culprit)| culprit);
+        let refusal = design(self.wheel(), &free).err();
+        let free = self.filled_in(&free);
+        let right = Right { wheel: self.wheel(), free };
         let rim = residuals.iter().find(|of| of.measured.size == MeasuredSize::TipRadius).copied();
         Ok(NearestWheel {
             crank_radius: free[0],
@@ -138,7 +142,7 @@ impl MeasuredWheel {
             culprit: culprits.next(),
             suspects,
             further_culprits: culprits.collect(),
-            refusal: design(self.wheel(), &free).err(),
+            refusal,
         })
     }
 
@@ -294,7 +298,7 @@ fn limit(measurements: usize) -> f64 {
 
 /// The sum of squares that may go with a single one of so many measurements: for normal errors, the chance that one of any goes
 /// beyond it is about a half per cent, however many there are. Our choice.
-fn single_limit(measurements: usize) -> f64 {
+pub(super) fn single_limit(measurements: usize) -> f64 {
     2.0 * libm::log(measurements.max(1) as f64) + 7.5
 }
 

@@ -80,6 +80,13 @@ const FDM_BORE: &str = "Makelab, clearance of two fitting parts: 0.4 mm for FDM"
 const RESIN_BORE: &str = "Makelab, clearance of two fitting parts: 0.25 mm for SLA";
 const FOUR_ERRORS: &str = "our choice: four times the error of a size";
 
+const QUARTER: &str = "our choice: a quarter of the play of the slots";
+
+/// The play of bores that is a quarter of that of the slots.
+fn quarter_of(slot_play: SourcedNumber) -> SourcedNumber {
+    SourcedNumber { value: slot_play.value / 4.0, source: QUARTER }
+}
+
 /// Play of slot and locking arc over the error of a size, dimensionless: our choice.
 const PLAY_OF_ERROR: f64 = 4.0;
 
@@ -139,7 +146,7 @@ impl ProcessNumbers {
         let play = SourcedNumber { value: PLAY_OF_ERROR * error.value, source: FOUR_ERRORS };
         let chosen = |value| SourcedNumber { value, source: CHOICE };
         let of = |value, source| SourcedNumber { value, source };
-        let quarter = chosen(play.value / 4.0);
+        let quarter = quarter_of(play);
         let [bore_play, axial_play, corner_radius, hole_growth, kerf] = match process {
             Process::Ground => [quarter, chosen(0.05), chosen(0.15), NONE, NONE],
             Process::Mill => [quarter, chosen(0.1), chosen(1.5), NONE, NONE],
@@ -162,7 +169,7 @@ impl ProcessNumbers {
     }
 
     /// The numbers with a play measured on a test piece: the least one in millimetres with which the pin ran. Slot and locking arc get
-    /// that and a rung of the ladder, and the error is a quarter of it.
+    /// that and a rung of the ladder, and the error is a quarter of it. So is the play of the bores, unless the process has one of its own.
     ///
     /// ```
     /// use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
@@ -181,7 +188,10 @@ impl ProcessNumbers {
         let slot_play = SourcedNumber { value: play, source: MEASURED };
         let error =
             SourcedNumber { value: play / PLAY_OF_ERROR, source: "a quarter of the play measured on the test piece" };
-        Ok(Self { error, slot_play, locking_play: slot_play, ..self })
+        // Bores whose play follows that of the slots follow it here, too.
+        let is_quarter = self.bore_play.source == QUARTER;
+        let bore_play = if is_quarter { quarter_of(slot_play) } else { self.bore_play };
+        Ok(Self { error, slot_play, locking_play: slot_play, bore_play, ..self })
     }
 
     /// The plays, in millimetres, of pins in their place.

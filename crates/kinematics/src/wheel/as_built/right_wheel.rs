@@ -28,7 +28,8 @@ const TIGHT_UNCERTAINTY: f64 = 0.001;
 const ORDINARY_DEPTH: f64 = 0.5;
 /// The greatest part of a width or a diameter that counts as worn off where its partner was not measured: our choice.
 const MOST_WEAR: f64 = 0.3;
-const LEAST_HORN: f64 = 0.2;
+/// The least thickness of a horn over the pin's diameter, and how far sizes that are hardly tied count as one uncertainty: our choice.
+pub(super) const LEAST_HORN: f64 = 0.2;
 const WIDE_UNCERTAINTY: f64 = 0.05;
 const CRESCENT_UNCERTAINTY: f64 = 0.5;
 
