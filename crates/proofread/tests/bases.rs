@@ -72,3 +72,40 @@ fn bits_have_their_own_sums_and_signs() {
     assert_told_apart(&item("with a borrow"), &item("in all"), TextFormat::Markdown);
     assert_told_apart("$1000_2 = -8_{10}$", "$1000_2 = -7_{10}$", TextFormat::Markdown);
 }
+
+#[test]
+fn digits_may_be_bits_where_the_section_speaks_of_them() {
+    let rule =
+        |sum: &str| format!("Addition works similarly in binary. With the rules being:\n* $0+1=1$\n* $1+1= {sum}$");
+    assert_told_apart(&rule("10"), &rule("11"), TextFormat::Markdown);
+    let sum =
+        |words: &str, sum: &str| format!("{words}. So $0.11 \\cdot 2^1 + 1.101 \\cdot 2^1 = {sum} \\cdot 2^1$ is it.");
+    assert_told_apart(
+        &sum("The mantissa has four bits", "10.011"),
+        &sum("The mantissa has four bits", "10.111"),
+        TextFormat::Latex,
+    );
+    assert_ne!(on_numbers(&sum("Two numbers are added", "10.011"), TextFormat::Latex), 0);
+    let half = |digits: &str| format!("# Binary fractions\n\nHalf is 0.5 = 2^(-1) = {digits}\n");
+    assert_told_apart(&half("0.1"), &half("0.01"), TextFormat::Markdown);
+    // More bits than are printed are lost.
+    let borrowed = |result: &str| format!("These are binary digits. We go on. Now $10 - 11 = {result}$.");
+    assert_told_apart(&borrowed("11"), &borrowed("10"), TextFormat::Markdown);
+}
+
+#[test]
+fn truth_values_add_to_one() {
+    let axiom = |words: &str, sum: &str| format!("{words}. They follow here. One is this. $1 + 1 = {sum}$ is another.");
+    let of_boole = "Axioms of Boolean algebra";
+    assert_told_apart(&axiom(of_boole, "1"), &axiom(of_boole, "3"), TextFormat::Latex);
+    assert_ne!(on_numbers(&axiom("Axioms of numbers", "1"), TextFormat::Latex), 0);
+    let sum = |words: &str| format!("We use {words}. The answer is below. It is this. \\[ 0+1+0+1+0+1+0 = 1 \\]");
+    assert_told_apart(&sum("arithmetic mod 2"), &sum("arithmetic"), TextFormat::Latex);
+}
+
+#[test]
+fn a_shift_of_bits_is_no_order_of_magnitude() {
+    unlisted(TextFormat::Latex, &[r"Here $14 \ll 3 + 3 = 115$ and $9 \ll 2 + 1 = 37$.", r"Here $40 \gg 3 = 5$."]);
+    listed(TextFormat::Latex, &[r"Here $14 \ll 3 + 3 = 116$.", r"Here $14 < 3 + 3 = 115$."]);
+    assert_told_apart("Here 14 << 3 + 3 = 115 it is.", "Here 14 << 3 + 3 = 113 it is.", TextFormat::Markdown);
+}

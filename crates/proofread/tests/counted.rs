@@ -81,3 +81,11 @@ fn nothing_is_compared_across_currencies() {
         assert_eq!((found.tally.checked, found.findings.len()), (0, 0), "{text}");
     }
 }
+
+#[test]
+fn an_abbreviation_behind_the_result_is_left_away() {
+    assert_eq!(compared_and_listed(r"So $4.5 - 0.9 = 3.6 \text{ LPA}$ is paid.", TextFormat::Markdown), (1, 0));
+    assert_eq!(compared_and_listed(r"So $4.5 - 0.9 = 3.7 \text{ LPA}$ is paid.", TextFormat::Markdown), (1, 1));
+    // A size of memory is a unit of another size.
+    assert_eq!(compared_and_listed(r"So $4 \times 300 = 1.2 \text{ KIB}$ is used.", TextFormat::Markdown), (0, 0));
+}

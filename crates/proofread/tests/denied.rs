@@ -93,3 +93,11 @@ fn a_text_calls_a_formula_false() {
         assert_told_apart(right, wrong, format);
     }
 }
+
+#[test]
+fn a_display_below_may_say_that_a_root_is_none() {
+    let check = |words: &str| {
+        format!("-   For x=0:\n    $$ \\sqrt{{0+1}} = 0-1 $$\n    $$ 1 = -1 \\quad \\text{{({words})}} $$\n")
+    };
+    assert_told_apart(&check("False"), &check("Checked"), TextFormat::Markdown);
+}

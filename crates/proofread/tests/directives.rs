@@ -159,3 +159,15 @@ fn a_chunk_ends_with_its_line_of_marks_in_html_and_in_lists_too() {
         assert_eq!(report.not_read.total(), 1, "{code}");
     }
 }
+
+#[test]
+fn admonitions_in_lists_are_text() {
+    for (item, mark) in [("1. ", "??? answer \"x\""), ("- ", "!!! note"), ("10) ", "=== \"tab\"")] {
+        let text =
+            |sum: &str| format!("{item}How many are there?\n\n    {mark}\n\n        ${sum}$\n\n{item}And now?\n");
+        assert_told_apart(&text("2^{12} = 4096"), &text("2^{12} = 4095"), Markdown);
+    }
+    // Without a mark, what is indented so far is code.
+    assert_eq!(wrong("1. How many?\n\n        $2^{12} = 4095$\n", Markdown), [""; 0]);
+    assert_eq!(wrong("Text.\n\n    ??? answer \"x\"\n\n        $2^{12} = 4095$\n", Markdown), [""; 0]);
+}

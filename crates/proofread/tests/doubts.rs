@@ -35,7 +35,7 @@ fn a_side_that_may_go_on_is_a_doubt() {
         &[
             r"$1, 2, 3.5 = 6$",
             r"$2 - \sqrt 2, 2, 2 + \sqrt 2 = 0.5858, 2.0000$",
-            r"$$-(3.0\,\text{J})(2.0) = 7.0\,\text{J}$$",
+            r"$\displaystyle -(3.0\,\text{J})(2.0) = 7.0\,\text{J}$",
             r"x$3 + 4 = 9$",
             r"$2.5 \cdot 4 = 11.(5)$",
         ],

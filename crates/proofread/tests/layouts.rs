@@ -239,3 +239,38 @@ fn a_row_below_two_solutions_is_another_one() {
     assert_eq!(on_numbers(&rows("\\quad \\text{or} \\quad"), TextFormat::Markdown), 0);
     assert_ne!(on_numbers("$$\\begin{aligned} x &= 2 - 3 \\\\ &= 5 \\end{aligned}$$", TextFormat::Markdown), 0);
 }
+
+#[test]
+fn columns_of_equations_may_end_with_other_signs() {
+    let check = |sum: &str| {
+        pretext(&format!(
+            "<md><mrow>(2 + 3)(2 - 4) \\amp= {sum} \\amp (6 + 3)(6 - 4) \\amp= 18</mrow><mrow>5(-2) \\amp\\lt 2 \\amp (9)(2) \\amp\\gt 2</mrow></md>"
+        ))
+    };
+    assert_told_apart(&check("-10"), &check("-12"), TextFormat::Xml);
+}
+
+#[test]
+fn blanks_part_equations_in_a_line() {
+    let rows = |last: &str| format!("- 2  = 2¹ × 5⁰\n- 4  = 2² × 5⁰     5 = 2⁰ × 5¹\n- 6 + 2 = 8    10 - 3 = {last}\n");
+    assert_told_apart(&rows("7"), &rows("8"), TextFormat::Markdown);
+}
+
+#[test]
+fn items_of_a_list_are_solutions_of_their_own() {
+    let list =
+        |between: &str| pretext(&format!("<ul><li><p><m>x = 2 + 3</m></p>{between}<p><m>x = 6</m></p></li></ul>"));
+    assert_told_apart(&list("</li><li>"), &pretext("<m>x = 2 + 3</m>, thus <m>x = 6</m>"), TextFormat::Xml);
+}
+
+#[test]
+fn a_comment_in_a_formula_is_none_of_it() {
+    let sum = |sum: &str| pretext(&format!("<me>2 + 3 <!-- = five --> = {sum}</me>"));
+    assert_told_apart(&sum("5"), &sum("6"), TextFormat::Xml);
+}
+
+#[test]
+fn a_line_of_its_own_is_a_whole_formula() {
+    let line = |power: &str| format!("We count them:\n\n30,000 = 3 × 10^{power}\n\nThat is a lot.");
+    assert_told_apart(&line("4"), &line("3"), TextFormat::Markdown);
+}

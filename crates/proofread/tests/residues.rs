@@ -180,3 +180,19 @@ fn symbols_of_residues_look_like_fractions() {
     let words = |of: &str| format!("The {of} is $(-1) \\cdot \\left(\\frac{{1}}{{3}}\\right) = -1$.");
     assert_told_apart(&words("Jacobi symbol"), &words("product"), TextFormat::Latex);
 }
+
+#[test]
+fn an_inverse_is_one_for_the_modulus_of_its_section() {
+    let list = |last: &str| {
+        format!(
+            "What about inverses $\\mod9$?\n\\begin{{itemize}}\n\\item $1^{{-1}}$? $=1$\n\\item $2^{{-1}}=5$\n\\item $4^{{-1}}={last}$\n\\end{{itemize}}"
+        )
+    };
+    assert_told_apart(&list("7"), &list("8"), TextFormat::Latex);
+    let power = |power: &str| {
+        format!("We do $34*50^{{-1}}\\mod61$.\n\nSo how do we find it? We use Fermat. So $50^{{-1}} = 50^{{{power}}}$.")
+    };
+    assert_told_apart(&power("59"), &power("58"), TextFormat::Markdown);
+    let letters = |sum: &str| format!("In the sense of the alphabet, $25 + 1 = {sum}$.");
+    assert_told_apart(&letters("0"), &letters("1"), TextFormat::Markdown);
+}

@@ -448,3 +448,16 @@ fn what_is_cut_off_or_rounded_twice_is_a_doubt() {
         assert!(!only(text), "{text}");
     }
 }
+
+#[test]
+fn a_time_with_an_index_is_no_statistic() {
+    assert_eq!(markdown("At ($t_2 = 6 \\,ns$) it is X = 0."), [""; 0]);
+    assert_eq!(markdown("The effect was clear, $t_2 = 6.0, ns$.").len(), 1);
+}
+
+#[test]
+fn a_standard_deviation_may_stand_behind_the_sign() {
+    let spends = |limits: &str| format!("It will spend 52.37 ± 8.42, with 95% confidence between {limits}.");
+    assert_eq!(markdown(&spends("36 and 69")), [""; 0]);
+    assert_eq!(markdown(&spends("41 and 64")).len(), 1);
+}

@@ -244,3 +244,50 @@ fn letters_of_quantities_stand_behind_signs_of_products() {
     assert_told_apart("So h = 150 m = 0.5·g·3^2 here.", "So h = 150 m = 0.5·3 m·3 here.", TextFormat::Markdown);
     assert_told_apart("It is 8/(5.43A°)^3 = 5 × 10^22.", "It is 8/(5.43 m)^3 = 5 × 10^22 m^-3.", TextFormat::Markdown);
 }
+
+#[test]
+fn letters_of_physics_and_chemistry_are_no_units() {
+    unlisted(
+        TextFormat::Markdown,
+        &[
+            "Ballistic conductance is G₀ = 2e²/h = 77.5 µS per mode.",
+            "It is 81.10 g H * (1 mol / 1.01 g) = 80.297 mol H",
+        ],
+    );
+    listed(
+        TextFormat::Markdown,
+        &["It lasts 2 m²/h = 77.5 µS per mode.", "It is 81.10 g * (1 mol / 1.01 g) = 90.297 mol"],
+    );
+}
+
+#[test]
+fn ounces_may_be_those_of_fluids() {
+    let table = |result: &str| {
+        pretext(&format!(
+            "<md><mrow>8\\,\\text{{oz}} \\amp= \\frac{{8\\,\\text{{oz}}}}{{1}}\\cdot\\frac{{29.57\\,\\text{{mL}}}}{{1\\,\\text{{oz}}}}</mrow><mrow> \\amp = {result}\\, \\text{{mL}}</mrow></md>"
+        ))
+    };
+    assert_told_apart(&table("236.56"), &table("246.56"), TextFormat::Xml);
+}
+
+#[test]
+fn a_scale_is_named_somewhere_in_its_section() {
+    let scale = |words: &str| {
+        format!(
+            "{words} of the room. Choose well. Measure each wall with care and write down its length in metres, with one decimal, before you begin, and note which of them have a window or a door. Then $1 \\text{{ cm}} = 0.5 \\text{{ m}}$ it is."
+        )
+    };
+    assert_told_apart(&scale("Make a scale drawing"), &scale("Make a model"), TextFormat::Markdown);
+}
+
+#[test]
+fn a_rate_behind_a_result_is_its_unit() {
+    let calls = |unit: &str| format!("(VoIP: 1e6 * 0.5 hr * 64 kbps = 32,000{unit}. Video comes next.)");
+    assert_told_apart(&calls(" GB/day"), &calls(""), TextFormat::Markdown);
+}
+
+#[test]
+fn kilonewtons_are_joined_to_metres() {
+    unlisted(TextFormat::Markdown, &[r"$6 \text{ kN} \cdot 2 \text{ m} = 12 \text{ kNm}$"]);
+    listed(TextFormat::Markdown, &[r"$6 \text{ kN} \cdot 2 \text{ m} = 13 \text{ kNm}$"]);
+}

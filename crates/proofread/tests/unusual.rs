@@ -1,6 +1,6 @@
 //! Notations that only some texts have, each in a right chain of ours that must not be listed, beside a wrong one that must.
 
-use crate::report;
+use crate::{assert_told_apart, on_numbers, report};
 use proofread::{ReportSection, TextFormat};
 
 fn on(list: ReportSection, text: &str, format: TextFormat) -> Vec<String> {
@@ -394,4 +394,39 @@ fn a_name_without_its_unit_says_nothing_of_dimensions() {
 fn letters_at_a_number_in_running_text_are_a_factor() {
     unlisted(TextFormat::Markdown, &["51*420 - 30 = 348Tc\n"]);
     listed(TextFormat::Markdown, &["51*420 - 30 = 348 Tc\n", "51*420 - 30 = 348W\n"]);
+}
+
+#[test]
+fn a_letter_behind_a_digit_may_be_the_base_of_the_logarithms() {
+    let peak = |value: &str| format!("The peak is at **S = 1/(2e) ≈ {value}** there.");
+    assert_told_apart(&peak("0.184"), &peak("0.194"), TextFormat::Markdown);
+    let third = |value: &str| format!("It is 1/(3e) = {value} here.");
+    assert_told_apart(&third("0.123"), &third("0.132"), TextFormat::Markdown);
+}
+
+#[test]
+fn a_hyphen_or_a_stroke_may_stand_in_a_name() {
+    let period = |years: &str| format!("It is relative to a base period (currently {years} = 100).");
+    assert_told_apart(&period("1982-1984"), &period("1984-1982"), TextFormat::Markdown);
+    let codes = |codes: &str| format!("Lost packets ({codes} = 0-100%).");
+    assert_told_apart(&codes("0-255"), &codes("255-3"), TextFormat::Markdown);
+    let network = |words: &str| format!("It follows {words} with the **10/8 = 4,096** rule.");
+    assert_told_apart(&network("the IP plan"), &network("a plan"), TextFormat::Markdown);
+    let quotient = |quotient: &str, rest: &str| format!("$3 \\div 2 = {quotient}$ {rest}");
+    assert_told_apart(&quotient("1", "remainder 1"), &quotient("3", "remainder 1"), TextFormat::Markdown);
+    assert_ne!(on_numbers(&quotient("1", "exactly"), TextFormat::Markdown), 0);
+}
+
+#[test]
+fn a_negative_number_may_be_added_without_brackets() {
+    unlisted(TextFormat::Markdown, &[r"$$5 \cdot 3 + -4 \cdot 2 = 7$$", r"$\sqrt{3^2 + -2^2 + 2^2 + 7^2} = 8.124$"]);
+    listed(TextFormat::Markdown, &[r"$$5 \cdot 3 + -4 \cdot 2 = 8$$"]);
+}
+
+#[test]
+fn a_display_may_begin_with_a_minus_sign() {
+    unlisted(TextFormat::Latex, &[r"So we have \[ -2.5 \times 4 = -10 \] here."]);
+    listed(TextFormat::Latex, &[r"So we have \[ -2.5 \times 4 = -11 \] here."]);
+    // One that goes on from a display does not.
+    unlisted(TextFormat::Latex, &[r"\[ 1 + 2 \] \[ -2.5 \times 4 = -11 \]"]);
 }

@@ -2,7 +2,7 @@
 
 use crate::effort;
 use crate::evaluate::value::{Evaluated, Obstacle};
-use crate::token::Token;
+use crate::token::{Token, TokenKind};
 
 /// A place in a list of tokens.
 #[derive(Clone, Copy)]
@@ -48,6 +48,17 @@ impl<'t> Cursor<'t> {
     pub(crate) fn take(&mut self, sign: char) -> bool {
         let found = self.peek().is_some_and(|token| token.is_sign(sign));
         self.at += usize::from(found);
+        found
+    }
+
+    /// Takes a minus sign before a number that is not raised: in 3² + −2² the brackets may be missing.
+    pub(crate) fn take_minus(&mut self) -> bool {
+        let (sign, at) = self.token_from(self.at);
+        let (number, behind) = self.token_from(at + 1);
+        let is_raised = matches!(self.tokens.get(behind + 1), Some(Token { kind: TokenKind::Power(_), .. }));
+        let is_number = number.is_some_and(|number| number.number().is_some());
+        let found = sign.is_some_and(|sign| sign.is_sign('-')) && is_number && !is_raised;
+        self.at = if found { at + 1 } else { self.at };
         found
     }
 

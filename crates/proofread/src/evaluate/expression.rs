@@ -192,6 +192,8 @@ impl<'b> Evaluator<'b> {
             let behind_percent = |cursor: &Cursor<'_>| cursor.previous().and_then(Token::word) == Some("%");
             let percents = behind_percent(cursor);
             cursor.at += 1;
+            // Some add a negative number without brackets: 5 · 3 + −4 · 2.
+            let subtracts = token.is_sign('-') != (token.is_sign('+') && cursor.take_minus());
             let mut term = self.product(cursor)?;
             if !percents && term.literal == Literal::Number && behind_percent(cursor) {
                 self.noticed.insert(ReadingChoices::PERCENT);
@@ -199,7 +201,7 @@ impl<'b> Evaluator<'b> {
                     term = sum.product(&SideValue { has_unit: false, ..term }, None, true)?;
                 }
             }
-            let term = if token.is_sign('-') { term.negate() } else { term };
+            let term = if subtracts { term.negate() } else { term };
             let both = sum.sum(&term, self.is_chosen(ReadingChoices::NUMBERS))?;
             self.steps.note_sum([&sum, &term], &both);
             let sizes = [&sum, &term].map(|of| of.number().map_or(0.0, |of| of.point.abs()));

@@ -93,9 +93,9 @@ fn is_aligned(row: &[&[Token]]) -> bool {
 fn is_equation(cells: &[&[Token]]) -> bool {
     match cells {
         [left, right] => {
-            // It may also be asked whether it holds.
-            let is_asked = trim_space(right).first().is_some_and(|first| first.is_one_of("≡∼"));
-            let related = begins_with_relation(right) || is_asked;
+            // It may also be asked whether it holds, or said that it doesn't.
+            let is_other = trim_space(right).first().is_some_and(|first| first.is_one_of("≡∼≠<>≤≥"));
+            let related = begins_with_relation(right) || is_other;
             let begins = trim_space(left).first().is_some_and(|first| !first.is_one_of("+·×/"));
             begins && related && trim_space(right).len() > 1
         }

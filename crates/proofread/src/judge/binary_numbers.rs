@@ -46,8 +46,22 @@ fn is_binary(side: &[Token], counts: impl Fn(usize) -> bool) -> bool {
     plain && digits.iter().all(|of| of.chars().all(|c| "01.".contains(c))) && digits.iter().any(is_long)
 }
 
+/// Whether all numbers of a side, but for powers of two, have the digits 0 and 1 only, and it has no letters.
+pub(super) fn is_of_bits(side: &[Token]) -> bool {
+    let is_raised = |at: usize| matches!(side.get(at), Some(Token { kind: TokenKind::Power(_), .. }));
+    let fits = |(at, token): (usize, &Token)| match &token.kind {
+        TokenKind::Number(digits) => {
+            is_raised(at + 1) && digits == "2"
+                || digits.len() < MOST_DIGITS && digits.bytes().all(|c| matches!(c, b'0' | b'1' | b'.'))
+        }
+        TokenKind::Power(_) => at > 0 && side[at - 1].number() == Some("2"),
+        _ => matches!(token.kind, TokenKind::Space(_) | TokenKind::Operator(_)),
+    };
+    side.iter().enumerate().all(fits) && side.iter().any(|token| token.number().is_some_and(|of| of != "2"))
+}
+
 /// The tokens with their numbers of the digits 0 and 1 in base ten.
-fn converted(side: &[Token]) -> Vec<Token> {
+pub(super) fn converted(side: &[Token]) -> Vec<Token> {
     let decimal = |token: &Token| {
         let digits =
             token.number().filter(|digits| digits.len() < MOST_DIGITS && digits.chars().all(|c| "01.".contains(c)))?;
@@ -68,6 +82,34 @@ pub(super) fn to_base_two(side: &[Token]) -> Option<Vec<Token>> {
     };
     side.iter().any(is_log).then(|| side.iter().map(change).collect())
 }
+
+/// A side with each letter `e` behind a number as the base of the natural logarithms, also above and below strokes: `1/(2e)`; none if there
+/// is no such letter.
+pub(super) fn with_base_of_logarithms(side: &[Token]) -> Option<Vec<Token>> {
+    let is_e = |token: &Token| matches!(&token.kind, TokenKind::Word(word) | TokenKind::Name(word) if word == "e");
+    let mut out: Vec<Token> = Vec::with_capacity(side.len() + 1);
+    let mut found = false;
+    for (at, token) in side.iter().enumerate() {
+        let mut copy = token.clone();
+        for list in copy.kind.lists() {
+            if let Some(inner) = with_base_of_logarithms(list) {
+                (*list, found) = (inner, true);
+            }
+        }
+        let is_raised = matches!(side.get(at + 1), Some(Token { kind: TokenKind::Power(_), .. }));
+        let behind_number = out.iter().rev().find(|of| !of.is_space()).is_some_and(|of| of.number().is_some());
+        if is_e(token) && behind_number && !is_raised {
+            out.push(Token::new(TokenKind::Operator('\u{b7}'), token.span));
+            copy.kind = TokenKind::Number(EULER.to_owned());
+            found = true;
+        }
+        out.push(copy);
+    }
+    found.then_some(out)
+}
+
+/// The base of the natural logarithms, with more digits than any text prints.
+const EULER: &str = "2.718281828459045";
 
 /// Prefixes of sizes of memory without a unit, and their powers of two.
 const PREFIXES: [(&str, &str); 5] = [("K", "10"), ("M", "20"), ("G", "30"), ("T", "40"), ("P", "50")];

@@ -49,6 +49,13 @@ fn is_counted_noun(word: &str) -> bool {
         && !PREFIXES.iter().any(|prefix| lower.starts_with(prefix))
 }
 
+/// Whether a word is an abbreviation in capital letters for what a number is of, and no size of memory: `3.6 LPA`.
+fn is_abbreviation(word: &str) -> bool {
+    /// Letters of the shortest one.
+    const LEAST: usize = 3;
+    word.len() >= LEAST && word.bytes().all(|c| c.is_ascii_uppercase()) && !word.ends_with('B') && unit(word).is_none()
+}
+
 /// Whether a word may be a label of a quantity or a thing that is counted: no number, no operation, and no name of a unit that is not known.
 pub(super) fn may_be_counted(word: &str) -> bool {
     let lower = word.to_ascii_lowercase();
@@ -73,6 +80,7 @@ fn words_at_end(tokens: &[Token]) -> Option<(&[Token], Vec<&str>)> {
     }
     words.reverse();
     let is_counted = !words.is_empty() && words.len() <= MOST_WORDS && words.iter().all(|word| is_counted_noun(word));
+    let is_counted = is_counted || matches!(words.as_slice(), [word] if is_abbreviation(word));
     let is_counter = |last: &Token| last.number().is_some() || matches!(last.kind, TokenKind::Power(_));
     (is_counted && rest.last().is_some_and(is_counter)).then_some((rest, words))
 }

@@ -67,6 +67,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     if is_denied_near([&before, &after], text.get(span.range()).unwrap_or_default()) {
         return true;
     }
+    if is_false_below(text, span) {
+        return true;
+    }
     // One of the answers to choose from.
     let example = text_before(text, span);
     if is_choice_of_list(example) {
@@ -249,6 +252,18 @@ fn ends_before_question(text: &str, span: Span) -> bool {
         }
     }
     open.iter().any(|command| !command.is_empty() && !STYLES.contains(&command.trim_end_matches('*')))
+}
+
+/// Whether the display that follows a display, with nothing between them, says that it is false: a check of a root that is none.
+fn is_false_below(text: &str, span: Span) -> bool {
+    let behind = text.get(span.end as usize..).unwrap_or_default();
+    let behind = behind[..behind.floor_char_boundary(STATEMENT)].trim_start();
+    let inside = [("$$", "$$"), ("\\[", "\\]")].into_iter().find_map(|(opens, closes)| {
+        let (inside, _) = behind.strip_prefix(opens)?.split_once(closes)?;
+        Some(inside.to_ascii_lowercase())
+    });
+    let words = ["{false}", "{(false)}", "(false)", "{false.}"];
+    inside.is_some_and(|inside| words.iter().any(|word| inside.replace(' ', "").contains(word)))
 }
 
 /// How far behind a formula a text may say that the statement is false, in bytes.

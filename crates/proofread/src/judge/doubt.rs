@@ -8,6 +8,7 @@ use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
+use crate::judge::bits;
 use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::equals_conventions;
@@ -20,6 +21,8 @@ use crate::judge::number_marks;
 use crate::judge::other_answers;
 use crate::judge::other_arithmetic;
 use crate::judge::point_coordinates;
+use crate::judge::ranges;
+use crate::judge::shifts;
 use crate::judge::substitution::{self, without_space};
 use crate::judge::surroundings;
 use crate::judge::term_notation;
@@ -177,8 +180,10 @@ impl PlacedPair<'_> {
             let plain = self.formula.style == FormulaStyle::Plain;
             let inside = plain && !before_it.trim().is_empty();
             let styled = before_it.contains("\\displaystyle");
-            let signed =
-                (display || inside || styled) && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"));
+            let opens = display && surroundings::opens_display(self.text, self.formula.span, self.left.span);
+            let signed = (display && !opens || inside || styled)
+                && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"))
+                || opens && self.left.tokens.first().is_some_and(|token| token.is_sign('+'));
             let parted = match self.chain.parted {
                 ChainSeparation::Not => false,
                 ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),
@@ -264,7 +269,15 @@ impl PlacedPair<'_> {
                 .is_some_and(|of| equals_conventions::is_size(of.point, right))
             || self.is_one_of_two()
             || [self.left, self.right].into_iter().any(|side| surroundings::calls_function(self.text, side.span))
-            || (plain && notation::is_range(self.text, left))
+            || (plain && ranges::is_range(self.text, left))
+            || (plain && ranges::are_ranges(left, right))
+            || (plain && ranges::is_network(self.text, left, around))
+            || (bare
+                && self.ends_chain()
+                && ranges::has_remainder_behind(self.text, self.right.span.end, judgement.values.as_ref()))
+            || shifts::is_shifted(self.text, self.chain, self.left, self.right)
+            || (bare && bits::agree(self.text, left, right, around))
+            || (bare && other_arithmetic::is_inverse(self.text, left, right, self.left.span))
             || (plain && !self.begins_chain() && two_equations::ends_with_name(self.text, left))
             || term_notation::begins_with_unit(left)
             || (bare && sides.into_iter().all(|side| bracket_symbols::has_comma_as_point(self.text, side)))
@@ -316,7 +329,11 @@ impl PlacedPair<'_> {
         let quantity = left.has_unit || left.angle.is_some();
         // In a line of text, a word that touches the number.
         let behind = self.text.get(self.right.span.end as usize..).unwrap_or_default();
-        if quantity && bare && self.formula.style == FormulaStyle::Plain && behind.starts_with(char::is_alphabetic) {
+        if quantity
+            && bare
+            && self.formula.style == FormulaStyle::Plain
+            && (behind.starts_with(char::is_alphabetic) || begins_with_rate(behind))
+        {
             return true;
         }
         let written = self.formula.style == FormulaStyle::Formula;
@@ -389,7 +406,8 @@ impl PlacedPair<'_> {
         let alone = self.begins_chain() || !self.chain.sides.iter().any(computes);
         // A power is no label: 10^3 = 3, 10000 = 10^9, 120 = 3.2 × 10².
         let is_power = |side: &ChainSide| side.tokens.iter().any(|token| matches!(token.kind, TokenKind::Power(_)));
-        let is_raised = (is_power(self.left) || is_power(self.right)) && (!self.begins_chain() || self.is_whole());
+        let is_raised = (is_power(self.left) || is_power(self.right))
+            && (!self.begins_chain() || self.is_whole() || self.is_line());
         let pair =
             both && bare(left) && bare(right) && alone && !is_raised && [left, right].into_iter().all(is_integer);
         // What an inequality compares belongs to its left side: P(X > 1.25) = 0.535.
@@ -418,6 +436,17 @@ impl PlacedPair<'_> {
             && self.chain.sides.len() == 2
             && self.text.get(formula.start..start).is_some_and(marks)
             && self.text.get(end..formula.end).is_some_and(marks)
+    }
+
+    /// Whether the two sides are all of a line of running text that has blank lines around it.
+    fn is_line(&self) -> bool {
+        let (start, end) = (self.left.span.start as usize, self.right.span.end as usize);
+        let [before, behind] = [self.text.get(..start), self.text.get(end..)].map(Option::unwrap_or_default);
+        let behind = behind.trim_start_matches(['.', ',', ' ']);
+        self.formula.style == FormulaStyle::Plain
+            && self.chain.sides.len() == 2
+            && before.trim_end_matches(' ').ends_with("\n\n")
+            && (behind.is_empty() || behind.starts_with("\n\n"))
     }
 
     /// Whether the sides are inside an argument of what is not known, or of a sign, and not in a row of the formula itself.
@@ -470,6 +499,14 @@ impl PlacedPair<'_> {
         let marks = |text: &str| text.contains(['\\', '{', '}', '$']);
         self.formula.style == FormulaStyle::Plain && self.text.get(sides.range()).is_some_and(marks)
     }
+}
+
+/// Whether a text begins with a unit or a word in another one, behind a space: ` GB/day`.
+fn begins_with_rate(text: &str) -> bool {
+    let is_letter = |c: char| c.is_alphabetic();
+    let rest = text.strip_prefix(' ').unwrap_or_default();
+    let rate = rest.trim_start_matches(is_letter).strip_prefix('/');
+    rest.starts_with(is_letter) && rate.is_some_and(|rate| rate.starts_with(is_letter))
 }
 
 /// Whether a value is a whole number.

@@ -1,6 +1,7 @@
 //! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
 
 mod binary_numbers;
+mod bits;
 mod bracket_symbols;
 pub(crate) mod cancelled_words;
 pub(crate) mod caveat;
@@ -28,11 +29,13 @@ pub(crate) mod other_meanings;
 pub(crate) mod permutation;
 mod pi_in_school;
 mod point_coordinates;
+mod ranges;
 mod rounded_operands;
 pub(crate) mod running_calculation;
 pub(crate) mod section;
 mod seldom_real;
 pub(crate) mod shared_factor;
+mod shifts;
 mod sides;
 mod substitution;
 pub(crate) mod surroundings;

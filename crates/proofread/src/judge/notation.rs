@@ -51,6 +51,7 @@ pub(crate) fn other_notations(text: &str, formula: &Formula, left: &ChainSide, r
     each(&|side| with_braced_decimals(text, side));
     each(&in_one_unit);
     each(&binary_numbers::to_base_two);
+    each(&binary_numbers::with_base_of_logarithms);
     each(&without_note);
     each(&without_large_number);
     each(&as_remainder);
@@ -515,20 +516,6 @@ pub(crate) fn are_references(side: &[Token]) -> bool {
 /// Whether a side has the sign of two units: `au` of the atomic mass and the astronomical unit, `D` of the debye and the dioptre.
 pub(crate) fn has_two_meanings(side: &[Token]) -> bool {
     any(side, &|kind| matches!(kind, TokenKind::Word(word) if ["au", "AU", "D"].contains(&word.as_str())))
-}
-
-/// Whether a side is two years or other numbers with a dash between them: 1914–1918.
-pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
-    let [one, dash, other] = side else { return false };
-    let from_to = integer(one).zip(integer(other)).is_some_and(|(one, other)| one < other);
-    // Of the second year, the first two digits may be left out: 1990-92.
-    let digits = [one, other].map(|of| of.number().unwrap_or_default());
-    let are_years = digits[0].len() == 4
-        && digits[1].len() == 2
-        && ["1", "20"].iter().any(|century| digits[0].starts_with(century))
-        && digits[0][2..] < *digits[1];
-    let source = text.get(dash.span.range());
-    dash.is_sign('-') && touch(side) && ((from_to && source == Some("–")) || are_years)
 }
 
 /// A side with its mixed numbers, `1-3/4`, as sums; none if there is none.

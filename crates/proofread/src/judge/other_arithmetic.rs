@@ -5,6 +5,7 @@ use crate::effort;
 use crate::evaluate::value::SideValue;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
+use crate::judge::verdict::evaluate_freely;
 use crate::token::{Span, Token, TokenKind, show};
 
 const WORDS: [&str; 24] = [
@@ -157,8 +158,9 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     if named.into_iter().any(|modulus| are_multiples(differences, modulus)) {
         return true;
     }
-    // The hours of a clock.
+    // The hours of a clock, the letters of a cipher.
     (places("clock").next().is_some() && are_multiples(differences, 12.0))
+        || (places("alphabet").next().is_some() && are_multiples(differences, 26.0))
         || { BEFORE_MODULUS }.iter().flat_map(|word| places(word)).any(|(_, end)| fits(number_at(&near[end..])))
         || { RINGS }.iter().flat_map(|sign| near.match_indices(sign)).any(|(at, sign)| {
             let behind = &near[at + sign.len()..];
@@ -195,18 +197,53 @@ pub(crate) fn may_be_remainder(
     if value.fract() != 0.0 || remainder.fract() != 0.0 || value.abs() < LEAST_FAR {
         return false;
     }
-    let end = (place.start as usize).min(text.len());
-    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
-    effort::count_steps(section.len() / 32);
-    let mut named = named_moduli(section);
-    named.extend(moduli_in_words(section));
-    if named.into_iter().any(|modulus| modulus >= LEAST_FAR && fits(modulus)) {
+    if moduli_of(section_before(text, place)).into_iter().any(|modulus| modulus >= LEAST_FAR && fits(modulus)) {
         return true;
     }
     let is_power = matches!(without_space(left).as_slice(), [base, Token { kind: TokenKind::Power(_), .. }] if base.number().is_some());
     let example = surroundings::text_before(text, place);
     let numbers = example.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(parse_decimal);
     is_power && { numbers }.any(|number| number >= LEAST_UNCALLED && fits(number))
+}
+
+/// The text of the section before a place.
+pub(super) fn section_before(text: &str, place: Span) -> &str {
+    let end = (place.start as usize).min(text.len());
+    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
+    effort::count_steps(section.len() / 32);
+    section
+}
+
+/// The moduli that a section names.
+fn moduli_of(section: &str) -> Vec<f64> {
+    let mut named = named_moduli(section);
+    named.extend(moduli_in_words(section));
+    named
+}
+
+/// A whole number and its exponent, if a side is nothing else.
+fn whole_power(side: &[Token]) -> Option<[f64; 2]> {
+    let solid = without_space(side);
+    let [base, Token { kind: TokenKind::Power(power), .. }] = solid.as_slice() else { return None };
+    let base = base.number().filter(|digits| digits.bytes().all(|c| c.is_ascii_digit())).and_then(parse_decimal)?;
+    let power = evaluate_freely(power, None).ok()?.number().ok()?.point;
+    (power.fract() == 0.0).then_some([base, power])
+}
+
+/// Whether the right side is the inverse of the number on the left for a modulus that the section names, or the power that is it for a prime
+/// one: `2^{-1} = 5` modulo 9, `50^{-1} = 50^{59}` modulo 61.
+pub(crate) fn is_inverse(text: &str, left: &[Token], right: &[Token], place: Span) -> bool {
+    let Some([base, -1.0]) = whole_power(left) else { return false };
+    let other = whole_power(right);
+    let number = match without_space(right).as_slice() {
+        [number] => number.number().and_then(parse_decimal),
+        _ => None,
+    };
+    let fits = |modulus: f64| {
+        let is_power = other.is_some_and(|[of, power]| of == base && (power + 1.0) % (modulus - 1.0) == 0.0);
+        modulus > 2.0 && (is_power || number.is_some_and(|number| (base * number) % modulus == 1.0))
+    };
+    (number.is_some() || other.is_some()) && moduli_of(section_before(text, place)).into_iter().any(fits)
 }
 
 /// Whether an asterisk in a side is an operation that the example defines: `a * b = 2^{ab}`, or that it names by itself, `$*$`.
@@ -256,10 +293,7 @@ pub(crate) fn is_exclusive_or(text: &str, left: &[Token], right: &[Token], place
     if !is_of_bits || !matches!(without_space(right).as_slice(), [one] if bit(one)) {
         return false;
     }
-    let end = (place.start as usize).min(text.len());
-    let section = text.get(text.ceil_char_boundary(end.saturating_sub(SECTION))..end).unwrap_or_default();
-    effort::count_steps(section.len() / 32);
-    section.to_ascii_lowercase().contains("xor")
+    section_before(text, place).to_ascii_lowercase().contains("xor")
 }
 
 /// The moduli of the rings, fields and groups of units that a text names: 6 of `\mathbb{Z}_6`, 9 of `U(9)`, 13 of `\times_{13}`.

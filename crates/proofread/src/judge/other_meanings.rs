@@ -9,6 +9,7 @@ use crate::evaluate::value::SideValue;
 use crate::join::chain::ChainSide;
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::doubt::PlacedPair;
+use crate::judge::other_arithmetic;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings;
 use crate::judge::verdict::PairJudgement;
@@ -30,11 +31,34 @@ impl PlacedPair<'_> {
             || is_of_rounded_angle(left, right)
             || (judgement.verdict == ChainVerdict::Dimensions
                 && (agree_in_minutes(left, right) || has_factor_letter(left) || has_factor_letter(right)))
+            || (judgement.verdict == ChainVerdict::Dimensions && self.has_letter_of_physics())
             || has_angstroms(left)
             || has_angstroms(right)
+            || self.is_scale_of_drawing()
             || self.adds_points()
             || self.follows_choices()
             || self.has_residue_symbol()
+    }
+
+    /// Whether a letter that was taken for a unit names a constant or an element: `2e^2/h`, `81.10 g H`; or ounces are those of fluids.
+    fn has_letter_of_physics(&self) -> bool {
+        let sides = [self.left, self.right].map(|side| side.tokens.as_slice());
+        sides.into_iter().any(|side| has_planck_constant(side) || has_hydrogen(side))
+            || agree_in_fluid_ounces(sides[0], sides[1])
+    }
+
+    /// Whether the left side is one unit of length and the right one another length, in a section about drawings to scale: `1 cm = 0.5 m`.
+    fn is_scale_of_drawing(&self) -> bool {
+        const WORDS: [&str; 5] = ["scale drawing", "drawing scale", "drawn to scale", "linear scale", "to scale"];
+        let [left, right] = [self.left, self.right].map(|side| without_space(&side.tokens));
+        let is_length = |of: &Token| {
+            of.word().and_then(unit).is_some_and(|of| unit("m").is_some_and(|m| of.dimension == m.dimension))
+        };
+        let fits = |of: &[&Token], one: bool| matches!(of, [number, length] if number.number().is_some_and(|of| !one || of == "1") && is_length(length));
+        fits(&left, true) && fits(&right, false) && {
+            let section = other_arithmetic::section_before(self.text, self.left.span).to_ascii_lowercase();
+            WORDS.iter().any(|word| section.contains(word))
+        }
     }
 
     /// Whether points of a curve are added by the law of its group, and not coordinate by coordinate.
@@ -239,6 +263,68 @@ fn has_bracketed_prefix(side: &[Token]) -> bool {
         let named = letter(of[4]).is_some_and(|named| takes_prefix(&named) || named == "m");
         of[0].number().is_some() && of[1].is_sign('(') && prefix && of[3].is_sign(')') && named
     })
+}
+
+/// Whether a side has the square of a charge above Planck's constant: `2e^2/h`.
+fn has_planck_constant(side: &[Token]) -> bool {
+    let is_letter = |token: &Token, letter: &str| matches!(&token.kind, TokenKind::Word(word) | TokenKind::Name(word) if word == letter);
+    let is_charge = |of: &[Token]| {
+        of.windows(2).any(|of| {
+            is_letter(&of[0], "e")
+                && matches!(&of[1].kind, TokenKind::Power(power) if power.iter().any(|of| of.number() == Some("2")))
+        })
+    };
+    let has_h = |of: &[Token]| of.iter().any(|token| is_letter(token, "h"));
+    is_charge(side) && has_h(side)
+        || side
+            .iter()
+            .any(|token| matches!(&token.kind, TokenKind::Fraction(above, below) if is_charge(above) && has_h(below)))
+}
+
+/// Whether a side has the sign of hydrogen behind a unit of what there is of it: `81.10 g H`, `18.7 mol H`.
+fn has_hydrogen(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let here = solid.windows(2).any(|of| {
+        of[0].word().is_some_and(|unit| ["g", "mg", "kg", "mol", "mmol"].contains(&unit)) && of[1].word() == Some("H")
+    });
+    here || side.iter().any(|token| token.inner().any(has_hydrogen))
+}
+
+/// Whether two sides agree if ounces are those of fluids and of no mass.
+fn agree_in_fluid_ounces(left: &[Token], right: &[Token]) -> bool {
+    let [one, other] = [left, right].map(|side| in_units(side, "oz", "mL", FLUID_OUNCE));
+    let values = value(&one).zip(value(&other));
+    let has_ounces = |side: &[Token]| any(side, &|kind| matches!(kind, TokenKind::Word(word) if word == "oz"));
+    has_ounces(left)
+        && values.is_some_and(|(one, other)| {
+            let numbers = one.number().ok().zip(other.number().ok());
+            one.dimension == other.dimension
+                && numbers.is_some_and(|(one, other)| alike(one.point, other.point, ROUGHLY))
+        })
+}
+
+/// Millilitres of a fluid ounce, with the sign of a product.
+const FLUID_OUNCE: &str = "29.5735";
+
+/// How far quantities in fluid ounces may be apart, relative to the larger one.
+const ROUGHLY: f64 = 0.005;
+
+/// A side with one unit in another one, so many of which it is.
+fn in_units(side: &[Token], old: &str, new: &str, factor: &str) -> Vec<Token> {
+    let mut out: Vec<Token> = Vec::with_capacity(side.len() + 2);
+    for token in side {
+        let mut copy = token.clone();
+        for list in copy.kind.lists() {
+            *list = in_units(list, old, new, factor);
+        }
+        if token.word() == Some(old) {
+            out.push(Token::new(TokenKind::Operator('·'), token.span));
+            out.push(Token::new(TokenKind::Number(factor.to_owned()), token.span));
+            copy.kind = TokenKind::Word(new.to_owned());
+        }
+        out.push(copy);
+    }
+    out
 }
 
 /// Whether the dimensions of two sides agree if `mi` is minutes, and not miles.

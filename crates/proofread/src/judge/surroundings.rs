@@ -136,6 +136,13 @@ pub(crate) fn follows_formula(text: &str, formula: Span) -> bool {
     false
 }
 
+/// Whether a side begins a display, which does not go on from another one just before it.
+pub(crate) fn opens_display(text: &str, formula: Span, side: Span) -> bool {
+    let before = text.get(..formula.start as usize).unwrap_or_default().trim_end();
+    let mark = text.get(formula.start as usize..side.start as usize).unwrap_or_default().trim();
+    matches!(mark, "$$" | "\\[") && !["$$", "\\]", "}"].iter().any(|end| before.ends_with(end))
+}
+
 /// Whether the name of a function in running text stands just before a formula: tan $45^\circ$.
 pub(crate) fn follows_function(text: &str, formula: Span) -> bool {
     let before = text.get(..formula.start as usize).unwrap_or_default().trim_end();
@@ -264,6 +271,10 @@ pub(crate) fn speaks_of_scale(text: &str, span: Span) -> bool {
 pub(crate) fn are_adjacent(text: &str, first: Span, second: Span) -> bool {
     let between = text.get(first.end as usize..second.start as usize).unwrap_or("…");
     if between.len() > 400 {
+        return false;
+    }
+    // Two items of a list.
+    if between.contains("</li>") && between.contains("<li") {
         return false;
     }
     // Two cells of one row.

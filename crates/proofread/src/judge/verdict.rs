@@ -452,7 +452,9 @@ impl<'t> ComparedSides<'t> {
         } else {
             !exact || strictly
         };
-        let one = literal[1] && points[1].number().is_ok_and(|of| of.point == 1.0);
+        // A one with decimals is no rough one.
+        let has_point = any(self.sides[1], &|kind| matches!(kind, TokenKind::Number(digits) if digits.contains('.')));
+        let one = literal[1] && !has_point && points[1].number().is_ok_and(|of| of.point == 1.0);
         let rounds_to_one = one && points[0].number().is_ok_and(|of| (0.5..1.5).contains(&of.point));
         if self.relation == Relation::Approximate && rounds_to_one {
             return Ok(fine(ChainVerdict::Approximate));

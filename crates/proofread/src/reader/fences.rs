@@ -136,6 +136,8 @@ pub(super) fn with_plain_fences(text: &str) -> Option<PlainFences> {
     let (mut in_html, mut chunk) = (false, None);
     // How far what is in an admonition is indented at most; none outside of them.
     let mut inside = 0;
+    // How far what is in the open items of lists is indented.
+    let mut items: Vec<usize> = Vec::new();
     for line in text.split_inclusive('\n') {
         let start = out.len();
         let content = line.trim_end();
@@ -146,6 +148,12 @@ pub(super) fn with_plain_fences(text: &str) -> Option<PlainFences> {
         let mark = content.find(['`', '~']).unwrap_or(content.len());
         let was_in_code = fences.are_in_code();
         let taken = fences.take(line);
+        if taken == FenceLine::No && !content.is_empty() {
+            while items.pop_if(|item| indent < *item).is_some() {}
+            let base = items.last().copied().unwrap_or(0);
+            items
+                .extend(marker_of_item(&content[indent..]).filter(|_| indent < base + 4).map(|length| indent + length));
+        }
         in_html = !content.is_empty() && (in_html || begins_html(content));
         if !was_in_code && fences.are_in_code() && (in_html || indent >= 4) && is_chunk(&content[mark..]) {
             chunk = Some(start);
@@ -167,9 +175,15 @@ pub(super) fn with_plain_fences(text: &str) -> Option<PlainFences> {
                 (0, if content[close..].trim().is_empty() { ' ' } else { '.' })
             }
             FenceLine::QuotedOptions => (mark + content[mark..].bytes().take_while(|c| *c == b'`').count(), ' '),
-            FenceLine::No if indent == inside && is_admonition(&content[indent..]) => {
+            FenceLine::No
+                if (indent == inside || items.last().is_some_and(|item| indent < item + 4))
+                    && is_admonition(&content[indent..]) =>
+            {
                 // The text of an admonition is indented as that of an item in a list.
-                inside += 4;
+                inside = indent + 4;
+                if !items.is_empty() {
+                    items.push(indent + 4);
+                }
                 out.push_str(&line[..indent]);
                 out.push_str("*   ");
                 // More space would indent that text further.
@@ -189,6 +203,17 @@ pub(super) fn with_plain_fences(text: &str) -> Option<PlainFences> {
     }
     chunks.extend(chunk.map(|from| from..out.len()));
     Some(PlainFences { text: out, marks, chunks })
+}
+
+/// How long the mark of an item in a list is at the start of a line, with the space behind it.
+fn marker_of_item(line: &str) -> Option<usize> {
+    const LONGEST: usize = 9;
+    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
+    let mark = if digits == 0 { "-*+" } else { ".)" };
+    let rest = line.get(digits..)?.strip_prefix(|c: char| mark.contains(c)).filter(|_| digits <= LONGEST)?;
+    let spaces = rest.len() - rest.trim_start_matches(' ').len();
+    let length = digits + 1 + if spaces > 4 { 1 } else { spaces };
+    (spaces > 0).then_some(length)
 }
 
 /// Whether a line begins a block of HTML, which lasts to the next blank one.

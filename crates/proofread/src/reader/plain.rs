@@ -48,10 +48,14 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
             pieces.push(from..whole.end);
         }
         let is_tabbed = is_row_of_equations(line);
+        let is_spaced = is_row_of_spaced_equations(line);
         let is_row = is_tabbed
+            || is_spaced
             || is_row_of_table(line)
             || (line.contains(" | ") && *has_open_tables.get_or_insert_with(|| has_open_table(text)));
-        if is_row {
+        if is_spaced {
+            pieces = pieces.into_iter().flat_map(|piece| spaced_cells(text, piece)).collect();
+        } else if is_row {
             let mark = if is_tabbed { '\t' } else { '|' };
             pieces = pieces.into_iter().flat_map(|piece| cells(text, piece, mark)).collect();
         }
@@ -113,6 +117,31 @@ fn is_row_of_equations(line: &str) -> bool {
     let mut pieces = line.split('\t').map(str::trim).filter(|piece| piece.contains('='));
     let is_whole = |piece: &str| !piece.starts_with(['=', '+', '*', '/']) && !piece.ends_with(['=', '+', '*', '/']);
     line.contains('\t') && pieces.clone().count() > 1 && pieces.all(is_whole)
+}
+
+/// The blanks that part two equations in a line.
+const GAP: &str = "    ";
+
+/// Whether several blanks part whole equations in a line, each with digits on both sides.
+fn is_row_of_spaced_equations(line: &str) -> bool {
+    let line = line.trim();
+    let has_digit = |of: &str| of.contains(|c: char| c.is_ascii_digit());
+    let is_whole = |piece: &str| {
+        let piece = piece.trim();
+        piece.split_once('=').is_some_and(|(left, right)| has_digit(left) && has_digit(right))
+            && !piece.ends_with(['=', '+', '*', '/', ','])
+    };
+    line.contains(GAP) && line.split(GAP).all(|piece| piece.trim().is_empty() || is_whole(piece))
+}
+
+/// The pieces between such blanks.
+fn spaced_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
+    let (mut start, mut out) = (row.start, Vec::new());
+    for cell in text[row].split(GAP) {
+        out.push(start..start + cell.len());
+        start += cell.len() + GAP.len();
+    }
+    out
 }
 
 /// The cells of a row, or of a part of it.

@@ -46,7 +46,7 @@ pub(crate) fn formula(text: &str, open: &Tag<'_>, macros: &Macros<'_>) -> (Formu
         let tag = next_tag(text, at).filter(|tag| tag.start < open.start + LONGEST);
         let Some(tag) = tag else { break open.end };
         if !silent {
-            signs.extend(text.get(at..tag.start).map(|between| decode_entities(between, at)).unwrap_or_default());
+            signs.extend(text.get(at..tag.start).map(|between| shown(between, at)).unwrap_or_default());
         }
         at = tag.end;
         match (tag.name.as_str(), tag.closes) {
@@ -65,4 +65,15 @@ pub(crate) fn formula(text: &str, open: &Tag<'_>, macros: &Macros<'_>) -> (Formu
     // An element without an end has no formula.
     let signs = if end == open.end { Vec::new() } else { signs };
     (Formula::new(tex::formula(&signs, macros), Span::new(open.start, end)), end)
+}
+
+/// The characters of a stretch without the comments in it, which begins at a byte of the document.
+fn shown(text: &str, base: usize) -> Vec<SourceChar> {
+    let (mut out, mut at) = (Vec::new(), 0);
+    while let Some(open) = text[at..].find("<!--").map(|open| at + open) {
+        out.extend(decode_entities(&text[at..open], base + at));
+        at = text[open..].find("-->").map_or(text.len(), |close| open + close + "-->".len());
+    }
+    out.extend(decode_entities(&text[at..], base + at));
+    out
 }

@@ -165,7 +165,11 @@ fn around_margin(chars: &[char], at: usize) -> Option<MadeInterval> {
                     let [lower, upper] = fitting_limits(estimate.number, [low.number, high.number], range);
                     lower || upper || low.number.value < high.number.value
                 });
-            return is_it.then_some(MadeInterval {
+            // Then ± has the standard deviation, and the limits are as far away as a known quantile says.
+            let is_of_deviation = QUANTILES.into_iter().any(|of| {
+                fitting_limits(estimate.number, [low.number, high.number], range.map(|half| of * half)) == [true; 2]
+            });
+            return (is_it && !is_of_deviation).then_some(MadeInterval {
                 estimate,
                 margins: vec![range],
                 has_margin: true,
@@ -178,6 +182,9 @@ fn around_margin(chars: &[char], at: usize) -> Option<MadeInterval> {
     }
     None
 }
+
+/// Quantiles of the normal distribution for 90, 95 and 99 per cent.
+const QUANTILES: [f64; 3] = [1.645, 1.96, 2.576];
 
 /// Whether the text around speaks of intervals: ± is also that of two roots.
 fn is_about_intervals(chars: &[char], at: usize) -> bool {

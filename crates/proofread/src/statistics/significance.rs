@@ -212,6 +212,15 @@ fn told_apart(exact: f64, printed: f64, decimals: usize) -> String {
     written((decimals..MOST).find(is_enough).unwrap_or(MOST))
 }
 
+/// Whether nanoseconds follow at once on the value of `t` with an index, which then is a time: `t_2 = 6 ns`.
+fn is_time(chars: &[char], end: usize, unit: usize) -> bool {
+    let is_indexed = chars[..end].iter().rev().take(LONGEST_TIME).take_while(|c| **c != 't').any(|c| *c == '_');
+    is_indexed && chars[end..unit].iter().all(|c| c.is_whitespace())
+}
+
+/// Most characters of a time with an index.
+const LONGEST_TIME: usize = 20;
+
 /// Most characters between a statistic and its p-value.
 const FARTHEST: usize = 160;
 
@@ -252,6 +261,7 @@ fn p_value_behind(chars: &[char], test: &mut TestStatistic) -> Option<PrintedP> 
                 }
                 return Some(p);
             }
+            "ns" if is_time(chars, test.end, start) => return None,
             "ns" | "NS" if is_direct => return Some(not_significant(start..here.at)),
             "n" if is_direct && here.peek() == '.' && here.ahead(1) == 's' => {
                 return Some(not_significant(start..here.at + 2));

@@ -242,6 +242,7 @@ const WHOLE: &[UnitRow] = &[
 /// Units that are written without anything between them.
 const PAIRS: &[(&str, &str, &str)] = &[
     ("Nm", "N", "m"),
+    ("kNm", "kN", "m"),
     ("eVs", "eV", "s"),
     ("kgm", "kg", "m"),
     ("Js", "J", "s"),

@@ -119,6 +119,7 @@ const ENTRIES: &[SecondUnit] = &[
     ("D diopter diopters", "1", "m-1"),
     ("°F", "5.555556e-1", "K"),
     ("Nm", "1", "m2 kg s-2"),
+    ("kNm", "1e3", "m2 kg s-2"),
     ("Js", "1", "m2 kg s-1"),
     ("eVs", "1.602176634e-19", "m2 kg s-1"),
     ("kgm", "1", "m kg"),
