@@ -69,7 +69,7 @@ impl WheelDesign {
         };
         let kind = question.kind.unwrap_or(WheelKind::External);
         let wheel = AnyWheel::new(kind, stations, question.pins.unwrap_or(1))?;
-        refuse_out_of_range(&question, false, can_be_run)?;
+        refuse_out_of_range(&question, false, &can_be_run)?;
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
@@ -87,7 +87,7 @@ impl WheelDesign {
                     found.map_or(Fit::Not, |sizes| Fit::of(sizes.has_sound_walls()))
                 };
                 let sizes = sizes(*wheel, wanted, &question);
-                Some(sizes.map_err(|error| with_remedies(error, &question, fits))?)
+                Some(sizes.map_err(|error| with_remedies(error, &question, &fits))?)
             }
             _ => None,
         };

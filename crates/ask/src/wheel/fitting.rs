@@ -69,7 +69,7 @@ const HALVINGS: u32 = 50;
 /// the fit has; and at last the size of the whole.
 ///
 /// `fits` says how the parts of a question fit. Values with which all walls can be made go before others.
-pub(super) fn remedies(question: &WheelQuestion, fits: impl Fn(&WheelQuestion) -> Fit) -> Vec<FittingValues> {
+pub(super) fn remedies(question: &WheelQuestion, fits: &dyn Fn(&WheelQuestion) -> Fit) -> Vec<FittingValues> {
     let is_given = |argument: &&Argument| question.number(argument).is_some();
     let given = FIT.iter().filter(is_given);
     // A page has no control for what is measured instead of chosen.
@@ -101,12 +101,12 @@ impl Fit {
 fn well_or_barely(
     groups: &[Vec<&Argument>],
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> Fit,
+    fits: &dyn Fn(&WheelQuestion) -> Fit,
 ) -> Vec<FittingValues> {
     let fit_at_all = |other: &WheelQuestion| fits(other) != Fit::Not;
-    let mut well = of_first_group(groups, question, |other| fits(other) == Fit::Well);
+    let mut well = of_first_group(groups, question, &|other| fits(other) == Fit::Well);
     if well.is_empty() {
-        return of_first_group(groups, question, fit_at_all);
+        return of_first_group(groups, question, &fit_at_all);
     }
     for of in &mut well {
         let argument = groups.iter().flatten().find(|argument| argument.name == of.name);
@@ -120,7 +120,7 @@ fn well_or_barely(
 pub(super) fn remedies_among(
     arguments: &[Argument],
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> Fit,
+    fits: &dyn Fn(&WheelQuestion) -> Fit,
 ) -> Vec<FittingValues> {
     let groups = [arguments.iter().filter(|argument| question.number(argument).is_some()).collect()];
     well_or_barely(&groups, question, fits)
@@ -129,10 +129,10 @@ pub(super) fn remedies_among(
 fn of_first_group(
     groups: &[Vec<&Argument>],
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> bool,
+    fits: &dyn Fn(&WheelQuestion) -> bool,
 ) -> Vec<FittingValues> {
     let of = |group: &Vec<&Argument>| -> Vec<FittingValues> {
-        group.iter().filter_map(|argument| fitting_values(argument, question, &fits)).take(NAMED).collect()
+        group.iter().filter_map(|argument| fitting_values(argument, question, fits)).take(NAMED).collect()
     };
     groups.iter().map(of).find(|found| !found.is_empty()).unwrap_or_default()
 }
@@ -141,7 +141,7 @@ fn of_first_group(
 pub(super) fn fitting_values(
     argument: &Argument,
     question: &WheelQuestion,
-    fits: &impl Fn(&WheelQuestion) -> bool,
+    fits: &dyn Fn(&WheelQuestion) -> bool,
 ) -> Option<FittingValues> {
     let may_be_zero = matches!(argument.place, ArgumentSlot::LengthOrZero(_) | ArgumentSlot::ZeroOrMore(_));
     let given = question.number(argument);
@@ -174,7 +174,7 @@ pub(super) fn fitting_values(
 }
 
 /// The value nearest to another one, by their ratio, that fits, of those evenly many in a decade.
-fn nearest_that_fits(around: f64, in_a_decade: i32, fits: &impl Fn(f64) -> bool) -> Option<f64> {
+fn nearest_that_fits(around: f64, in_a_decade: i32, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
     let most = DECADES * in_a_decade;
     let middle = libm::log10(around) * f64::from(in_a_decade);
     let mut steps: Vec<i32> = (-most..=most).collect();

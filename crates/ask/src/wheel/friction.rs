@@ -55,7 +55,7 @@ pub(super) fn locked(
     match error {
         DynamicsError::SelfLocking { .. } if !question.is_trial => {
             let fits = |other: &WheelQuestion| if turns(other) && other.is_in_range() { Fit::Well } else { Fit::Not };
-            Error::Argument(refusal(reason, &remedies_among(FRICTION, question, fits)))
+            Error::Argument(refusal(reason, &remedies_among(FRICTION, question, &fits)))
         }
         error => error.into(),
     }

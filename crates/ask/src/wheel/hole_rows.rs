@@ -129,7 +129,7 @@ mod tests {
         let mut random = SplitMix64::new(3);
         let mut one_of = |all: &[&'static str]| all[(random.next_u64() % all.len() as u64) as usize];
         let (mut tried, mut holes) = (0, BTreeMap::<&str, u32>::new());
-        while tried < 40 {
+        while tried < 20 {
             let kind = one_of(&["", "", "--type internal"]);
             let words = [
                 one_of(&["--stations 4", "--stations 6", "--stations 8"]),

@@ -58,7 +58,7 @@ impl WheelDesign {
     /// The error about parts that can't be mounted, with the arguments that mend it.
     pub(super) fn refused_mounting(&self, error: MountingError) -> Error {
         let internal = self.internal_sizes().ok().flatten();
-        with_remedies_of_mounting(error, &self.question, |other| self.mounted_fit(internal.as_ref(), other))
+        with_remedies_of_mounting(error, &self.question, &|other| self.mounted_fit(internal.as_ref(), other))
     }
 
     /// Refuses numbers of the mounting that make no sense, with values with which these parts can be mounted.
@@ -68,7 +68,7 @@ impl WheelDesign {
     /// The argument, its value, and the values to give; and sizes of an internal wheel that don't fit.
     pub(super) fn refuse_mounting_out_of_range(&self) -> Result<(), Error> {
         let internal = self.internal_sizes()?;
-        refuse_out_of_range(&self.question, true, |other| self.mounted_fit(internal.as_ref(), other) != Fit::Not)
+        refuse_out_of_range(&self.question, true, &|other| self.mounted_fit(internal.as_ref(), other) != Fit::Not)
     }
 
     /// How the parts of this wheel fit that are mounted as another question asks, and cut out.

@@ -29,7 +29,7 @@ const THINNER: [f64; 6] = [0.8, 0.65, 0.5, 0.35, 0.25, 0.15];
 pub(super) fn with_remedies_of_mounting(
     error: MountingError,
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> Fit,
+    fits: &dyn Fn(&WheelQuestion) -> Fit,
 ) -> Error {
     // What to choose stands behind what is wrong, and values say it better.
     let words = error.to_string();
@@ -42,7 +42,7 @@ pub(super) fn with_remedies_of_mounting(
         return refused!("{reason}; give {}", changes.join(", or "));
     }
     let in_range = |other: &WheelQuestion| if other.is_in_range() { fits(other) } else { Fit::Not };
-    let remedies = remedies_among(MOUNTING, question, in_range);
+    let remedies = remedies_among(MOUNTING, question, &in_range);
     if remedies.is_empty() {
         let pairs = pairs_that_fit(&error, question, &|other| in_range(other) != Fit::Not);
         return if pairs.is_empty() { with_given(&error, question) } else { refused!("{reason}; give {pairs}") };
@@ -171,7 +171,7 @@ fn keyed_changes(question: &WheelQuestion, shaft: f64, nearest: f64) -> Vec<Chan
 }
 
 /// Dowels or screws that are thinner, with the circles on which they then fit, where no circle alone helps; empty if none does.
-fn pairs_that_fit(error: &MountingError, question: &WheelQuestion, fits: &impl Fn(&WheelQuestion) -> bool) -> String {
+fn pairs_that_fit(error: &MountingError, question: &WheelQuestion, fits: &dyn Fn(&WheelQuestion) -> bool) -> String {
     let MountingError::BreaksOut { hole, .. } = error else { return String::new() };
     let argument = |name: &str| -> Option<&Argument> { MOUNTING.iter().find(|argument| argument.name == name) };
     let (circles, dowel): (&[&str], _) = match *hole {

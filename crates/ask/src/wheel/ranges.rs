@@ -22,7 +22,7 @@ impl WheelQuestion {
 pub(super) fn refuse_out_of_range(
     question: &WheelQuestion,
     of_files: bool,
-    can_be_made: impl Fn(&WheelQuestion) -> bool,
+    can_be_made: &dyn Fn(&WheelQuestion) -> bool,
 ) -> Result<(), Error> {
     let is_far = |(argument, value): &(Argument, f64)| {
         argument.acts_on.contains(&ActsOn::Files) == of_files && !argument.makes_sense(*value)

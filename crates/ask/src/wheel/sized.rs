@@ -47,7 +47,7 @@ pub(super) fn sizes(wheel: Wheel, scale: Scale, question: &WheelQuestion) -> Res
     let usual = |choices: &Choices| {
         Sizes::new(wheel, scale, choices).map(|sizes| (sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
-    let of = |question: &WheelQuestion| Sizes::new(wheel, scale, &with_plays(question, usual)?);
+    let of = |question: &WheelQuestion| Sizes::new(wheel, scale, &with_plays(question, &usual)?);
     let mut sizes = of(question)?;
     // A bush with a wall that can be made, or the screw itself.
     for pin in pins_for_screw(question, sizes.pin_diameter, |thread| vec![thread.least_bush(), thread.diameter()]) {
@@ -88,7 +88,7 @@ pub(super) fn internal_sizes(
         Ok((sizes.pin_diameter, sizes.play, sizes.centre_distance))
     };
     let sizes = |question: &WheelQuestion| -> Result<InternalSizes, SizesError> {
-        let of = |question: &WheelQuestion| InternalSizes::new(wheel, crank_radius, &with_plays(question, usual)?);
+        let of = |question: &WheelQuestion| InternalSizes::new(wheel, crank_radius, &with_plays(question, &usual)?);
         let mut sizes = of(question)?;
         // The ring plate leaves no room for the head of a bush's screw.
         for pin in pins_for_screw(question, sizes.pin_diameter, |thread| vec![thread.diameter()]) {
@@ -99,14 +99,14 @@ pub(super) fn internal_sizes(
         Ok(sizes)
     };
     let fits = |other: &WheelQuestion| sizes(other).map_or(Fit::Not, |sizes| Fit::of(sizes.has_sound_walls()));
-    sizes(question).map_err(|error| with_remedies(error, question, fits))
+    sizes(question).map_err(|error| with_remedies(error, question, &fits))
 }
 
 /// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel
 /// with some choices are what `usual` says, in millimetres.
 fn with_plays(
     question: &WheelQuestion,
-    usual: impl Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
+    usual: &dyn Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
 ) -> Result<Choices, SizesError> {
     let choices = choices(question);
     let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
@@ -159,13 +159,13 @@ pub(super) fn process_numbers(
 pub(super) fn with_remedies(
     error: SizesError,
     question: &WheelQuestion,
-    fits: impl Fn(&WheelQuestion) -> Fit,
+    fits: &dyn Fn(&WheelQuestion) -> Fit,
 ) -> Error {
     let remedies = match &error {
         // What no wheel has says itself what to give.
         SizesError::Kinematics(_) | SizesError::Play { .. } => Vec::new(),
         _ if question.is_trial => Vec::new(),
-        _ => remedies(question, |other| if other.is_in_range() { fits(other) } else { Fit::Not }),
+        _ => remedies(question, &|other| if other.is_in_range() { fits(other) } else { Fit::Not }),
     };
     Error::Sizes { error, remedies }
 }

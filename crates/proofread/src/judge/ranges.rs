@@ -18,7 +18,7 @@ pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
     let are_years = digits[0].len() == 4
         && digits[1].len() == 2
         && ["1", "20"].iter().any(|century| digits[0].starts_with(century))
-        && digits[0][2..] < *digits[1];
+        && digits[0].get(2..).is_some_and(|last| last < digits[1]);
     let are_full_years = from_to && ends.is_some_and(|ends| ends.iter().all(|year| YEARS.contains(year)));
     let source = text.get(dash.span.range());
     dash.is_sign('-') && touch(side) && ((from_to && source == Some("–")) || are_years || are_full_years)
