@@ -102,11 +102,14 @@ pub(super) fn internal_sizes(
     sizes(question).map_err(|error| with_remedies(error, question, &fits))
 }
 
+/// Pin diameter, plays and centre distance of a wheel, in millimetres.
+type UsualSizes = (f64, Play, f64);
+
 /// What was chosen, with plays and pin of the process where these are not given. Pin diameter, play and centre distance of a wheel
 /// with some choices are what `usual` says, in millimetres.
 fn with_plays(
     question: &WheelQuestion,
-    usual: &dyn Fn(&Choices) -> Result<(f64, Play, f64), SizesError>,
+    usual: &dyn Fn(&Choices) -> Result<UsualSizes, SizesError>,
 ) -> Result<Choices, SizesError> {
     let choices = choices(question);
     let (locking, bore, slot) = (question.locking_play, question.bore_play, question.slot_width);
