@@ -181,9 +181,9 @@ impl PlacedPair<'_> {
             let inside = plain && !before_it.trim().is_empty();
             let styled = before_it.contains("\\displaystyle");
             let opens = display && surroundings::opens_display(self.text, self.formula.span, self.left.span);
-            let signed = (display && !opens || inside || styled)
-                && self.left.tokens.first().is_some_and(|token| token.is_one_of("+-"))
-                || opens && self.left.tokens.first().is_some_and(|token| token.is_sign('+'));
+            let signs = if opens && !inside && !styled { "+" } else { "+-" };
+            let signed =
+                (display || inside || styled) && self.left.tokens.first().is_some_and(|token| token.is_one_of(signs));
             let parted = match self.chain.parted {
                 ChainSeparation::Not => false,
                 ChainSeparation::ByMark => literal || surroundings::ends_in_list(self.text, self.right.span),

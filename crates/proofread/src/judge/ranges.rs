@@ -37,7 +37,7 @@ pub(crate) fn are_ranges(left: &[Token], right: &[Token]) -> bool {
 }
 
 /// Most bits of a prefix of an address.
-const MOST_BITS: u64 = 32;
+const MOST_BITS: u32 = 32;
 
 /// Whether a side is the address of a network with the length of its prefix, `10/8`, in a text that speaks of such addresses.
 pub(crate) fn is_network(text: &str, side: &[Token], place: Span) -> bool {
@@ -46,7 +46,7 @@ pub(crate) fn is_network(text: &str, side: &[Token], place: Span) -> bool {
     let is_prefix = stroke.is_sign('/')
         && touch(side)
         && address.number().is_some()
-        && integer(bits).is_some_and(|bits| u64::from(bits) <= MOST_BITS);
+        && integer(bits).is_some_and(|bits| bits <= MOST_BITS);
     is_prefix
         && (speaks_around(text, place, &WORDS) || {
             let before = text_before(text, place).to_ascii_lowercase();
