@@ -24,8 +24,8 @@ const WORK: u64 = 14;
 fn grow_every_second(first: usize) {
     // What is done once for any text, such as the search for hints, counts as a few hundred tokens.
     const ONCE: u64 = 40_000;
-    // Short formulas take most: what stands around each is looked at, and a macro may stand for ten times as much.
-    const MOST_FOR_A_BYTE: u64 = 210;
+    // Short formulas take most: what stands around each is searched for words, and a macro may stand for ten times as much.
+    const MOST_FOR_A_BYTE: u64 = 350;
     let mut over = Vec::new();
     for structure in structures::all().into_iter().skip(first).step_by(2) {
         let (name, format, grown) = &structure;

@@ -84,6 +84,11 @@ fn report(text: &str, format: TextFormat) -> CheckReport {
     report
 }
 
+/// The README of the crate in one line.
+fn readme() -> String {
+    include_str!("../README.md").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// The verdicts of the pairs in a formula of TeX.
 fn verdicts(tex: &str) -> Vec<&'static str> {
     report(&format!("$${tex}$$"), TextFormat::Markdown).findings.iter().map(|of| of.verdict.name()).collect()

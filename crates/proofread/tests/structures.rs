@@ -79,7 +79,8 @@ pub(crate) fn all() -> Vec<Structure> {
 }
 
 fn markdown() -> Vec<Structure> {
-    let in_markdown: [(&str, Grown); 36] = [
+    let in_markdown: [(&str, Grown); 37] = [
+        ("right formulas on one line", repeated("", "$2+2=4$ ", "")),
         ("code beside MathML", repeated("", "`x` <math></math> ", "")),
         ("right lines", repeated("", "It is $2+2=4$ and 3.0*2.0=6.0 here.\n", "")),
         ("wrong lines", numbered("", |i| format!("It is ${}$ here.\n", wrong(i)), "")),

@@ -1,5 +1,6 @@
 //! Whether a text says that a formula is false, or asks whether it holds.
 
+use crate::effort;
 use crate::join::chain::{Chain, Relation};
 use crate::judge::chain_verdict::ChainVerdict;
 use crate::judge::surroundings::{text_around, text_before, without_tags};
@@ -93,7 +94,9 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     // An item with its answer behind.
-    let line = text.get(span.end as usize..).unwrap_or_default().split(['\n', '<']).next().unwrap_or_default();
+    let line = text.get(span.end as usize..).unwrap_or_default();
+    let line = line[..line.floor_char_boundary(STATEMENT)].split(['\n', '<']).next().unwrap_or_default();
+    effort::count_steps(line.len() / 8);
     if is_answered_false(line) || is_implication(&before, &after) {
         return true;
     }
@@ -204,9 +207,8 @@ pub(crate) fn is_meant_false(text: &str, span: Span) -> bool {
     {
         return true;
     }
-    let formula = text.get(span.range()).unwrap_or_default();
-    let formula = if formula.starts_with('<') { without_tags(formula) } else { formula.to_owned() };
-    DENIALS.iter().any(|denial| rest.contains(denial)) || contradicts(&after.to_ascii_lowercase(), &formula)
+    DENIALS.iter().any(|denial| rest.contains(denial))
+        || contradicts(&after.to_ascii_lowercase(), text.get(span.range()).unwrap_or_default())
 }
 
 /// Whether the sentence or paragraph of a formula ends before the next question mark although no mark says so: the question is in the
@@ -301,8 +303,12 @@ fn contradicts(rest: &str, formula: &str) -> bool {
     let words = ["contradiction", "absurd", "impossible"];
     let Some(at) = words.iter().filter_map(|word| rest.find(word)).min() else { return false };
     let mut words = rest[..at].split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
-    let compares = ["<", ">", "\\le", "\\ge", "\\lt", "\\gt", "≤", "≥"].iter().any(|sign| formula.contains(sign));
-    !compares && words.all(|word| LINKS.split_ascii_whitespace().any(|link| link == word))
+    // Only then is the formula looked at, which may be long and has as many equations.
+    words.all(|word| LINKS.split_ascii_whitespace().any(|link| link == word))
+        && !{
+            let formula = if formula.starts_with('<') { without_tags(formula) } else { formula.to_owned() };
+            ["<", ">", "\\le", "\\ge", "\\lt", "\\gt", "≤", "≥"].iter().any(|sign| formula.contains(sign))
+        }
 }
 
 /// Whether the rest of a line says that the answer to a statement is *false*, or asks for it.

@@ -232,7 +232,8 @@ impl PlacedPair<'_> {
         let [left, right] = sides.map(|side| side.tokens.as_slice());
         let bare = judgement.values.as_ref().is_none_or(|(left, right)| !left.has_unit && !right.has_unit);
         let plain = self.formula.style == FormulaStyle::Plain;
-        let around = if plain { self.left.span.join(self.right.span) } else { self.formula.span };
+        let both = self.left.span.join(self.right.span);
+        let around = if plain { both } else { surroundings::part_near(self.text, self.formula.span, both) };
         substitution::substitutes(left, right)
             || (plain && (substitution::is_formula(left) || substitution::is_formula(right)))
             || (notation::is_bracketed_number(right) && right[0].is_sign('['))

@@ -108,9 +108,10 @@ impl DifferingPair<'_> {
 
     /// Around what the text says something about the sides: the formula, or in a plain line the two sides.
     fn place(&self) -> Span {
+        let sides = self.left.span.join(self.right.span);
         match self.formula.style {
-            FormulaStyle::Plain => self.left.span.join(self.right.span),
-            FormulaStyle::Formula => self.formula.span,
+            FormulaStyle::Plain => sides,
+            FormulaStyle::Formula => surroundings::part_near(self.text, self.formula.span, sides),
         }
     }
 

@@ -121,6 +121,8 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
     let rest = after.split(['.', '?', '!']).next().unwrap_or_default();
     let source = text.get(span.range()).unwrap_or_default();
     let near = format!("{sentence} {source} {rest}").to_ascii_lowercase();
+    // Some forty words are looked for.
+    effort::count_steps(near.len());
     let places = |word: &'static str| {
         let letter = |c: char| c.is_ascii_alphabetic();
         let near = &near;

@@ -28,6 +28,13 @@ pub(crate) fn text_around(text: &str, span: Span) -> (String, String) {
     (without_tags(before), without_tags(after))
 }
 
+/// The part of a stretch that is at most 600 bytes from a place in it: of a long formula with many equations, what is near one.
+pub(super) fn part_near(text: &str, whole: Span, place: Span) -> Span {
+    let (from, to) = ((place.start as usize).saturating_sub(600), (place.end as usize).saturating_add(600));
+    let (from, to) = (text.ceil_char_boundary(from), text.floor_char_boundary(to));
+    Span::new(from.max(whole.start as usize), to.min(whole.end as usize).max(whole.start as usize))
+}
+
 /// Most bytes in which a text names what a whole example is about.
 const EXAMPLE: usize = 1500;
 
@@ -61,6 +68,7 @@ pub(crate) fn calls_function(text: &str, side: Span) -> bool {
 }
 
 pub(super) fn without_tags(text: &str) -> String {
+    effort::count_steps(text.len() / 8);
     let mut out = String::with_capacity(text.len());
     let mut inside = false;
     // A tag that is cut off at the start is none of the text.
