@@ -66,7 +66,7 @@ pub(crate) struct BookRun {
 /// How often something came out well, of how many.
 #[derive(Clone, Debug, serde::Deserialize)]
 pub(crate) struct MeasuredRate {
-    /// What was measured: `flags`, `faults`, `apart`, `statistics`, `hints`, `reported`, `planted` or `displayed`.
+    /// What was measured: `flags`, `faults`, `five` (flags of the last five contacts), `apart`, `statistics`, `hints`, `reported`, `planted` or `displayed`.
     pub measure: String,
     /// In texts of which kind; `all` for all of them.
     pub subject: String,

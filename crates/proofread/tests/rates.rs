@@ -13,11 +13,11 @@ const COUNTED: &str = include_str!("../judged/counted.csv");
 const README: &str = include_str!("../README.md");
 
 /// The contact whose rates are told: the last one.
-const LAST: &str = "twentieth";
+const LAST: &str = "twenty-first";
 /// The contacts at which differences of one shape were one flag before any were drawn.
-const DRAWN_BY_SHAPE: [&str; 3] = ["eighteenth", "nineteenth", "twentieth"];
+const DRAWN_BY_SHAPE: [&str; 4] = ["eighteenth", "nineteenth", "twentieth", "twenty-first"];
 /// All contacts whose flags are on record.
-const CONTACTS: [&str; 11] = [
+const CONTACTS: [&str; 12] = [
     "twelfth",
     "thirteenth",
     "fourteenth",
@@ -29,6 +29,17 @@ const CONTACTS: [&str; 11] = [
     "eighteenth",
     "nineteenth",
     "twentieth",
+    "twenty-first",
+];
+/// What targets are set for, and what is told beside them.
+const TARGETED: [(&str, &str); 7] = [
+    ("flags", "all"),
+    ("faults", "all"),
+    ("flags", "mathematics"),
+    ("flags", "physics and engineering"),
+    ("planted", "all"),
+    ("reported", "all"),
+    ("displayed", "all"),
 ];
 
 #[derive(serde::Deserialize)]
@@ -120,9 +131,14 @@ impl Rates {
         found.map(|rate| (rate.2, rate.3)).unwrap_or_else(|| panic!("no rate of {measure} in {kind}"))
     }
 
-    fn percent(&self, measure: &str, kind: &str) -> String {
+    /// Good ones of a hundred.
+    fn share(&self, measure: &str, kind: &str) -> f64 {
         let (good, tried) = self.of(measure, kind);
-        format!("{:.0}", 100.0 * f64::from(good) / f64::from(tried))
+        100.0 * f64::from(good) / f64::from(tried)
+    }
+
+    fn percent(&self, measure: &str, kind: &str) -> String {
+        format!("{:.0}", self.share(measure, kind))
     }
 
     fn written(&self) -> String {
@@ -136,10 +152,31 @@ impl Rates {
     }
 }
 
-fn rates(contact: &str) -> Rates {
+/// The contacts that count, without what was added later.
+fn counted_contacts() -> Vec<&'static str> {
+    CONTACTS.into_iter().filter(|contact| !contact.ends_with("later")).collect()
+}
+
+fn last_five() -> Vec<&'static str> {
+    let contacts = counted_contacts();
+    contacts[contacts.len() - 5..].to_vec()
+}
+
+/// The rates of the last contact, and beside them that of all flags of the last five.
+fn told() -> Rates {
+    let mut told = rates(&[LAST]);
+    let (good, tried) = rates(&last_five()).of("flags", "all");
+    let at = told.0.iter().position(|rate| rate.0 == "apart").expect("a rate of what stood apart");
+    told.0.insert(at, ("five", "all".to_owned(), good, tried));
+    told
+}
+
+/// The rates of some contacts together.
+fn rates(contacts: &[&str]) -> Rates {
+    let is_counted = |contact: &String| contacts.contains(&contact.as_str());
     let flags: Vec<Flag> = read(FLAGS);
     let (apart, flags): (Vec<Flag>, Vec<Flag>) =
-        flags.into_iter().filter(|flag| flag.contact == contact).partition(Flag::is_apart);
+        flags.into_iter().filter(|flag| is_counted(&flag.contact)).partition(Flag::is_apart);
     let real = |flag: &Flag| u32::from(flag.is_real());
     let on = |list: &'static str| flags.iter().filter(move |flag| flag.list == list);
     let mut rates = Rates::default();
@@ -151,11 +188,11 @@ fn rates(contact: &str) -> Rates {
     let hinted = flags.iter().filter(|flag| flag.is_real() && !flag.hint.is_empty());
     rates.add("hints", hinted.map(|flag| ("all".to_owned(), u32::from(flag.hint_right == "yes"), 1)));
     let reported: Vec<Reported> = read(REPORTED);
-    let visible = reported.iter().filter(|of| of.contact == contact && of.visible == "yes");
+    let visible = reported.iter().filter(|of| is_counted(&of.contact) && of.visible == "yes");
     rates.add("reported", visible.map(|of| (of.kind.clone(), u32::from(of.seen == "yes"), 1)));
     let counted: Vec<Counted> = read(COUNTED);
     for measure in ["planted", "displayed"] {
-        let of = counted.iter().filter(|of| of.contact == contact && of.measure == measure);
+        let of = counted.iter().filter(|of| is_counted(&of.contact) && of.measure == measure);
         rates.add(measure, of.map(|of| (of.kind.clone(), of.good, of.tried)));
     }
     rates
@@ -164,7 +201,7 @@ fn rates(contact: &str) -> Rates {
 #[test]
 fn the_rates_are_those_of_the_records() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("judged/rates.csv");
-    let (written, now) = (std::fs::read_to_string(&path).unwrap_or_default(), rates(LAST).written());
+    let (written, now) = (std::fs::read_to_string(&path).unwrap_or_default(), told().written());
     if written != now {
         std::fs::write(&path, &now).expect("judged/rates.csv can be written");
     }
@@ -174,7 +211,7 @@ fn the_rates_are_those_of_the_records() {
 #[test]
 fn the_readme_says_how_reliable_the_program_is() {
     let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
-    let rates = rates(LAST);
+    let rates = told();
     let percent = |measure: &str, kind: &str| format!("{} %", rates.percent(measure, kind));
     let counted = |measure: &str| {
         let (good, tried) = rates.of(measure, "all");
@@ -187,6 +224,7 @@ fn the_readme_says_how_reliable_the_program_is() {
         format!("{} in statistics", percent("flags", "statistics")),
         format!("{} on the list of statistics", counted("statistics")),
         format!("{} that stood apart", counted("apart")),
+        format!("{} in the last five contacts together, {}", counted("five"), percent("five", "all")),
         format!("{} hints", counted("hints")),
         format!("{} errors that others had reported", counted("reported")),
         format!("{} of planted digits", percent("planted", "all")),
@@ -254,20 +292,20 @@ fn certain_flags_are_real_more_often_at_each_contact() {
 fn the_record_tells_each_contact_beside_the_targets() {
     let record = include_str!("../judged/README.md");
     let mut rows = String::new();
-    for contact in CONTACTS.into_iter().filter(|contact| !contact.ends_with("later")) {
-        let rates = rates(contact);
-        let reached = [
-            ("flags", "all"),
-            ("faults", "all"),
-            ("flags", "mathematics"),
-            ("flags", "physics and engineering"),
-            ("planted", "all"),
-            ("reported", "all"),
-            ("displayed", "all"),
-        ];
-        let reached = reached.map(|(measure, kind)| rates.percent(measure, kind));
-        rows += &format!("| {contact} | {} |\n", reached.join(" | "));
+    let row = |name: &str, contacts: &[&str]| {
+        let rates = rates(contacts);
+        format!("| {name} | {} |\n", TARGETED.map(|(measure, kind)| rates.percent(measure, kind)).join(" | "))
+    };
+    for contact in counted_contacts() {
+        rows += &row(contact, &[contact]);
     }
+    rows += &row("last five together", &last_five());
+    let five: Vec<Rates> = last_five().into_iter().map(|contact| rates(&[contact])).collect();
+    let range = TARGETED.map(|(measure, kind)| {
+        let shares = || five.iter().map(|rates| rates.share(measure, kind));
+        format!("{:.0} to {:.0}", shares().fold(100.0, f64::min), shares().fold(0.0, f64::max))
+    });
+    rows += &format!("| least to most of the five | {} |\n", range.join(" | "));
     assert!(record.contains(&rows), "judged/README.md has other shares than\n{rows}");
 }
 
@@ -278,10 +316,11 @@ fn a_list_is_on_by_default_if_half_of_its_flags_are_real() {
         let those = flags.iter().filter(|flag| flag.list == "statistics" && contacts.contains(&flag.contact.as_str()));
         those.fold((0, 0), |(real, all): Count, flag| (real + u32::from(flag.is_real()), all + 1))
     };
-    let (real, all) = counted(&["fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", LAST]);
+    let (real, all) =
+        counted(&["fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth", LAST]);
     let readme = README.split_whitespace().collect::<Vec<_>>().join(" ");
     let told = format!(
-        "{real} of {all} in the last six contacts ({} of {} in the last one)",
+        "{real} of {all} in the last seven contacts ({} of {} in the last one)",
         counted(&[LAST]).0,
         counted(&[LAST]).1
     );

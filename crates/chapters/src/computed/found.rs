@@ -21,6 +21,7 @@ pub(crate) fn numbers() -> Vec<OwnNumber> {
             Ok([faults(&misprints()?).iter().filter(|of| of.kind == MisprintKind::Number).count(), checked()?])
         }),
         measured("found.rate.all", "flags", "all"),
+        measured("found.rate.five", "five", "all"),
         measured("found.rate.mathematics", "flags", "mathematics"),
         measured("found.rate.physics", "flags", "physics and engineering"),
         measured("found.apart", "apart", "all"),

@@ -28,6 +28,7 @@ pub(super) const LEANED_ON: &[&str] = &[
     "escapement.torque-a-day",
     "found.faults.numbers",
     "found.rate.all",
+    "found.rate.five",
     "found.rate.mathematics",
     "found.rate.physics",
     "found.apart",

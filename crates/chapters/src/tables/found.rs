@@ -56,6 +56,7 @@ pub(super) fn measured() -> anyhow::Result<Table> {
     let meaning = |measure: &str| match measure {
         "flags" => "Flags on numbers that are real",
         "faults" => "The same, each fault counted once",
+        "five" => "Flags on numbers that are real, last five measurements",
         "apart" => "Less certain flags, set apart, that are real",
         "statistics" => "Flags on statistics that are real",
         "hints" => "Hints that name what should be printed",
