@@ -313,7 +313,7 @@ fn reject_any(given: &[GivenOption], refused: impl Fn(&Argument) -> bool, why: &
 }
 
 /// The materials, which count where there are loads.
-const MATERIAL_OPTIONS: &[&str] = &["wheel-material", "pin-material"];
+const MATERIAL_OPTIONS: &[&str] = &["wheel-material", "driver-material", "pin-material"];
 
 /// Refuses options that have no effect where wheels are proposed.
 fn reject_with_proposals(wanted: &WheelQuestion, options: &WheelArguments) -> anyhow::Result<()> {
@@ -367,7 +367,11 @@ fn reject_without_effect(wanted: &WheelQuestion, given: &[GivenOption], format: 
         reject_any(given, is_named(NOT_OF_INTERNAL), why)?;
         if wanted.thickness.is_none() {
             let why = "on the numbers of an internal wheel without a thickness; add --thickness MM for its inertia";
-            reject_any(given, is_named(&["density"]), why)?;
+            reject_any(
+                given,
+                is_named(&["density", "driver-density", "pin-density", "wheel-strength", "driver-strength"]),
+                why,
+            )?;
             reject_any(given, is_named(MATERIAL_OPTIONS), why)?;
         }
     }
@@ -436,7 +440,6 @@ const NOT_OF_INTERNAL: &[&str] = &[
     "pin-strength",
     "wheel-modulus",
     "wheel-poisson",
-    "wheel-strength",
     "allowed-pressure",
     "disc-friction",
     "centre-error",

@@ -75,7 +75,7 @@ pub const LIVE: Live = Live {
         LiveQuantity::field("mean", "mean torque at the crank", "mean_crank_torque_nm"),
         LiveQuantity::field("own", "inertia of the wheel itself", "wheel_inertia_kgm2"),
         LiveQuantity::field("together", "inertia of table and wheel together", "inertia_kgm2"),
-        LiveQuantity::field("pressure", "contact pressure of a steel pin", "peak_contact_pressure_mpa"),
+        LiveQuantity::field("pressure", "contact pressure of pin and slot", "peak_contact_pressure_mpa"),
         LiveQuantity::new("where", "the least clearance is"),
         LiveQuantity::field("held", "mid-dwell backlash holds for", "dwell_backlash_held_fraction"),
         LiveQuantity::field(
@@ -122,6 +122,13 @@ const NAMES: [&str; MATERIALS.len() + 1] = {
         names[k] = MATERIALS[k].name;
         k += 1;
     }
+    names
+};
+
+/// Materials as they are called of the driver, which is of the wheel's unless another is chosen.
+const NAMES_OF_DRIVER: [&str; MATERIALS.len() + 1] = {
+    let mut names = NAMES;
+    names[MATERIALS.len()] = "the same as the wheel";
     names
 };
 
@@ -196,7 +203,11 @@ const fn control(argument: &Argument, knob: Knob) -> Control {
             Control::choice(argument.name, label, choice.on_page(), choice.usual_entry())
         }
         (ArgumentSlot::Process(_), _) => Control::choice(argument.name, label, &PROCESSES, 0),
-        (ArgumentSlot::Material(_), Some(first)) => Control::choice(argument.name, label, &NAMES, first as usize),
+        (ArgumentSlot::Material(_), Some(first)) => {
+            // The driver's is the one that nothing is said of at first.
+            let names = if first as usize == MATERIALS.len() { &NAMES_OF_DRIVER } else { &NAMES };
+            Control::choice(argument.name, label, names, first as usize)
+        }
         (_, Some(first)) => Control::slider(argument.name, label, unit, slider, step, first).with_typed_range(typed),
         (_, None) => Control::following(argument.name, label, unit, slider, step).with_typed_range(typed),
     };
@@ -429,7 +440,7 @@ fn message(
 
 /// That a printer makes no wheel of the metal for which loads are told: the choice of a material is another one than that of a process.
 fn metal_from_a_printer(design: &WheelDesign) -> Option<String> {
-    let wheel = design.materials[1];
+    let wheel = design.materials.wheel;
     let is_printed = matches!(design.question.process, Some(Process::Fdm | Process::Resin));
     (is_printed && wheel.density > LEAST_OF_METAL).then(|| {
         format!(

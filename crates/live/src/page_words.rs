@@ -19,18 +19,29 @@ pub fn words(error: Error) -> String {
 /// control stays.
 pub(crate) fn with_labels(text: &str) -> String {
     let (mut told, mut rest) = (String::new(), text);
+    let mut follows_label = false;
     while let Some((before, behind)) = rest.split_once("--") {
         let end = behind.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(behind.len());
         let (name, after) = behind.split_at(end);
         told += before;
+        // As typed, one argument follows the value of another; of controls each is named.
+        if follows_label
+            && before.starts_with(' ')
+            && before.trim().split(' ').count() == 1
+            && !before.contains([',', ';'])
+        {
+            told += "and ";
+        }
         match arguments().find(|argument| argument.name == name).and_then(label) {
             Some(label) => {
                 told += &format!("“{label}”");
+                follows_label = true;
                 // The command's word for a length: a control has its unit beside it.
                 rest = after.strip_prefix(" MM").unwrap_or(after);
             }
             None => {
                 told += &format!("--{name}");
+                follows_label = false;
                 rest = after;
             }
         }
@@ -81,8 +92,7 @@ mod tests {
     #[test]
     fn an_argument_goes_by_the_label_of_its_control_and_what_has_none_stays() {
         let told = with_labels("--index-time 3: too long; give --play 0.3 --bore-play MM, --no-such-thing or none");
-        let labels =
-            "“time of an index” 3: too long; give “play of the slots” 0.3 “play of the bores”, --no-such-thing or none";
+        let labels = "“time of an index” 3: too long; give “play of the slots” 0.3 and “play of the bores”, --no-such-thing or none";
         assert_eq!(told, labels);
     }
 }

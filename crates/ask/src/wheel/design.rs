@@ -3,7 +3,7 @@
 use super::fitting::Fit;
 use super::friction::{friction, locked};
 use super::kind::{AnyWheel, WheelKind};
-use super::materials::materials;
+use super::materials::PartMaterials;
 use super::mouth::check_mouth;
 use super::question::WheelQuestion;
 use super::ranges::refuse_out_of_range;
@@ -13,7 +13,7 @@ use super::times::SAME;
 use crate::Error;
 use crate::number_format::{as_typed, number, rounded_down, rounded_up};
 use crate::worked::DriverSpeed;
-use geneva_dynamics::line_contact::{LineContact, Material};
+use geneva_dynamics::line_contact::LineContact;
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -38,10 +38,8 @@ pub struct WheelDesign {
     pub sizes: Option<Sizes>,
     /// Thickness of the wheel in millimetres, if it has a size.
     pub thickness: Option<f64>,
-    /// Density of the wheel in kg/m³.
-    pub density: f64,
-    /// Materials of pins and wheel.
-    pub materials: [Material; 2],
+    /// Of what the parts are made.
+    pub materials: PartMaterials,
     /// Moment of inertia of the wheel and what turns with it, in kg m².
     pub inertia: Option<f64>,
     /// The wheel's own part of it, if it has a size.
@@ -73,8 +71,8 @@ impl WheelDesign {
         refuse_contradictions(&question)?;
         check_mouth(&question)?;
         let table_inertia = table_inertia(&question)?;
-        let materials = materials(&question);
-        let density = question.density.unwrap_or(materials[1].density);
+        let materials = PartMaterials::of(&question);
+        let density = materials.wheel.density;
         let mut wanted = question.scale();
         if let (None, AnyWheel::External(external), true) = (wanted, &wheel, question.recommends_size) {
             wanted = Some(Scale::CrankRadius(recommended_crank_radius(external, &question, table_inertia, density)?));
@@ -102,10 +100,10 @@ impl WheelDesign {
             AnyWheel::Internal(wheel) => own_inertia_of_internal(*wheel, crank_radius, density, &question)?,
             _ => own_inertia(sizes.as_ref(), thickness, density)?,
         };
-        let [pin, wall] = &materials;
-        let contact = sizes
-            .zip(thickness)
-            .map(|(sizes, thickness)| LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, pin, wall));
+        let contact = sizes.zip(thickness).map(|(sizes, thickness)| {
+            let (radius, length) = (sizes.pin_radius() / 1000.0, thickness / 1000.0);
+            LineContact::new(radius, length, &materials.pin, &materials.wheel)
+        });
         let mut design = Self {
             question,
             driver_speed,
@@ -113,7 +111,6 @@ impl WheelDesign {
             crank_radius,
             sizes,
             thickness,
-            density,
             materials,
             inertia: None,
             wheel_inertia,
@@ -131,6 +128,7 @@ impl WheelDesign {
             (None, None, None) => None,
             (None, table, own) => Some(table.unwrap_or(0.0) + own.unwrap_or(0.0)),
         };
+        design.refuse_too_light_driver()?;
         Ok(design)
     }
 

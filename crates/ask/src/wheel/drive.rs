@@ -66,13 +66,17 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
     let motor_speed = design.driver_speed.zip(ratio).map(|(speed, ratio)| speed.rpm() * ratio);
     let newton_metres = |key, value: Option<f64>| ReportField::in_unit(key, value, "N m");
     let inertia = |key, value: Option<f64>| ReportField::in_unit(key, value, "kg m²");
-    // Without the driver's inertia, the motor turns the wheel alone.
-    let driver = question.driver_inertia.unwrap_or(0.0);
-    let at_motor = match question.driver_inertia {
-        Some(_) => {
+    let own = design.masses().map(|masses| masses.driver_inertia);
+    let driver = question.driver_inertia.or(own).unwrap_or(0.0);
+    let at_motor = match (question.driver_inertia, own) {
+        (Some(_), _) => {
             "inertia at the motor in mid-index, of the wheel and of all that turns with the driver: (J v² + driver's) / gear ratio²"
         }
-        None => {
+        (None, Some(_)) => {
+            "inertia at the motor in mid-index, of the wheel and of the driver's own parts: (J v² + driver's) / gear ratio²; give \
+             --driver-inertia if more turns with the driver"
+        }
+        (None, None) => {
             "reflected inertia at the motor in mid-index, of the wheel alone: J v² / gear ratio²; --driver-inertia adds the driver's"
         }
     };
@@ -91,7 +95,7 @@ pub(super) fn fields(design: &WheelDesign, wheel: &(impl Indexing + ?Sized)) -> 
             .needing(LOADED),
         ReportField::in_unit("locking_disc_force_n", disc_force, "N")
             .line("force on the locking disc", "with which the wheel presses on it in the middle part of the dwell: held torque, or else friction torque, / arm of the force at \
-                 the locking arc's end; near the ends of the dwell it is greater")
+                 the locking arc's end, with the wheel turned through its play; near the ends of the dwell it is greater")
             .needing(Needs::SIZE.union(Needs::DISC_FRICTION)),
         newton_metres("breakaway_torque_nm", loads.map(|loads| loads.breakaway_torque()))
             .line("breakaway torque", "at the crank, after a stop in mid-index: friction alone")
@@ -158,9 +162,16 @@ mod tests {
     }
 
     #[test]
-    fn without_a_flywheel_the_motor_feels_the_wheel_alone_and_says_so() {
+    fn without_a_flywheel_the_motor_feels_wheel_and_driver_and_says_so() {
         let alone = report("--gear-ratio 8");
         let field = alone.field("motor_reflected_inertia_kgm2").expect("a field");
+        let own = number(&alone, "driver_own_inertia_kgm2");
+        assert!(own > 1e-4);
+        assert_relative_eq!(field.number().expect("an inertia"), (0.0246 + own) / 64.0, max_relative = 1e-12);
+        assert!(field.line.as_ref().is_some_and(|line| line.meaning.contains("of the driver's own parts")));
+        // Without a size it is the wheel alone.
+        let bare = answer("wheel --stations 6 --rpm 50 --total-inertia 0.0246 --gear-ratio 8").expect("an answer");
+        let field = bare.field("motor_reflected_inertia_kgm2").expect("a field");
         assert_relative_eq!(field.number().expect("an inertia"), 0.0246 / 64.0, max_relative = 1e-12);
         assert!(field.line.as_ref().is_some_and(|line| line.meaning.contains("of the wheel alone")));
     }
@@ -240,24 +251,55 @@ mod tests {
         let disc = report("--friction-torque 0.1 --disc-friction 0.15");
         let dwell = number(&disc, "dwell_crank_torque_nm");
         assert_relative_eq!(number(&disc, "mean_crank_torque_nm"), table + dwell * 2.0 / 3.0, max_relative = 1e-12);
-        // Its force holds the torque at the arm of the arc's end: c sin β less the friction's.
-        let (centres, arc, rim) = (
-            number(&disc, "centre_distance_mm"),
-            number(&disc, "locking_arc_radius_mm"),
-            number(&disc, "tip_radius_mm"),
-        );
-        // By bisection on the arc: where it meets the rim.
-        let (mut low, mut high) = (0.0, PI);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            let distance = (centres - arc * f64::cos(middle)).hypot(arc * f64::sin(middle));
-            if distance < rim { low = middle } else { high = middle }
-        }
-        let force = number(&disc, "locking_disc_force_n");
-        let radius = number(&disc, "locking_radius_mm");
-        let held = force * (centres * low.sin() - 0.15 * (centres * low.cos() - radius)) / 1e3;
-        assert_relative_eq!(held, 0.1, max_relative = 1e-9);
+        let (force, radius) = (number(&disc, "locking_disc_force_n"), number(&disc, "locking_radius_mm"));
         assert_relative_eq!(dwell, 0.15 * force * radius / 1e3, max_relative = 1e-12);
+    }
+
+    /// The end of a locking arc, as a point that the wheel takes along: it is turned until it is on the disc. The arm of a force of the disc
+    /// is how fast the point then comes nearer to the driver's axis (virtual work), by finite differences.
+    #[test]
+    fn the_force_on_the_disc_has_the_arm_of_the_wheel_as_turned_in_its_play() {
+        let mut greatest = 0.0_f64;
+        for stations in [3, 4, 6, 8, 12] {
+            for locking in ["0.05", "0.3", "1", "2"] {
+                let asked = format!(
+                    "wheel --stations {stations} --crank-radius 40 --rpm 50 --total-inertia 0.1 --locking-play {locking} --friction-torque 0.1"
+                );
+                let of = |friction: &str| answer(&format!("{asked} --disc-friction {friction}")).expect(&asked);
+                let (smooth, rough) = (of("0"), of("0.15"));
+                let [centres, arc, rim, radius] =
+                    ["centre_distance_mm", "locking_arc_radius_mm", "tip_radius_mm", "locking_radius_mm"]
+                        .map(|key| number(&smooth, key));
+                // As drawn, by bisection along the arc: where it meets the rim. From the wheel's axis, the driver's is at (centres, 0).
+                let at = |angle: f64| [centres - arc * angle.cos(), arc * angle.sin()];
+                let (mut low, mut high) = (0.0, PI);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    let [x, y] = at(middle);
+                    if x.hypot(y) < rim { low = middle } else { high = middle }
+                }
+                let [x, y] = at(low);
+                let turned = |turn: f64| [x * turn.cos() + y * turn.sin(), y * turn.cos() - x * turn.sin()];
+                let away = |turn: f64| (turned(turn)[0] - centres).hypot(turned(turn)[1]);
+                let (mut loose, mut deep) = (0.0, 0.5);
+                for _ in 0..60 {
+                    let middle = 0.5 * (loose + deep);
+                    if away(middle) > radius { loose = middle } else { deep = middle }
+                }
+                let arm = (away(loose - 1e-6) - away(loose + 1e-6)) / 2e-6;
+                let force = number(&smooth, "locking_disc_force_n");
+                assert_relative_eq!(force * arm / 1e3, 0.1, max_relative = 1e-7);
+                // The rubbing is along the disc and has the other arm.
+                let [x, y] = turned(loose);
+                let across = (x * (centres - x) - y * y) / radius;
+                let force = number(&rough, "locking_disc_force_n");
+                assert_relative_eq!(force * (arm - 0.15 * across) / 1e3, 0.1, max_relative = 1e-7);
+                let drawn = centres * low.sin();
+                greatest = greatest.max((arm / drawn - 1.0).abs());
+            }
+        }
+        // The arm of the wheel as drawn would be another one by more than the test lets pass.
+        assert!(greatest > 0.01, "{greatest}");
     }
 
     #[test]

@@ -161,11 +161,12 @@ impl WheelDesign {
         let sizes = self.made_sizes("drawings")?;
         self.listed("drawings")?;
         let (thickness, mounting) = (self.thickness("drawings")?, self.mounting()?);
-        let names = self.materials.map(|material| material.name.replace('-', " "));
-        let hardness = self.materials.map(|material| (material.modulus >= METAL).then_some("not specified"));
-        let [pin_material, wheel_material] =
-            [0, 1].map(|k| SheetMaterial { name: names[k].as_str(), hardness: hardness[k] });
-        let text = SheetText { project: &self.project(), wheel_material, pin_material };
+        let materials = [self.materials.pin, self.materials.wheel, self.materials.driver];
+        let names = materials.map(|material| material.name.replace('-', " "));
+        let hardness = materials.map(|material| (material.modulus >= METAL).then_some("not specified"));
+        let [pin_material, wheel_material, driver_material] =
+            [0, 1, 2].map(|k| SheetMaterial { name: names[k].as_str(), hardness: hardness[k] });
+        let text = SheetText { project: &self.project(), wheel_material, driver_material, pin_material };
         let (process, yield_share) = (self.process_numbers()?, self.assemblies_that_turn()?.map(Yield::share));
         let drawn = match sizes {
             MadeSizes::External(sizes) => {

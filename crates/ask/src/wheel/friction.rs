@@ -67,14 +67,10 @@ pub(super) fn held_torque(question: &WheelQuestion) -> f64 {
     question.held_torque.or(question.friction_torque).unwrap_or(0.0)
 }
 
-/// The locking disc in an arc of the wheel; none without a disc.
+/// The locking disc in an arc of the wheel, which is turned through its play until the arc's end rests on the disc; none without a disc.
 pub(super) fn disc(sizes: &Sizes, friction: f64) -> Option<DwellContact> {
-    let (centres, arc, rim) = (sizes.centre_distance, sizes.locking_arc_radius, sizes.tip_radius);
-    // By the law of cosines, in the triangle of both axes and the arc's end.
-    let cosine = (centres * centres + arc * arc - rim * rim) / (2.0 * centres * arc);
-    let end_angle = libm::acos(cosine.clamp(-1.0, 1.0));
-    let radius = sizes.locking_disc?.radius / MILLI;
-    Some(DwellContact { centre_distance: centres / MILLI, radius, end_angle, friction })
+    let (end_angle, radius) = (sizes.disc_reach()?, sizes.locking_disc?.radius / MILLI);
+    Some(DwellContact { centre_distance: sizes.centre_distance / MILLI, radius, end_angle, friction })
 }
 
 /// Arms of the friction of the bearings of wheel and driver, in millimetres: their coefficient times half the diameter.

@@ -60,8 +60,7 @@ impl WheelDesign {
         let wheel = self.wheel.indexing();
         let loads = self.loads(wheel)?;
         let question = &self.question;
-        let [pin, wall] = &self.materials;
-        let modulus = self.contact.map(|_| contact_modulus(pin, wall));
+        let modulus = self.contact.map(|_| contact_modulus(&self.materials.pin, &self.materials.wheel));
         let force = loads.as_ref().and_then(|loads| self.force(loads.pin_moment().driving.value));
         let width = self.contact.zip(force).map(|(contact, force)| contact.width(force)).transpose()?;
         let rubbing = loads.filter(|_| question.pin_friction.is_some());

@@ -24,6 +24,9 @@ mod kind;
 mod loads;
 mod looseness;
 mod making;
+mod masses;
+#[cfg(test)]
+mod masses_tests;
 mod materials;
 mod mounted_parts;
 mod mounting;
@@ -36,6 +39,7 @@ mod pin_load;
 mod process;
 mod question;
 mod ranges;
+mod reasons;
 mod recommended;
 #[cfg(test)]
 mod recomputed_tests;
@@ -56,6 +60,7 @@ pub use files::{MadeOf, SHAPE_FILES, ShapeFile};
 pub use fitting::FittingValues;
 pub(crate) use fitting::sizes_refusal;
 pub use kind::{AnyWheel, WheelKind};
+pub use materials::PartMaterials;
 pub use mounting::{BoreShape, MountingQuestion, PinKind};
 pub use mouth::mouth_arguments;
 pub use process::{ASSEMBLIES, yield_fields};

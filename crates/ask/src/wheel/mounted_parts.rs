@@ -82,7 +82,7 @@ impl WheelDesign {
     }
 
     /// The parts of this wheel, or of an internal one of these sizes, so mounted; none without a size.
-    fn listed_with(
+    pub(super) fn listed_with(
         &self,
         internal: Option<&InternalSizes>,
         mounting: &Mounting,
@@ -109,7 +109,7 @@ impl WheelDesign {
         let internal = self.internal_sizes().ok()?;
         let list = self.listed_with(internal.as_ref(), &mounting)?.ok()?.parts;
         let turns = |part: &&Part| matches!(part.layer, Layer::Wheel | Layer::RingPlate);
-        Some(list.iter().filter(turns).map(|part| part.moment_of_inertia(self.density)).sum())
+        Some(list.iter().filter(turns).map(|part| part.moment_of_inertia(self.materials.wheel.density)).sum())
     }
 
     /// Least thickness of an external wheel around its bore with its keyway or flat, in millimetres; none without a bore, and where the

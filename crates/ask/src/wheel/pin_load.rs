@@ -1,6 +1,7 @@
 //! Strength of the pin, and what the wheel's bearings carry, as they are reported.
 
 use super::design::WheelDesign;
+use super::materials::PartMaterials;
 use crate::number_format::number;
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_dynamics::line_contact::{contact_modulus, pressure_limit};
@@ -159,8 +160,8 @@ fn factors(running: &PinCheck) -> [ReportField; 2] {
 
 /// The greatest pressure in MPa that pin and wheel should have.
 fn limit(design: &WheelDesign) -> Option<f64> {
-    let [pin, wall] = &design.materials;
-    design.sizes.map(|_| design.question.allowed_pressure.unwrap_or_else(|| pressure_limit(pin, wall) / MEGA))
+    let PartMaterials { pin, wheel, .. } = &design.materials;
+    design.sizes.map(|_| design.question.allowed_pressure.unwrap_or_else(|| pressure_limit(pin, wheel) / MEGA))
 }
 
 /// What a force in N does to the pin; nothing without sizes.
@@ -171,11 +172,11 @@ fn check(design: &WheelDesign, force: Option<f64>) -> Result<PinCheck, Error> {
     else {
         return Ok(PinCheck { force, ..PinCheck::default() });
     };
-    let [pin, wall] = &design.materials;
+    let PartMaterials { pin, wheel, .. } = &design.materials;
     let pressure = design.pressure(newtons)?;
     let beam = Cantilever::new(sizes.pin_diameter / MILLI, thickness / MILLI, gap / MILLI)?;
     let length = design.question.thickness.map_or(PinLength::Diameter, |given| PinLength::Given(given / MILLI));
-    let for_pressure = least_diameter_for_pressure(newtons, length, contact_modulus(pin, wall), limit * MEGA)?;
+    let for_pressure = least_diameter_for_pressure(newtons, length, contact_modulus(pin, wheel), limit * MEGA)?;
     let for_strength = least_diameter_for_strength(newtons, length, gap / MILLI, pin.strength)?;
     // Without a force no factor is finite.
     let finite = |factor: f64| Some(factor).filter(|factor| factor.is_finite());

@@ -2,9 +2,12 @@
 
 use super::design::{WheelDesign, once};
 use super::kind::WheelKind;
+use crate::number_format::{as_typed, number, rounded};
 use crate::{Error, Needs, ReportField, Rounding};
 use geneva_kinematics::internal_assemblies::InternalAssemblies;
-use geneva_kinematics::wheel::as_built::{Assemblies, BuiltError, ErrorShape, ProcessNumbers, SourcedNumber, Yield};
+use geneva_kinematics::wheel::as_built::{
+    Assemblies, BuiltError, ErrorShape, ProcessNumbers, SourcedNumber, TestPiece, Yield,
+};
 
 /// How many assemblies are drawn.
 pub const ASSEMBLIES: u64 = 1000;
@@ -101,9 +104,49 @@ pub(super) fn fields(design: &WheelDesign) -> Result<Vec<ReportField>, Error> {
         hole_growth(numbers.as_ref()),
         kerf(design, numbers.as_ref()),
     ];
+    fields.push(test_piece(design, numbers.is_some())?);
     fields.extend(yield_fields(found, design.wheel.kind()));
     fields.push(tight);
     Ok(ReportField::all_needing(fields, Needs::SIZE.union(Needs::PROCESS)))
+}
+
+/// The plate of the test piece: how large it is, and what the numbers on it mean.
+fn test_piece(design: &WheelDesign, has_process: bool) -> Result<ReportField, Error> {
+    let pin = design
+        .sizes
+        .map(|sizes| sizes.pin_diameter)
+        .or(design.reported_internal_sizes()?.map(|sizes| sizes.pin_diameter));
+    let made = pin.zip(design.made_thickness()).filter(|_| has_process);
+    let piece = made.map(|(pin, thickness)| Ok::<_, Error>((TestPiece::new(pin)?, pin, thickness))).transpose()?;
+    // Its plate is a rectangle from the origin on.
+    let size = |piece: &TestPiece, axis: usize| {
+        piece.plate.outer.edges.iter().map(|edge| edge.start_point()[axis]).fold(0.0, f64::max)
+    };
+    let width = piece.as_ref().map(|(piece, ..)| size(piece, 0));
+    let field = ReportField::in_unit("test_piece_width_mm", width, "mm");
+    Ok(match &piece {
+        Some((piece, pin, thickness)) => {
+            let [first, last] = [piece.plays.first(), piece.plays.last()].map(|play| play.copied().unwrap_or_default());
+            field.line(
+                "test piece",
+                format!(
+                    "width of its plate, which is {} mm high and {} mm thick. Each of its {} slots is wider than the pins of {} mm by the \
+                     number below it, in hundredths of a millimetre: {} to {}. Give the least one in which all {} pins run from end to end \
+                     as --measured-play {} to {}",
+                    number(size(piece, 1)),
+                    as_typed(*thickness),
+                    piece.plays.len(),
+                    number(*pin),
+                    libm::round(100.0 * first),
+                    libm::round(100.0 * last),
+                    piece.pins.len(),
+                    as_typed(rounded(first)),
+                    as_typed(rounded(last)),
+                ),
+            )
+        }
+        None => field,
+    })
 }
 
 /// How much wider holes become than drawn, and which files have them drawn otherwise for that.
@@ -172,4 +215,65 @@ pub fn yield_fields(found: Option<Yield>, kind: WheelKind) -> [ReportField; 3] {
         // What is counted of an internal wheel is a lower bound, and the upper limit of that is none of the share.
         share("yield_high", interval.map(|[_, high]| high).filter(|_| !is_internal)).line("", high),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ReportField, answer};
+
+    #[test]
+    fn the_sheet_says_how_large_the_test_piece_is_and_what_its_numbers_mean() {
+        let asked = "wheel --stations 6 --crank-radius 40 --pin-diameter 6 --thickness 5 --process fdm";
+        let report = answer(asked).expect(asked);
+        let field = report.field("test_piece_width_mm").expect("a field");
+        // Twelve slots of 6 mm with walls of half a pin, and their play.
+        assert_eq!(field.number(), Some(12.0 * 9.6 + 6.0));
+        let said = field.line.as_ref().map_or("", |line| &line.meaning);
+        for words in
+            ["30.6", "5 mm thick", "12 slots", "hundredths of a millimetre: 5 to 60", "--measured-play 0.05 to 0.6"]
+        {
+            assert!(said.contains(words), "{words}: {said}");
+        }
+        let without = answer("wheel --stations 6 --crank-radius 40").expect("an answer");
+        assert_eq!(without.field("test_piece_width_mm").and_then(ReportField::number), None);
+    }
+
+    #[test]
+    fn an_internal_wheel_has_a_lower_limit_of_its_yield_and_says_why_no_upper_one() {
+        let of = |kind: &str| {
+            answer(&format!("wheel --stations 6 --type {kind} --crank-radius 40 --process fdm")).expect(kind)
+        };
+        let number = |kind: &str, key: &str| of(kind).field(key).and_then(ReportField::number);
+        let [share, low] = ["yield", "yield_low"].map(|key| number("internal", key).expect(key));
+        assert!(low < share && number("internal", "yield_high").is_none());
+        let ring = of("internal");
+        let said = ring.field("yield_low").and_then(|field| field.line.as_ref()).map_or("", |line| &line.meaning);
+        assert!(said.contains("no upper limit is known"), "{said}");
+        let [share, low, high] = ["yield", "yield_low", "yield_high"].map(|key| number("external", key).expect(key));
+        assert!(low < share && share < high && high <= 1.0, "{low} {share} {high}");
+    }
+
+    #[test]
+    fn a_play_measured_on_the_test_piece_is_that_of_bores_that_have_none_of_their_own() {
+        for (kind, process, bore) in [
+            // A rung of the ladder is added, and a quarter is the bores'.
+            ("external", "mill", 0.0375),
+            ("external", "laser", 0.0375),
+            ("internal", "router", 0.0375),
+            ("external", "resin", 0.25),
+            ("external", "fdm", 0.4),
+            ("internal", "fdm", 0.4),
+        ] {
+            let asked = format!(
+                "wheel --stations 6 --type {kind} --crank-radius 40 --process {process} --measured-play 0.1 --wheel-shaft 8"
+            );
+            let report = answer(&asked).expect(&asked);
+            let number = |key: &str| report.field(key).and_then(ReportField::number).expect(key);
+            assert!((number("process_slot_play_mm") - 0.15).abs() < 1e-12, "{asked}");
+            for key in ["process_bore_play_mm", "bore_play_mm"] {
+                assert!((number(key) - bore).abs() < 1e-12, "{asked}: {key} {}", number(key));
+            }
+            assert!((number("wheel_bore_mm") - 8.0 - bore).abs() < 1e-12, "{asked}");
+        }
+    }
 }

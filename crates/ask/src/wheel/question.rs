@@ -91,6 +91,10 @@ pub struct WheelQuestion {
     pub total_inertia: Option<f64>,
     /// Density of the wheel in kg/m³; that of its material unless it is given.
     pub density: Option<f64>,
+    /// Density of the driver in kg/m³; that of its material unless it is given.
+    pub driver_density: Option<f64>,
+    /// Density of the pins in kg/m³; that of their material unless it is given.
+    pub pin_density: Option<f64>,
     /// Torque of the friction that brakes the wheel, in N m.
     pub friction_torque: Option<f64>,
     /// Coefficient of friction of a pin in its slot.
@@ -127,12 +131,16 @@ pub struct WheelQuestion {
     pub wheel_poisson: Option<f64>,
     /// Strength of the wheel in MPa, instead of that of its material.
     pub wheel_strength: Option<f64>,
+    /// Strength of the driver in MPa, instead of that of its material.
+    pub driver_strength: Option<f64>,
     /// Allowed pressure between pin and slot in MPa, instead of that at which one of them begins to yield.
     pub allowed_pressure: Option<f64>,
     /// Material of the pins.
     pub pin_material: Option<Material>,
     /// Material of the wheel.
     pub wheel_material: Option<Material>,
+    /// Material of locking disc and plate; as the wheel unless it is given.
+    pub driver_material: Option<Material>,
     /// Crank angles, in degrees, at which to report the motion.
     pub at: Vec<f64>,
     /// Wheel angles, in degrees from the middle of an index, at which to report the motion.

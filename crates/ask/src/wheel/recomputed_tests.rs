@@ -102,7 +102,7 @@ fn the_wheels_own_inertia_is_that_of_its_mesh_with_all_holes() {
             }
         }
         let own = design.wheel_inertia.expect("a size");
-        assert_relative_eq!(own, moment * design.density * 1e-15, max_relative = 3e-4);
+        assert_relative_eq!(own, moment * design.materials.wheel.density * 1e-15, max_relative = 3e-4);
         // All that turns has it.
         assert_relative_eq!(design.inertia.expect("an inertia"), own, max_relative = 1e-12);
     }

@@ -6,7 +6,8 @@
 use super::design::{WheelDesign, too_large};
 use super::instant::item;
 use super::kind::WheelKind;
-use super::{drive, hole_rows, loads, parts, pin_load, process, ring_rows};
+use super::reasons::with_reasons;
+use super::{drive, hole_rows, loads, masses, parts, pin_load, process, ring_rows};
 use crate::number_format::{as_typed, count, degrees, number};
 use crate::worked::DriverSpeed;
 use crate::{Error, MechanismReport, Needs, ReportField};
@@ -43,10 +44,12 @@ impl WheelDesign {
             ("Warnings", parts::warnings(self)?),
             ("Cycle", cycle(self, wheel)?),
             ("Speed and acceleration of the wheel", motion(self)),
+            ("Masses and speed limits", masses::fields(self)),
             ("Loads", loads::fields(self, wheel)?),
             ("Strength of the pin", pin_load::fields(self, wheel)?),
             ("Motor", drive::fields(self, wheel)?),
         ];
+        let sections = with_reasons(self, sections)?;
         let at = self.angles()?.into_iter().map(|degrees| item(self, degrees)).collect::<Result<_, _>>()?;
         let (title, introduction) = (title(self), self.wheel.kind().introduction());
         let answer = MechanismReport { title, introduction, sections, list: Some(("at", at)), note: missing(self) };

@@ -3,6 +3,7 @@
 use super::design::WheelDesign;
 use super::drive::droop_warning;
 use super::kind::AnyWheel;
+use super::masses::Rim;
 use super::pin_load::weaknesses;
 use crate::Error;
 use crate::number_format::{as_typed, number, rounded_down};
@@ -15,8 +16,7 @@ use geneva_workshop::ThinWall;
 const MOST_MADE: u32 = 60;
 /// Thickness in millimetres of the thickest sheet that a laser cuts without a warning: our choice.
 const LASER_SHEET: f64 = 12.0;
-/// Millimetres of a metre, and pascals of a megapascal.
-const MILLIMETRES: f64 = 1000.0;
+/// Pascals of a megapascal.
 const MEGA: f64 = 1e6;
 
 impl WheelDesign {
@@ -91,22 +91,20 @@ impl WheelDesign {
         ))
     }
 
-    /// The stress from spinning alone, where it is more than the wheel's material bears. A thin ring has density times rim speed squared;
-    /// a disc with a bore has at most that, too, at its rim speed.
+    /// The stress from spinning alone, where it is more than the material bears.
     fn fast_rim(&self, sizes: &Sizes) -> Option<String> {
         let speed = self.speed()?.abs();
-        let wheel = self.wheel.indexing().peak_velocity() * sizes.tip_radius;
-        let (part, reach) =
-            if wheel > sizes.plate_radius { ("wheel", wheel) } else { ("driver's plate", sizes.plate_radius) };
-        let material = self.materials[1];
-        let rim = speed * reach / MILLIMETRES;
-        let stress = self.density * rim * rim;
-        (stress > material.strength).then(|| {
-            let most = DriverSpeed::RadiansPerSecond(speed * (material.strength / stress).sqrt()).rpm();
+        let [wheel, plate] = self.rims(sizes.tip_radius, sizes.plate_radius);
+        let (part, rim) = if wheel.most() < plate.most() { ("wheel", wheel) } else { ("driver's plate", plate) };
+        let Rim { reach, material } = rim;
+        let rim_speed = speed * reach;
+        let stress = material.density * rim_speed * rim_speed;
+        (speed > rim.most()).then(|| {
+            let most = DriverSpeed::RadiansPerSecond(rim.most()).rpm();
             format!(
                 "the rim of the {part} runs at {} m/s, which alone stresses it with up to {} MPa, more than the {} MPa that the material \
                  {} bears: stay below {} turns per minute, or make it smaller",
-                number(rim),
+                number(rim_speed),
                 number(stress / MEGA),
                 number(material.strength / MEGA),
                 material.name,

@@ -78,7 +78,7 @@ struct Change {
     cause: JamCause,
     /// Which of the ways against that cause: of each way, the change that costs least is told.
     way: u32,
-    /// The change in words, such as `--play 0.3`.
+    /// The change as it is typed, such as `--play 0.3`, and what it replaces.
     words: String,
     /// The question with that change and no other.
     question: WheelQuestion,
@@ -248,7 +248,7 @@ impl WheelDesign {
                     let also = if self.question.bore_play.is_some() {
                         String::new()
                     } else {
-                        format!(" and --bore-play {}", as_typed(play.bore))
+                        format!(" --bore-play {}", as_typed(play.bore))
                     };
                     change(0, format!("--play {}{also}", as_typed(slot)), other)
                 };
@@ -269,11 +269,11 @@ impl WheelDesign {
                 let same = if self.question.pin_diameter.is_some() {
                     String::new()
                 } else {
-                    format!(" and --pin-diameter {}", as_typed(sizes.pin_diameter))
+                    format!(" --pin-diameter {}", as_typed(sizes.pin_diameter))
                 };
                 vec![
                     change(0, "--pin-screw-hole tapped".to_owned(), tapped),
-                    change(0, format!("--pin-screw-hole tapped and --pin-diameter {diameter}"), itself),
+                    change(0, format!("--pin-screw-hole tapped --pin-diameter {diameter}"), itself),
                     change(1, format!("--pin-mount dowel{same} instead of --pin-screw"), dowel),
                 ]
             }
@@ -303,7 +303,7 @@ mod tests {
     /// The changes that are said to help: `--play 0.3`.
     fn helping(said: &str) -> Vec<String> {
         let each = said.split("with --").skip(1).filter_map(|rest| rest.split_once(','));
-        each.map(|(change, _)| format!("--{}", change.replace(" and ", " "))).collect()
+        each.map(|(change, _)| format!("--{change}")).collect()
     }
 
     /// A question with a change; what it changes is given once.

@@ -136,7 +136,8 @@ impl Place {
 ///
 /// A torque L on the wheel turns it through its play until an end of the arc rests on the disc. There the disc pushes with a force
 /// D, straight away from the driver's axis: the arm of D about the wheel's axis is c sin β, c the centre distance and β the angle of the
-/// arc's end from the line of centres, seen from the driver. The disc rubs with μ D; the arm of that about the wheel's axis is
+/// arc's end from the line of centres, seen from the driver, with the wheel so turned. The end is then on the disc and on the rim of the
+/// wheel, whose radius is R: cos β = (c² + r² − R²)/(2 c r). As drawn, it is the play of one side farther from the driver. The disc rubs with μ D; the arm of that about the wheel's axis is
 /// c cos β − r, r the disc's radius. If the friction drives the wheel on, D (c sin β − μ (c cos β − r)) = L. The driver needs
 /// μ D r, and what its bearing takes: its friction arm times D √(1 + μ²).
 ///
@@ -159,7 +160,7 @@ pub struct DwellContact {
     pub centre_distance: f64,
     /// r, radius of the disc, in metres.
     pub radius: f64,
-    /// β, angle of the ends of a locking arc from the line of centres, seen from the driver's axis, in radians.
+    /// β, angle from the line of centres, seen from the driver's axis, of the end of a locking arc that rests on the disc, in radians.
     pub end_angle: f64,
     /// μ, coefficient of friction of disc and arc, dimensionless.
     pub friction: f64,

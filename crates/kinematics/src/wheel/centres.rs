@@ -30,7 +30,8 @@ use crate::indexing::Indexing;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CentreTolerance {
     /// How much nearer, in millimetres: zero or more. It is a bound for which the parts are proven to keep clear, so it is below the
-    /// distance of first touching: in 51 designs by one to three millionths of the centre distance.
+    /// distance of first touching: by a billionth of it where only the pin comes to the slot's end or the disc to its arc, and otherwise
+    /// by a thousandth at most, as far as the crank angles that may be looked at decide that.
     pub nearer: f64,
     /// How much farther, in millimetres: zero or more.
     pub farther: f64,
@@ -43,6 +44,12 @@ const TURNS: u32 = 24;
 /// The part of a limit that need not be known where crank angles are short, and in how many steps it is given up.
 const NEAR_ENOUGH: f64 = 1e-3;
 const BACK: f64 = NEAR_ENOUGH / 4.0;
+/// By how much the reserve is divided that the search leaves, in the order in which it is tried, dimensionless.
+const FINER: [f64; 2] = [64.0, 8.0];
+/// Crank angles for such a search.
+const FINER_ANGLES: u32 = 12_000;
+/// The part of the way at which pin and slot's end, or disc and arc, touch that is looked at, dimensionless: all but what rounding takes.
+const SHORT_OF_ALL: f64 = 1.0 - 1e-9;
 /// First step and least step, in radians, on the way to the crank angle at which two parts are nearest.
 const FIRST_STEP: f64 = 0.02;
 const LEAST_STEP: f64 = 1e-6;
@@ -92,30 +99,50 @@ impl Sizes {
         if error == 0.0 {
             return Ok(0.0);
         }
+        // However many angles are allowed, a limit is the same.
+        let few = angles.min(FINER_ANGLES);
+        let finer = FINER.into_iter().map(|finer| self.last_that_runs_with(error, few, finer, 0.0));
+        let found = finer.into_iter().find_map(Result::ok);
+        found.map_or_else(|| self.last_that_runs_with(error, angles, 1.0, NEAR_ENOUGH), Ok)
+    }
+
+    /// What [`last_that_runs`](Self::last_that_runs) says with a reserve of the tolerance of clearances divided by `finer`,
+    /// where the last part of up to `most_given_up` need not be known.
+    fn last_that_runs_with(
+        &self,
+        error: f64,
+        angles: u32,
+        finer: f64,
+        most_given_up: f64,
+    ) -> Result<f64, KinematicsError> {
         // A mouth only takes material away: what runs with sharp corners runs with it.
         let sharp = Self { mouth: Mouth::Sharp, ..*self };
         let is_on_wall =
             |part: f64| sharp.entry(part * error).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
-        let mut runs = last(1.0, is_on_wall);
+        let at = |part: f64| {
+            let mut assembly = self.assembly_at(self.centre_distance + part * error)?;
+            assembly.tolerance /= finer;
+            Ok::<_, KinematicsError>(assembly)
+        };
+        let mut runs = last(SHORT_OF_ALL, is_on_wall);
         let mut given_up = 0.0;
         for _ in 0..TURNS {
-            let assembly = self.assembly_at(self.centre_distance + runs * error)?;
+            let assembly = at(runs)?;
             let tolerance = assembly.tolerance;
-            match assembly.closest_approach_within(angles, 0.0) {
-                Ok(nearest) if nearest.distance >= tolerance => return Ok(runs * error.abs()),
-                Ok(nearest) => {
-                    let assembly = self.assembly_at(self.centre_distance + runs * error)?;
+            match assembly.searched_approach_within(angles, 0.0) {
+                Ok(Some(nearest)) if nearest.distance < tolerance => {
+                    let assembly = at(runs)?;
                     let (angle, is_at_rest) = (assembly.nearest_angle(nearest), assembly.phase(nearest.crank_angle).2);
                     let is_clear = |part: f64| {
-                        let assembly = self.assembly_at(self.centre_distance + part * error);
-                        assembly
+                        at(part)
                             .is_ok_and(|assembly| assembly.distance_at(nearest.contact, angle, is_at_rest) >= tolerance)
                     };
                     let next = last(runs, is_clear);
                     runs = if next < runs { next } else { runs * (1.0 - BACK) };
                 }
+                Ok(_) => return Ok(runs * error.abs()),
                 // The nearer to the limit, the more crank angles decide; what runs for certain is near enough.
-                Err(_) if given_up < NEAR_ENOUGH => {
+                Err(_) if given_up < most_given_up => {
                     given_up += BACK;
                     runs *= 1.0 - BACK;
                 }

@@ -250,6 +250,19 @@ impl<'a> Assembly<'a> {
         if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 
+    /// The least distance of the pairs that are looked for over the turn, which are all but a pin in its slot and the disc at rest, as by
+    /// [`closest_approach_within`](Self::closest_approach_within); none of a wheel that has no such pair.
+    pub(super) fn searched_approach_within(
+        self,
+        angles: u32,
+        enough: f64,
+    ) -> Result<Option<ClosestApproach>, KinematicsError> {
+        let limited = Self { enough, angles: Cell::new(angles), ..self };
+        let pins = limited.pins_outside(None);
+        let found = limited.disc.as_ref().map_or(pins, |disc| Some(limited.crescent(disc, pins)));
+        if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
+    }
+
     fn clearance(&self) -> Clearance {
         Clearance {
             pin_in_slot: self.pin_in_slot(),

@@ -120,8 +120,21 @@ impl Sizes {
         Some(self.disc_limit(until_entry)?.min(pins).max(0.0))
     }
 
-    /// Angle at the driver's axis, from the line of centres, at which the disc's circle crosses the rim.
-    fn disc_reach(&self) -> Option<f64> {
+    /// Angle at the driver's axis from the line of centres, in radians, at which the disc's circle crosses the rim. None without a
+    /// locking disc.
+    ///
+    /// A wheel that is turned through its play in the middle of the dwell rests on the disc there, with the end of a locking arc.
+    ///
+    /// ```
+    /// use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    ///
+    /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(50.0), &Choices::default())?; // mm
+    /// let (reach, disc) = (sizes.disc_reach().expect("a disc"), sizes.locking_disc.expect("a disc"));
+    /// let (x, y) = (sizes.centre_distance - disc.radius * reach.cos(), disc.radius * reach.sin()); // mm, from the wheel's axis
+    /// assert!((x.hypot(y) - sizes.tip_radius).abs() < 1e-9); // mm
+    /// # Ok::<(), geneva_kinematics::wheel::SizesError>(())
+    /// ```
+    pub fn disc_reach(&self) -> Option<f64> {
         let (c, rim, z) = (self.centre_distance, self.tip_radius, self.locking_disc?.radius);
         // By half the angle: sin²(x/2) = (rim² − (c − z)²) / (4 c z).
         let square = (rim - (c - z)) * (rim + (c - z)) / (4.0 * c * z);

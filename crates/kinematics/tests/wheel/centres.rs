@@ -107,3 +107,32 @@ fn a_close_fit_of_a_large_wheel_is_decided_by_few_crank_angles() {
         }
     }
 }
+
+/// The first error at which parts touch is above the limit by less than a thousandth, as the least clearance of the whole turn says.
+#[test]
+fn the_axes_nearer_is_below_first_touching_by_a_thousandth_at_most() {
+    let (mut exact, mut greatest) = (0, 0.0_f64);
+    for stations in [3, 4, 5, 6, 8, 12, 24] {
+        for (play, deeper) in [(0.02, 0.01), (0.1, 0.5), (0.4, 0.01), (1.0, 2.0)] {
+            let choices = Choices {
+                play: Some(Play { locking: 3.0 * play, ..Play::from_slot(play) }),
+                bottom_clearance: Some(deeper * play),
+                ..Choices::default()
+            };
+            let wheel = geneva_kinematics::wheel::Wheel::new(stations).unwrap();
+            let Ok(sizes) = Sizes::new(wheel, geneva_kinematics::wheel::Scale::CrankRadius(40.0), &choices) else {
+                continue;
+            };
+            let nearer = sizes.centre_tolerance_within(400_000).unwrap().nearer;
+            let least =
+                |error: f64| sizes.least_clearance_within(sizes.centre_distance - error, 4_000_000).unwrap().0.distance;
+            assert!(least(nearer) >= 0.0, "{stations} {play}: {nearer}");
+            assert!(least(1.001 * nearer) < 0.0, "{stations} {play}: {nearer}");
+            // Where pin and bottom or disc and arc meet first, the gap says the same.
+            let gap = sizes.bottom_gap().min(sizes.locking_gap().unwrap_or(f64::INFINITY));
+            greatest = greatest.max(1.0 - nearer / gap);
+            exact += u32::from((nearer / gap - 1.0).abs() < 2e-9);
+        }
+    }
+    assert!(exact >= 5 && greatest > 0.05, "{exact} {greatest}");
+}

@@ -130,7 +130,7 @@ impl Making<'_> {
                 Layer::BasePlate => (first.edge(-0.22 * PI), Side::Right),
                 _ => (first.at + turned(direction(0.25 * PI) * self.sizes.plate_radius(), 0.0), Side::Right),
             };
-            let material = if part.layer == Layer::Pins { text.pin_material } else { text.wheel_material };
+            let material = text.material(part.layer);
             let pieces =
                 if part.quantity() == 1 { "1 piece".to_owned() } else { format!("{} pieces", part.quantity()) };
             let mut rows = vec![Row::Words(format!("{number}  {}", self.listed_name(part)))];

@@ -60,6 +60,14 @@ impl<'a> DrawnSizes<'a> {
         }
     }
 
+    /// How much wider a bore is than its shaft.
+    pub(super) fn bore_play(self) -> f64 {
+        match self {
+            Self::External(sizes) => sizes.play.bore,
+            Self::Internal(sizes) => sizes.play.bore,
+        }
+    }
+
     /// Whether the wheel is a ring with the driver inside it.
     pub(super) fn is_internal(self) -> bool {
         matches!(self, Self::Internal(_))

@@ -8,6 +8,8 @@ use geneva_kinematics::wheel::{SharedTolerance, ToleranceClass};
 /// Classes of slots, shafts and holes: our choice among those that shops use.
 pub(super) const SLOT: ToleranceClass = ToleranceClass { letter: UpperH, grade: 8 };
 pub(super) const BORE: ToleranceClass = ToleranceClass { letter: UpperH, grade: 7 };
+/// A shaft for such a bore: the pair H7/h6 slides, and no shaft is thicker than its bore even without play.
+pub(super) const SHAFT: ToleranceClass = ToleranceClass { letter: LowerH, grade: 6 };
 pub(super) const DISC: ToleranceClass = ToleranceClass { letter: LowerH, grade: 8 };
 pub(super) const RIM: ToleranceClass = ToleranceClass { letter: LowerH, grade: 9 };
 pub(super) const KEYWAY: ToleranceClass = ToleranceClass { letter: UpperJs, grade: 9 };

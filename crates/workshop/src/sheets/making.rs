@@ -4,7 +4,7 @@ use super::callout::Row;
 use super::dimension::{Measured, PrintedDimension};
 use super::drawn_sizes::DrawnSizes;
 use super::length::mm;
-use super::limits::{Chain, LimitOrigin, Limits, general_tolerance, whole_micrometres};
+use super::limits::{BORE, Chain, LimitOrigin, Limits, SHAFT, general_tolerance, to_micrometres, whole_micrometres};
 use crate::parts::{Layer, Mounting, Part, Pattern, PinMount, axial_play};
 use geneva_kinematics::wheel::SharedTolerance;
 use geneva_kinematics::wheel::as_built::{Process, ProcessNumbers};
@@ -30,6 +30,16 @@ pub(super) struct Making<'a> {
     pub has_metal_pins: bool,
 }
 
+/// A size in millimetres as it is printed, in whole micrometres.
+fn printed(size: f64) -> f64 {
+    libm::round(size * 1000.0) / 1000.0
+}
+
+/// The least number of whole micrometres that is no less than a length of either sign, in millimetres.
+fn signed_micrometres_up(length: f64) -> f64 {
+    if length < 0.0 { -to_micrometres(-length) } else { whole_micrometres(length) }
+}
+
 /// The greatest error, in millimetres, with which a process holds class m of the general tolerances of small lengths.
 const MEDIUM: f64 = 0.1;
 
@@ -46,6 +56,34 @@ impl Making<'_> {
     /// Limits of a width or a diameter that the process holds; `chain` is what a tolerance chain leaves below and above.
     pub(super) fn held(&self, usual: Limits, chain: [f64; 2]) -> Limits {
         self.of_known_chain(usual.held(self.error(), chain))
+    }
+
+    /// Limits of a bore of this diameter in millimetres, with which no shaft of at most its nominal size is too thick.
+    pub(super) fn held_bore(&self, diameter: f64) -> Limits {
+        let usual = Limits::class(BORE, diameter);
+        self.over_shaft(self.held(usual, [f64::INFINITY, self.chain.bore]), diameter)
+    }
+
+    /// The limits of a bore's size in millimetres, moved up as far as the size would be below that of its shaft, which is less by the
+    /// play.
+    pub(super) fn over_shaft(&self, limits: Limits, size: f64) -> Limits {
+        let shaft = size - self.sizes.bore_play();
+        let least = signed_micrometres_up(shaft - printed(size));
+        let rise = least - limits.lower;
+        if rise <= 1e-9 {
+            return limits;
+        }
+        Limits { lower: least, upper: whole_micrometres(limits.upper + rise), class: None, ..limits }
+    }
+
+    /// What is said of the shaft in a bore of this diameter in millimetres.
+    pub(super) fn shaft_row(&self, diameter: f64) -> Row {
+        let shaft = diameter - self.sizes.bore_play();
+        let class = SHAFT.limits(shaft).filter(|_| self.is_machined()).map(|_| SHAFT.name());
+        Row::Words(match class {
+            Some(class) => format!("for a shaft Ø{} {class}", mm(shaft)),
+            None => format!("for a shaft Ø{}, not thicker", mm(shaft)),
+        })
     }
 
     /// The limits, which come from no chain where none is known.

@@ -1,6 +1,8 @@
 //! Drawings for a workshop: a sheet for each part, with limits, true to scale in print.
 
 mod assembly;
+#[cfg(test)]
+mod bore_tests;
 mod callout;
 mod dimension;
 mod drawn_sizes;

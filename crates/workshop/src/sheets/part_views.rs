@@ -364,8 +364,9 @@ impl Making<'_> {
         for (hole, side) in bores.iter().map(|hole| (hole, if hole.centre.x > 0.0 { Side::Right } else { Side::Left }))
         {
             let Some(diameter) = hole.diameter() else { continue };
-            let limits = self.held(Limits::class(BORE, diameter), [f64::INFINITY, chain.bore]);
+            let limits = self.held_bore(diameter);
             let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", diameter, "").limited(limits))];
+            rows.push(self.shaft_row(diameter));
             rows.extend(pocket_rows(hole));
             view.add(Target::Edge(on_circle(hole, side, -0.5)), side, rows);
         }

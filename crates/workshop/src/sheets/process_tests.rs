@@ -21,7 +21,8 @@ fn sizes(stations: u32, pins: u32, pin: Option<f64>, play: Option<Play>) -> Size
 }
 
 fn drawn(sizes: &Sizes, mounting: &Mounting, limits: &SheetLimits, material: SheetMaterial<'static>) -> Vec<Sheet> {
-    let text = SheetText { project: "Turret", wheel_material: material, pin_material: material };
+    let text =
+        SheetText { project: "Turret", wheel_material: material, driver_material: material, pin_material: material };
     sheets(sizes, 6.0, mounting, limits, &text).unwrap()
 }
 
@@ -234,7 +235,7 @@ fn the_first_sheet_lists_the_parts_and_has_the_distance_of_the_axes() {
 fn thicknesses_have_general_tolerances_or_are_those_of_the_sheet() {
     // ISO 2768-1, class m: 0.5 to 6 mm ±0.1, to 30 mm ±0.2.
     for (thickness, by) in [(3.0, 0.1), (6.0, 0.1), (6.5, 0.2), (30.0, 0.2)] {
-        let text = SheetText { project: "", wheel_material: STEEL, pin_material: STEEL };
+        let text = SheetText { project: "", wheel_material: STEEL, driver_material: STEEL, pin_material: STEEL };
         let stacked = Mounting { is_stacked: true, ..Mounting::default() };
         let all = sheets(&sizes(6, 1, None, None), thickness, &stacked, &SheetLimits::default(), &text).unwrap();
         let found = all.iter().flat_map(|sheet| &sheet.dimensions).filter(|size| size.measured == Measured::Thickness);

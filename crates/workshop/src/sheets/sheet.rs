@@ -85,7 +85,7 @@ impl Sheet {
 ///
 /// let sizes = Sizes::new(Wheel::new(6)?, Scale::CrankRadius(40.0), &Choices::default())?; // mm
 /// let steel = SheetMaterial { name: "steel", hardness: Some("58 HRC") };
-/// let text = SheetText { project: "Turret", wheel_material: steel, pin_material: steel };
+/// let text = SheetText { project: "Turret", wheel_material: steel, driver_material: steel, pin_material: steel };
 /// let limits = SheetLimits { shared: sizes.shared_tolerance(), ..SheetLimits::default() };
 /// let sheets = sheets(&sizes, 8.0, &Mounting::default(), &limits, &text).expect("bare parts");
 /// assert_eq!(sheets.len(), 4); // all in place, wheel, locking disc, and plate with its pin
@@ -117,7 +117,7 @@ pub fn sheets(
 ///
 /// let sizes = InternalSizes::new(InternalWheel::new(6)?, 30.0, &Choices::default())?; // mm
 /// let steel = SheetMaterial { name: "steel", hardness: Some("58 HRC") };
-/// let text = SheetText { project: "Turret", wheel_material: steel, pin_material: steel };
+/// let text = SheetText { project: "Turret", wheel_material: steel, driver_material: steel, pin_material: steel };
 /// let sheets = internal_sheets(&sizes, 8.0, &Mounting::default(), &SheetLimits::default(), &text).expect("bare parts");
 /// let layers: Vec<Layer> = sheets.iter().filter_map(|sheet| sheet.layer).collect(); // the first has all parts
 /// assert_eq!(layers, [Layer::Wheel, Layer::RingPlate, Layer::LockingSegment, Layer::Plate]);
@@ -159,12 +159,11 @@ fn sheets_of(
     let count = views.len();
     let sheet = |(k, (view, scale)): (usize, (View, DrawingScale))| {
         let part = shown.get(k).copied().flatten();
-        let material = |part: &Part| if part.layer == Layer::Pins { text.pin_material } else { text.wheel_material };
         let title = Title {
             text,
             part,
             name: part.map_or("Assembly", |part| making.name(part)),
-            material: part.map(material),
+            material: part.map(|part| text.material(part.layer)),
             general: making.general_class(),
             scale,
             paper,

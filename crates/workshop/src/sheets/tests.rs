@@ -19,6 +19,7 @@ use std::f64::consts::PI;
 pub(super) const TEXT: SheetText<'static> = SheetText {
     project: "Geneva wheel of many stations with a crank radius of 40 mm",
     wheel_material: SheetMaterial { name: "stainless-steel", hardness: Some("58 HRC") },
+    driver_material: SheetMaterial { name: "stainless-steel", hardness: Some("58 HRC") },
     pin_material: SheetMaterial { name: "acetal", hardness: None },
 };
 

@@ -148,8 +148,9 @@ impl View {
             Edge::Line { .. } => None,
         });
         let Some(radius) = circle else { return };
-        let limits = making.held(Limits::class(BORE, 2.0 * radius), [f64::INFINITY, making.chain.bore]);
+        let limits = making.held_bore(2.0 * radius);
         let mut rows = vec![Row::Size(PrintedDimension::new(Measured::Bore, "Ø", 2.0 * radius, "").limited(limits))];
+        rows.push(making.shaft_row(2.0 * radius));
         rows.push(Row::Datum("A"));
         let lines: Vec<[Point; 2]> = bore.outline.edges.iter().filter_map(straight).collect();
         let far = |line: &[Point; 2]| {
@@ -158,8 +159,12 @@ impl View {
         };
         match lines.as_slice() {
             [flat] => rows.push(Row::Size(
-                PrintedDimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat")
-                    .limited(making.held(Limits::new([0.0, general_tolerance(radius) / 2.0]), [f64::INFINITY; 2])),
+                PrintedDimension::new(Measured::AcrossBore, "", radius + far(flat), " to flat").limited(
+                    making.over_shaft(
+                        making.held(Limits::new([0.0, general_tolerance(radius) / 2.0]), [f64::INFINITY; 2]),
+                        radius + far(flat),
+                    ),
+                ),
             )),
             [_, bottom, _] => {
                 let width = (bottom[1] - bottom[0]).norm();
@@ -169,6 +174,8 @@ impl View {
                 rows.push(Row::Size(
                     across.limited(making.held(Limits::new([0.0, keyway_depth(width)]), [f64::INFINITY; 2])),
                 ));
+                // A key that slides would let the part turn on its shaft.
+                self.notes.push("Key h9, fitted without play to its keyway (JS9: DIN 6885-1, normal fit).".to_owned());
             }
             _ => {}
         }

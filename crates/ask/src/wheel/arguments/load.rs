@@ -2,6 +2,7 @@
 
 use super::ActsOn::{Inertia, Load, Motion, Parts};
 use super::{Argument, ArgumentSlot, Knob};
+use geneva_dynamics::line_contact::MATERIALS;
 
 /// The group of ways to say what the wheel turns.
 const TABLE: &str = "table";
@@ -62,11 +63,20 @@ pub(super) const ROWS: &[Argument] = &[
     )
     .with_knob(Knob::at("the wheel is made of", "", [0.0, 0.0], 1.0, 3.0)),
     Argument::new(
+        "driver-material",
+        "MATERIAL",
+        ArgumentSlot::Material(|question| &mut question.driver_material),
+        &[Parts],
+        "Material of locking disc and plate, and of pins in one piece with them: it gives the driver's mass and own inertia, and the \
+         speed that its rim bears [default: as the wheel]",
+    )
+    .with_knob(Knob::at("the driver is made of", "", [0.0, 0.0], 1.0, MATERIALS.len() as f64)),
+    Argument::new(
         "pin-material",
         "MATERIAL",
         ArgumentSlot::Material(|question| &mut question.pin_material),
         &[Parts],
-        "Material of the pins [default: steel, or that of --process]",
+        "Material of the pins [default: in one piece with the plate, that of --driver-material; else steel, or that of --process]",
     )
     .with_knob(Knob::at("the pins are made of", "", [0.0, 0.0], 1.0, 0.0)),
     Argument::new(
@@ -75,5 +85,19 @@ pub(super) const ROWS: &[Argument] = &[
         ArgumentSlot::AboveZero(|question| &mut question.density),
         &[Parts],
         "Density of the wheel, in kg/m³ [default: that of its material]",
+    ),
+    Argument::new(
+        "driver-density",
+        "KGM3",
+        ArgumentSlot::AboveZero(|question| &mut question.driver_density),
+        &[Parts],
+        "Density of locking disc and plate, in kg/m³ [default: that of their material]",
+    ),
+    Argument::new(
+        "pin-density",
+        "KGM3",
+        ArgumentSlot::AboveZero(|question| &mut question.pin_density),
+        &[Parts],
+        "Density of the pins, in kg/m³ [default: that of their material]",
     ),
 ];

@@ -32,7 +32,7 @@ pub struct Argument {
     pub acts_on: &'static [ActsOn],
     /// Names of arguments of which one must be given for it to have an effect; nothing for one that depends on no other.
     pub depends_on: &'static [&'static str],
-    /// What it means, with its range and what it is by default.
+    /// What it means, with its range and what it is by default. Nothing in WebAssembly, for no page shows it.
     pub help: &'static str,
     /// How a page moves it; none if no page has it.
     pub knob: Option<Knob>,
@@ -189,6 +189,7 @@ impl Argument {
         acts_on: &'static [ActsOn],
         help: &'static str,
     ) -> Self {
+        let help = if cfg!(target_family = "wasm") { "" } else { help };
         Self { name, unit, place, acts_on, depends_on: &[], help, knob: None }
     }
 

@@ -93,6 +93,13 @@ pub(super) const ROWS: &[Argument] = &[
         "Stress at which the wheel yields, in MPa [default: that of a soft grade of its material]",
     ),
     Argument::new(
+        "driver-strength",
+        "MPA",
+        ArgumentSlot::AboveZero(|question| &mut question.driver_strength),
+        &[Parts],
+        "Stress at which locking disc and plate yield, in MPa [default: that of a soft grade of their material]",
+    ),
+    Argument::new(
         "allowed-pressure",
         "MPA",
         ArgumentSlot::AboveZero(|question| &mut question.allowed_pressure),
