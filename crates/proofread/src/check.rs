@@ -365,15 +365,17 @@ impl DocumentCheck<'_> {
                     let ends = last && at + 1 == chain.sides.len();
                     let pairs = self.report.tally.pairs;
                     let obstacle = self.compare_pair(chain, formula, at, known(at - 1) && known(at), ends);
+                    // Of matrices, some entries may be compared and others not.
+                    let whole = obstacle.is_none();
                     between = between.or(obstacle);
-                    if self.report.tally.pairs > pairs {
+                    if self.report.tally.pairs > pairs && whole {
                         compared[at - 1..=at].fill(true);
                     }
                 }
             }
             self.compare_with_row_before(chain, formula);
             let checked = self.report.tally.pairs > before;
-            if (!checked || compared.contains(&true)) && !is_unread(chain) {
+            if (!checked || between.is_some() || compared.contains(&true)) && !is_unread(chain) {
                 let outcome = ChainOutcome { text: self.text, chain, compared, obstacles, between };
                 let open = self.open_pairs > open;
                 let may_agree = open.then(|| (UncheckedKind::Notation, MAY_AGREE.to_owned()));
@@ -488,16 +490,13 @@ impl DocumentCheck<'_> {
         {
             return None;
         }
-        let is_value = |side: &ChainSide| evaluate_freely(&side.tokens, None).is_ok();
+        let pairs = |multiply| matrix_sides::paired_entries(left, right, multiply).unwrap_or_default().into_iter();
+        let loses_digits = |entry: &[ChainSide; 2]| entry.iter().any(|side| loses_all_digits(&side.tokens));
+        let are_values = |entry: &[ChainSide; 2]| entry.iter().all(|of| evaluate_freely(&of.tokens, None).is_ok());
         let judged = |multiply: MatrixProduct| -> Vec<([ChainSide; 2], PairJudgement)> {
-            let entries = matrix_sides::paired_entries(left, right, multiply).unwrap_or_default();
-            let values = entries.into_iter().filter(|entry| entry.iter().all(is_value));
-            values
-                .map(|[one, other]| {
-                    let of = judge(&one.tokens, &other.tokens, relation, None);
-                    ([one, other], of)
-                })
-                .collect()
+            let judge = |[one, other]: &[ChainSide; 2]| judge(&one.tokens, &other.tokens, relation, None);
+            let entries = pairs(multiply).filter(|entry| !loses_digits(entry) && are_values(entry));
+            entries.map(|entry| (entry.clone(), judge(&entry))).collect()
         };
         let mut entries = judged(MatrixProduct::RowsByColumns);
         if !entries.iter().all(|(_, judgement)| agrees(judgement)) {
@@ -523,7 +522,8 @@ impl DocumentCheck<'_> {
         for ([left, right], judgement) in entries {
             self.record(formula, chain, [&left, &right], judgement, relation);
         }
-        None
+        let too_long = pairs(MatrixProduct::RowsByColumns).any(|entry| loses_digits(&entry));
+        too_long.then_some(Obstacle::Unclear("more digits than are computed with"))
     }
 
     /// Compares `v = 151.2` with `v = 500 sin 17.6°` in the row before.

@@ -42,6 +42,26 @@ fn each_chain_that_was_not_checked_has_its_reason() {
 }
 
 #[test]
+fn an_entry_of_a_matrix_whose_digits_a_computer_loses_is_not_compared_and_the_chain_says_so() {
+    let product = |large: &str, last: &str| {
+        let matrix = |entries: &str| format!(r"\begin{{pmatrix}} {entries} \end{{pmatrix}}");
+        let factors = [format!(r"1 & 0 \\ {large} & 1"), format!(r"1 & 1 \\ 0 & 1-{large}")];
+        let [first, second, result] =
+            [&factors[0], &factors[1], &format!(r"1 & 1 \\ {large} & {last}")].map(|entries| matrix(entries));
+        report(&format!("${first} {second} = {result}$"), TextFormat::Markdown)
+    };
+    let lost = product("10^{30}", "1");
+    assert_eq!((lost.findings.len(), lost.tally.pairs), (0, 3));
+    let [chain] = lost.unchecked.as_slice() else { panic!("{:?}", lost.unchecked) };
+    assert!(chain.partly && chain.name == "a matrix", "{chain:?}");
+    let kept = [product("10", "1"), product("10", "2")];
+    assert_eq!(
+        kept.each_ref().map(|of| (of.findings.len(), of.tally.pairs, of.unchecked.len())),
+        [(0, 4, 0), (1, 4, 0)]
+    );
+}
+
+#[test]
 fn what_the_program_does_not_know_counts_as_checkable() {
     let text = r"$2 + 2 = 4$, $1 + 2 = 3$, $\foo{7}{4} = 36$, $\foo{5}{2} = 10$, $\begin{strange} 2 \end{strange} = 2$";
     let found = report(text, TextFormat::Markdown);
