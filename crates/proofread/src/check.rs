@@ -8,7 +8,6 @@ use crate::join::chain::{Chain, ChainSide, ROW_END, Relation, split_chains};
 use crate::join::matrix_sides::{self, MatrixProduct};
 use crate::judge::cancelled_words::without_words;
 use crate::judge::chain_verdict::ChainVerdict;
-use crate::judge::denial;
 use crate::judge::doubt::{Doubt, PlacedPair};
 use crate::judge::explanation::{DifferingPair, agrees};
 use crate::judge::letter_units::units_in_letters;
@@ -23,6 +22,7 @@ use crate::judge::surroundings;
 use crate::judge::unchecked::{ChainOutcome, UncheckedKind, is_numeric, is_unread};
 use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
+use crate::judge::{denial, question};
 use crate::named_counts::NamedCounts;
 use crate::order::sort_by_place;
 use crate::reader::{
@@ -350,7 +350,7 @@ impl DocumentCheck<'_> {
     ) {
         self.report.tally.chains += 1;
         let before = self.report.tally.pairs;
-        let denied = chain.asked || is_denied || denial::is_meant_false(self.text, formula.span);
+        let denied = chain.asked || is_denied || question::is_meant_false(self.text, formula.span);
         if denied {
             self.count_unchecked(Some((UncheckedKind::Denied, String::new())), chain, false);
         } else {

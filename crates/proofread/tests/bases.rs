@@ -94,6 +94,28 @@ fn digits_may_be_bits_where_the_section_speaks_of_them() {
 }
 
 #[test]
+fn what_overflows_differs_by_a_power_of_two() {
+    let item = |sum: &str| format!("- **Two's complement, four bits**: ${sum}$.");
+    assert_told_apart(&item("7 + 3 = -6"), &item("7 + 3 = -5"), TextFormat::Markdown);
+    assert_told_apart(&item("4 - 16 = -12"), &item("4 - 16 = -10"), TextFormat::Markdown);
+    assert_eq!(on_numbers(&item("1010 + 1 = 1011 = 0110"), TextFormat::Markdown), 0);
+}
+
+#[test]
+fn words_of_a_code_are_added_bit_by_bit() {
+    let column = |bits: [u8; 3]| {
+        let [a, b, c] = bits;
+        format!(r"\begin{{pmatrix}} {a} \\ {b} \\ {c} \end{{pmatrix}}")
+    };
+    let sum = |words: &str, result: [u8; 3]| {
+        format!("{words}:\n$${} + {} = {}$$", column([1, 0, 1]), column([1, 1, 0]), column(result))
+    };
+    let code = "The distance of this linear code is";
+    assert_told_apart(&sum(code, [0, 1, 1]), &sum(code, [0, 0, 1]), TextFormat::Markdown);
+    assert_ne!(on_numbers(&sum("The sum of the forces is", [0, 1, 1]), TextFormat::Markdown), 0);
+}
+
+#[test]
 fn truth_values_add_to_one() {
     let axiom = |words: &str, sum: &str| format!("{words}. They follow here. One is this. $1 + 1 = {sum}$ is another.");
     let of_boole = "Axioms of Boolean algebra";

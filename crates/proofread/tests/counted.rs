@@ -32,6 +32,39 @@ fn a_noun_behind_the_result_is_left_away() {
 }
 
 #[test]
+fn a_rate_a_remark_and_a_quantity_behind_the_result_are_left_away() {
+    for (right, wrong) in [
+        (r"Then $-40 + 25 = -15\text{ dBV}$.", r"Then $-40 + 25 = -19\text{ dBV}$."),
+        (
+            r"\[Q = \sqrt{S^2 - P^2} = \sqrt{50^2 - 30^2} = 40\text{ VAR}\]",
+            r"\[Q = \sqrt{S^2 - P^2} = \sqrt{50^2 - 30^2} = 30\text{ VAR}\]",
+        ),
+        (
+            r"$$\text{Bits of one frame} = 1 + 7 + 1 + 2 = 11\text{ bits}$$",
+            r"$$\text{Bits of one frame} = 1 + 7 + 3 + 2 = 11\text{ bits}$$",
+        ),
+        (
+            r"$\frac{4.1-5.3}{0.8} = -1.5\text{ standard deviations}$",
+            r"$\frac{7.1-5.3}{0.8} = -1.5\text{ standard deviations}$",
+        ),
+        (r"$\$800.40(0.005) = \$4.00\text{ (rounded)}$", r"$\$800.40(0.205) = \$4.00\text{ (rounded)}$"),
+        (r"$\frac{\$600}{8} = \$75\text{/member}$", r"$\frac{\$600}{8} = \$85\text{/member}$"),
+        (r"$$\$\,900 - \$\,350 = \$\,550\text{ per year}$$", r"$$\$\,900 - \$\,350 = \$\,650\text{ per year}$$"),
+    ] {
+        assert_eq!(compared_and_listed(right, TextFormat::Markdown), (1, 0), "{right}");
+        assert_eq!(compared_and_listed(wrong, TextFormat::Markdown), (1, 1), "{wrong}");
+    }
+    // Per month it is another number, and so it is of members out of many.
+    for text in [
+        r"$\frac{\$1200}{2} = \$50\text{ per month}$",
+        r"$\$300 \cdot 12 = \$300\text{ per month}$",
+        r"$20\% \cdot 50 = 12\text{ (rounded)}$",
+    ] {
+        assert_eq!(compared_and_listed(text, TextFormat::Markdown).1, 0, "{text}");
+    }
+}
+
+#[test]
 fn a_noun_that_may_count_something_else_stays() {
     for text in [
         "So 90 minutes = 1.5 movies.",

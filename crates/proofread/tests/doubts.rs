@@ -78,6 +78,31 @@ fn numbers_that_an_arrow_or_a_word_joins_are_a_doubt() {
 }
 
 #[test]
+fn a_rounder_number_behind_an_arrow_takes_nothing_from_the_result() {
+    counts(&[
+        r"$64{,}000 \div 20{,}000 = 2.3 \rightarrow 2$",
+        r"$\frac{1450}{2360} \approx 0.8444 \rightarrow 84.44\%$",
+        "It is 47 / 20 = 3.35 → 3.4 metres.",
+    ]);
+    aside(Doubt::Cut, &[r"$2.5 + 1.5 = 0.5 \rightarrow 1.49$", r"$2.5 + 1.5 = 3 \rightarrow 7$"]);
+    unlisted(TextFormat::Markdown, &[r"$64{,}000 \div 20{,}000 = 3.2 \rightarrow 3$"]);
+}
+
+#[test]
+fn years_in_brackets_and_terms_that_were_rounded_are_a_doubt() {
+    aside(
+        Doubt::Unknown,
+        &["The town had **3.1 million guests** (2015-2018) = 5.4% of all", "So 7 of them (1999-2004) = 35% left"],
+    );
+    counts(&["The sum (2015-2.018) = 5.4% of all"]);
+    aside(
+        Doubt::Inputs,
+        &[r"$2(0.641+0.027) = 1.337$", r"$2(0.641+0.027) = 1.337\,\text{V}$", r"$3 \cdot (0.55-0.021) = 1.588$"],
+    );
+    counts(&[r"$2(0.641+0.027) = 1.339$", r"$2(0.64+0.03) = 1.35$", r"$2(0.641+0.027) = 13.37$"]);
+}
+
+#[test]
 fn grams_that_may_be_free_fall_are_a_doubt() {
     aside(Doubt::Unknown, &["a = (1/3)g = 10/3 m/s²\n", r"$0.5\,\text{g} = 4.9\,\text{m/s}^2$"]);
     counts(&["m = (1/4) g = 0.35 g\n", r"$0.5\,\text{g} = 4.9\,\text{m/s}$"]);

@@ -31,6 +31,7 @@ fn cells_with_an_equation_of_their_own_stand_apart() {
         table(&["3 · 3|=|9 − 1/3|5 · 5|=|25 − 1/5", "8|=|9 − 1|24|=|25 − 1", "|=|16/2||=|48/2"]),
         table(&["3 + 4|=|7|'so'|7 + 1|=|8"]),
         table(&["2|·|3|=|6|+|0"]),
+        table(&["3 · 6 = 18||3 ( −6 ) = −18", "− 3 ( 6 ) = −18||( −3 ) ( −6 ) = 18"]),
     ] {
         // The third one says other things in its first row, so only what goes on below counts.
         let listed: Vec<String> = { report(&right, TextFormat::Xml).findings.into_iter() }
@@ -42,7 +43,13 @@ fn cells_with_an_equation_of_their_own_stand_apart() {
     }
     listed(
         TextFormat::Xml,
-        &[&table(&["3 · 3|=|8|||5 · 5|=|25"]), &table(&["3 · 3|=|9|||5 · 5|=|24"]), &table(&["3|·|4|=|13"])],
+        &[
+            &table(&["3 · 6 = 18||3 ( −6 ) = −18", "− 3 ( 6 ) = −19||( −3 ) ( −6 ) = 18"]),
+            &table(&["3 · 6 = 18||3 ( −6 ) = −18", "− 3 ( 6 ) = −18||( −3 ) ( −6 ) = 19"]),
+            &table(&["3 · 3|=|8|||5 · 5|=|25"]),
+            &table(&["3 · 3|=|9|||5 · 5|=|24"]),
+            &table(&["3|·|4|=|13"]),
+        ],
     );
     unlisted(
         TextFormat::Markdown,

@@ -188,7 +188,7 @@ fn sums_over_an_index_are_computed() {
     silent(&[
         r"$\sum_{k=1}^{n} k = 3$",
         r"$\sum_{k=1}^{1000000} k = 3$",
-        r"$\sum_{k=1}^{3}\sum_{j=1}^{3} kj = 3$",
+        r"$\sum_{k=1}^{3}\sum_{j=1}^{30} kj = 3$",
         r"$\sum x_i = 12$",
     ]);
 }
@@ -332,4 +332,20 @@ fn dots_stand_for_the_terms_of_an_arithmetic_progression() {
         r"$1+2+\cdots+n = 65$",
         r"$1+2+\cdots+10^2 = 65$",
     ]);
+}
+
+#[test]
+fn a_modulus_behind_the_last_row_may_hold_for_those_before() {
+    let rows = |rows: &str| format!(r"$$\begin{{aligned}} 7 \cdot 8 {rows} \end{{aligned}}$$");
+    holds(&[
+        &rows(r"&= 56 \\ &= 4 \pmod{13}"),
+        &rows(r"&= 56 \pmod{13} \\ &= 17 \pmod{13} \\ &= 4 \pmod{13}"),
+        &rows(r"= 4 \pmod{13}"),
+    ]);
+    fails(&[
+        &rows(r"&= 56 \\ &= 5 \pmod{13}"),
+        &rows(r"&= 56 \pmod{13} \\ &= 17 \pmod{13} \\ &= 5 \pmod{13}"),
+        &rows(r"= 5 \pmod{13}"),
+    ]);
+    silent(&[&rows(r"&= 56 \\ &= 17 \\ &= 4 \pmod{13}"), &rows(r"&= x \\ &= 5 \pmod{13}"), &rows(r"&= 5 \pmod{p}")]);
 }

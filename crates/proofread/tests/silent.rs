@@ -28,6 +28,51 @@ fn displays_of_ieee_have_an_argument_before_their_rows() {
 }
 
 #[test]
+fn a_sign_of_per_cent_may_lack_its_backslash_in_markdown() {
+    for text in [
+        r"$$\frac{40-25}{25}\times 100% = RESULT\%$$",
+        "$$\n\\frac{40-25}{25}\\times 100%\n= RESULT\\%\n$$",
+        r"It is $15% \cdot 400% = RESULT%$.",
+    ] {
+        holds_and_fails(text, "60", "70", TextFormat::Markdown);
+    }
+    // A comment is none, wherever it stands, and is counted where a chain may be in it.
+    let found = |text: &str, format| {
+        let found = proofread(text, format, CheckOptions::default()).expect("it can be read");
+        (found.tally.checked, found.findings.len(), found.not_read.total())
+    };
+    assert_eq!(found("$$4 + 5 = 9 % so 4 = 5\n$$", TextFormat::Markdown), (1, 0, 1));
+    assert_eq!(found("$$4 + 5 = 9 % so it is\n$$", TextFormat::Markdown), (1, 0, 0));
+    assert_eq!(found("\\[4 + 5 = 9% = 8\n\\]", TextFormat::Latex).1, 0);
+}
+
+#[test]
+fn a_product_in_a_sum_goes_up_to_the_index_of_the_sum() {
+    let sum = r"$$x = \frac{1}{1+\sum_{j=1}^{3}\prod_{k=1}^{j}\frac{k+1}{2k}} = RESULT = 0.303$$";
+    let sum = sum.replace("0.303", "\\frac{RESULT}{1}");
+    holds_and_fails(&sum, r"\frac{1}{3.25}", r"\frac{1}{3.75}", TextFormat::Markdown);
+    holds_and_fails(r"$\sum_{i=1}^{3}\sum_{j=1}^{i} j = RESULT$", "10", "18", TextFormat::Markdown);
+    // What is not computed is listed with its reason.
+    let options = CheckOptions { unchecked: true, ..CheckOptions::default() };
+    let text = r"$x = \frac{1}{\sum_{j=1}^{3}\sum_{k=1}^{j}\sum_{i=1}^{k} i} = \frac{1}{15} = 0.0667$";
+    let found = proofread(text, TextFormat::Markdown, options).expect("it can be read");
+    assert_eq!(found.findings.len(), 0);
+    let names: Vec<&str> = found.unchecked.iter().map(|of| of.name.as_str()).collect();
+    assert_eq!(names, ["a sum inside a sum"]);
+}
+
+#[test]
+fn decimals_may_stand_in_groups_and_ohms_behind_comments() {
+    holds_and_fails(r"$\frac{1}{4000} = RESULT$", r"0.000\,25", r"0.000\,35", TextFormat::Latex);
+    holds_and_fails(r"$2.5 \cdot 3.7 = RESULT$", r"9\,.25", r"9\,.35", TextFormat::Latex);
+    let ohm = "\\unit{k%\n%TCIMACRO{\\U{3a9}}%\n%BeginExpansion\n\\Omega%\n%EndExpansion\n}";
+    let law = format!("$4\\unit{{mA}} \\cdot 3{ohm} = RESULT\\unit{{V}}$");
+    holds_and_fails(&law, "12", "14", TextFormat::Latex);
+    let law = r"$4\unit{A} \cdot 3\unit{\Omega} = RESULT\unit{V}$";
+    holds_and_fails(law, "12", "14", TextFormat::Latex);
+}
+
+#[test]
 fn texts_of_links_and_captions_are_read() {
     for text in [
         "See [31 × 7 = RESULT](a.html) there.",

@@ -92,6 +92,36 @@ fn a_question_in_what_follows_does_not_ask_about_a_formula() {
 }
 
 #[test]
+fn a_question_for_a_number_does_not_ask_whether_an_equation_holds() {
+    for start in ["How many numbers below 90 share a factor with", "There are some. How many of them are prime to"] {
+        let text = |product: &str| format!("{start} $90 = {product}$?");
+        assert_told_apart(&text(r"2 \times 3^2 \times 5"), &text(r"2 \times 3^2 \times 7"), TextFormat::Markdown);
+    }
+    for text in ["Is it true that $90 = 2 \\times 7$?", "Which is right, $4 + 5 = 8$?"] {
+        assert_eq!(on_numbers(text, TextFormat::Markdown), 0, "{text}");
+    }
+}
+
+#[test]
+fn a_product_may_be_broken_behind_its_sign() {
+    let text = |result: &str| {
+        format!(
+            "Then of these throws about one in four will be such a one, or 1/4 x\n1/4 x 1/4 = {result}. Remember that.\n"
+        )
+    };
+    assert_told_apart(&text("1/64"), &text("1/63"), TextFormat::Markdown);
+    let letter = "The value that we look for here is called x\n1/4 x 1/4 = 1/16. Remember that.\n";
+    assert_eq!(on_numbers(letter, TextFormat::Markdown), 0);
+}
+
+#[test]
+fn an_entry_of_a_matrix_is_no_number_of_choices() {
+    assert_eq!(on_numbers("The prices are C(1,1) = 5.4321 and C(2,1) = 3.25.", TextFormat::Plain), 0);
+    assert_ne!(on_numbers("There are C(4,2) = 7 of them.", TextFormat::Plain), 0);
+    assert_ne!(on_numbers("$C(4,2) = 0.500^2 \\cdot 20$", TextFormat::Markdown), 0);
+}
+
+#[test]
 fn quotients_and_products_of_units_are_read() {
     for [right, wrong] in [
         [r"$2 \cdot 3\,\si{\frac{1}{s}} = 6\,\si{Hz}$", r"$2 \cdot 3\,\si{\frac{1}{s}} = 7\,\si{Hz}$"],

@@ -126,6 +126,34 @@ fn a_result_may_be_in_another_multiple_of_the_unit_that_was_left_out() {
 }
 
 #[test]
+fn prefixes_of_units_may_be_written_out() {
+    for (right, wrong) in [
+        ("So $20/10^4 = 2$ millivolts remain.", "So $20/10^4 = 3$ millivolts remain."),
+        ("So $I = 3.5/100 = 35$ microamps.", "So $I = 3.5/100 = 25$ microamps."),
+        ("So $I_B = 2.118/100 = 21.2$ microamps, and it is.", "So $I_B = 2.118/100 = 22.2$ microamps, and it is."),
+        (r"So $3.5/100 = 35$ μA.", r"So $3.5/100 = 25$ μA."),
+        (
+            r"$2\text{ kilowatts} \cdot 3\text{ s} = 6000\text{ J}$",
+            r"$2\text{ kilowatts} \cdot 3\text{ s} = 7000\text{ J}$",
+        ),
+    ] {
+        assert_told_apart(right, wrong, TextFormat::Markdown);
+    }
+    // Without a prefix, no power of ten is left out.
+    assert_told_apart("So $3.5/100 = 0.035$ amps.", "So $3.5/100 = 35$ amps.", TextFormat::Markdown);
+}
+
+#[test]
+fn hyphens_may_join_units_with_a_space_behind_one() {
+    let gas = |bar: &str| {
+        format!(
+            r"$\frac{{0.0831\text{{ L-bar- mol}}^{{-1}}\text{{K}}^{{-1}} \cdot 400\text{{ K}}}}{{200\text{{ L/mol}}}} = {bar}\text{{ bar}}$"
+        )
+    };
+    assert_told_apart(&gas("0.166"), &gas("0.176"), TextFormat::Latex);
+}
+
+#[test]
 fn a_sign_of_degrees_on_one_term_is_for_all() {
     unlisted(TextFormat::Latex, &[r"$90-21.5^\circ = 68.5$"]);
     unlisted(TextFormat::Markdown, &["130.05° − 80.25 − 30 = 19.80°"]);

@@ -118,9 +118,7 @@ impl Evaluator<'_> {
         // An upright e to such a power is the base of the logarithms, not a charge.
         let is_base = name == "e" && power.is_some_and(is_power_of_e);
         let is_word = token.word().is_some() && !is_base;
-        if let Some((local, value)) = &self.local
-            && local == name
-        {
+        if let Some((_, value)) = self.local.iter().find(|(of, _)| of == name) {
             cursor.at += 1;
             let value = SideValue { operations: 1, literal: Literal::No, ..value.clone() };
             return self.with_powers(value, cursor);

@@ -60,7 +60,7 @@ impl Evaluator<'_> {
     /// The difference of an expression's values at the limits.
     pub(crate) fn evaluate_between(&mut self, of: &[Token], limits: &Token) -> Evaluated<SideValue> {
         let TokenKind::Limits(from, to) = &limits.kind else { return Err(Obstacle::Unclear("no limits")) };
-        if self.local.is_some() {
+        if !self.local.is_empty() {
             return Err(Obstacle::Unclear("a bar inside a bar"));
         }
         let mut names = Vec::new();
@@ -73,9 +73,9 @@ impl Evaluator<'_> {
         let has_pi = any(from, &is_pi) || any(to, &is_pi);
         let (from, to) = (self.evaluate_all(from)?, self.evaluate_all(to)?);
         let mut at = |limit: SideValue| {
-            (self.local, self.has_pi_as_limit) = (Some((name.clone(), limit)), has_pi);
+            (self.local, self.has_pi_as_limit) = (vec![(name.clone(), limit)], has_pi);
             let value = self.evaluate_all(of);
-            (self.local, self.has_pi_as_limit) = (None, false);
+            (self.local, self.has_pi_as_limit) = (Vec::new(), false);
             value
         };
         let (upper, lower) = (at(to)?, at(from)?);

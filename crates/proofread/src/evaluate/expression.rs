@@ -33,7 +33,7 @@ pub(crate) struct Evaluator<'b> {
     /// The names whose values were used.
     pub used: Vec<String>,
     /// The variable of an evaluation bar.
-    pub local: Option<(String, SideValue)>,
+    pub local: Vec<(String, SideValue)>,
     /// Whether the limits of the bar at hand have π in them, so that its variable is in no degrees.
     pub has_pi_as_limit: bool,
     /// What is rounded on the way.
@@ -53,7 +53,7 @@ impl<'b> Evaluator<'b> {
             noticed: ReadingChoices::USUAL,
             inverse: false,
             used: Vec::new(),
-            local: None,
+            local: Vec::new(),
             has_pi_as_limit: false,
             steps: StepRounding::default(),
             spreads: false,

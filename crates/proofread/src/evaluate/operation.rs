@@ -17,6 +17,9 @@ const LARGEST_INVERTED: f64 = 9.0e7;
 /// Most terms of a sum over an index.
 const MOST_TERMS: f64 = 200.0;
 
+/// Most terms of a sum over an index inside another one.
+const MOST_TERMS_INSIDE: f64 = 12.0;
+
 /// Largest determinant that is computed, in rows.
 const MOST_ROWS: usize = 4;
 
@@ -306,22 +309,24 @@ impl Evaluator<'_> {
         let [Token { kind: TokenKind::Name(index), .. }] = trim_space(index) else {
             return Err(Obstacle::Unclear("a sum without an index"));
         };
-        if self.local.is_some() {
+        let depth = self.local.len();
+        if depth > 1 || self.local.iter().any(|(of, _)| of == index) {
             return Err(Obstacle::Unclear("a sum inside a sum"));
         }
+        let most = if depth == 0 { MOST_TERMS } else { MOST_TERMS_INSIDE };
         let limits = [first, last].map(|limit| self.in_points(|inside| inside.evaluate_all(limit)));
         let [first, last] = limits;
         let (first, last) = (integer(&first?)?, integer(&last?)?);
-        if last - first >= MOST_TERMS || last < first {
+        if last - first >= most || last < first {
             return Err(Obstacle::TooLarge);
         }
         let start = *cursor;
         let mut total: Option<SideValue> = None;
         for at in first as i64..=last as i64 {
             let mut body = start;
-            self.local = Some((index.clone(), computed(at as f64, 0)));
+            self.local.push((index.clone(), computed(at as f64, 0)));
             let term = self.body(&mut body);
-            self.local = None;
+            self.local.truncate(depth);
             let term = term?;
             *cursor = body;
             total = Some(match total {

@@ -163,8 +163,9 @@ impl Evaluator<'_> {
             return Ok(true);
         }
         if sign.is_sign('-') && at == cursor.at {
-            let follows = unit_of(cursor.tokens.get(at + 1)).is_some();
-            cursor.at += usize::from(follows);
+            // Units may be joined by hyphens, with a space behind one: L-bar- mol.
+            let follows = unit_of(next).is_some();
+            cursor.at = if follows { next_at } else { cursor.at };
             return Ok(follows);
         }
         if sign.is_sign('/') {

@@ -8,7 +8,7 @@ const LONGEST_SIDE: usize = 60;
 /// The tokens with `A ≡ B (mod m)` as `(A) mod m = (B) mod m`, where all three are numbers or are computed from numbers, and no other
 /// relation stands in the same row. None if there is no such congruence.
 pub(crate) fn as_remainders(tokens: &[Token]) -> Option<Vec<Token>> {
-    if !tokens.iter().any(|token| token.is_sign('≡')) {
+    if !tokens.iter().any(|token| token.is_sign('≡') || is_pmod(token)) {
         return None;
     }
     let mut out = Vec::with_capacity(tokens.len());
@@ -41,7 +41,7 @@ fn parts(token: &Token) -> bool {
 /// A row that is a congruence, as an equation of remainders.
 fn rewritten(row: &[Token]) -> Option<Vec<Token>> {
     let row = trim_space(row);
-    let at = row.iter().position(|token| token.is_sign('≡'))?;
+    let Some(at) = row.iter().position(|token| token.is_sign('≡')) else { return with_modulus(row) };
     let (left, rest) = (trim_space(&row[..at]), &row[at + 1..]);
     let (right, modulus) = parted_modulus(rest)?;
     let right = trim_space(right);
@@ -64,6 +64,25 @@ fn rewritten(row: &[Token]) -> Option<Vec<Token>> {
         out.push(Token::new(modulus.clone(), Span::new(place, place)));
     }
     Some(out)
+}
+
+fn is_pmod(token: &Token) -> bool {
+    matches!(&token.kind, TokenKind::Unknown(name) if name == "pmod")
+}
+
+/// A row of equations of numbers with `\\pmod` behind the last, with the modulus as one behind `mod`: it may hold for the rows before, too.
+fn with_modulus(row: &[Token]) -> Option<Vec<Token>> {
+    let at = row.iter().position(is_pmod)?;
+    let (before, modulus) = parted_modulus(row)?;
+    let mut sides = before.split(|token| token.is_sign('='));
+    let first = sides.next().map(trim_space)?;
+    let mut others = sides.peekable();
+    if !(first.is_empty() || is_arithmetic(first)) || others.peek().is_none() || !others.all(is_arithmetic) {
+        return None;
+    }
+    let word = Token::new(TokenKind::Word("mod".to_owned()), row[at].span);
+    let place = row.last().map_or(row[at].span, |last| last.span);
+    Some([before, &[word, Token::new(modulus, place)]].concat())
 }
 
 /// What stands before the modulus, and the modulus: an integer behind `\\pmod`, or with `mod` in brackets.

@@ -118,8 +118,16 @@ fn called_choices(rest: &[Token]) -> Option<(TokenKind, usize)> {
     let ordered = digits(n).zip(digits(k)).is_some_and(|(n, k)| n >= k);
     let mut behind =
         rest[end + 1..].iter().filter(|token| !matches!(token.kind, TokenKind::Space(_) | TokenKind::Cell));
-    let is_whole = behind.next().is_some_and(|next| next.is_sign('=')) && behind.next().is_some_and(is_integer);
-    (open.is_sign('(') && comma.is_sign(',') && ordered && (operation == NamedOperation::Binomial || is_whole))
+    let is_equated = behind.next().is_some_and(|next| next.is_one_of("=≈"));
+    let result = behind.next().filter(|_| is_equated);
+    let is_whole = result.is_some_and(is_integer);
+    // An entry of a matrix: C(1,1) = 5.4321.
+    let is_decimal = result.and_then(Token::number).is_some_and(|digits| {
+        digits.split_once('.').is_some_and(|(_, decimals)| decimals.len() > 1 && decimals.contains(|c| c != '0'))
+    });
+    let is_entry = is_decimal && behind.next().is_none_or(|next| next.is_one_of(",;.") || next.kind == TokenKind::Line);
+    let is_binomial = operation == NamedOperation::Binomial && !is_entry;
+    (open.is_sign('(') && comma.is_sign(',') && ordered && (is_binomial || is_whole))
         .then(|| (TokenKind::Call(operation, vec![vec![(*n).clone()], vec![(*k).clone()]]), end + 1))
 }
 

@@ -8,18 +8,18 @@ use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSide};
 use crate::judge::verdict::evaluate_freely;
 use crate::token::{Token, TokenKind, any, has_number, span_of, trim_space};
-use crate::unit::unit;
+use crate::unit::{currency, unit};
 
 /// Most words behind a number that are taken for what it counts.
 const MOST_WORDS: usize = 4;
 /// Letters from which on a word is hardly the sign of a unit.
-const SHORTEST: usize = 4;
+const SHORTEST: usize = 3;
 
 /// Words that are a number, a way to write one, or an operation.
 const NUMBER_WORDS: &str = " dozen dozens hundred hundreds thousand thousands lakh lakhs crore crores million millions milliard billion \
     billions trillion pair pairs couple couples score gross half halves quarter quarters third thirds tenth tenths hundredth hundredths \
     thousandth thousandths fold modulo base binary decimal hexadecimal octal ternary rounded truncated remainder rest plus minus times \
-    divided over squared cubed factorial choose less per percentage prozent dutzend mal hundert tausend millionen milliarden ";
+    divided over and mod hex oct bin dec the squared cubed factorial choose less per percentage prozent dutzend mal hundert tausend millionen milliarden ";
 
 /// Words that name a unit of which others are made, though the table of units does not have them.
 const UNIT_WORDS: &str = " pound pounds ounce ounces yard yards pint pints quart quarts cups tablespoon tablespoons teaspoon teaspoons \
@@ -36,11 +36,15 @@ const WORTH: [f64; 16] =
 
 /// Whether a word may be a noun for things that are counted.
 fn is_counted_noun(word: &str) -> bool {
+    // The decibels of a quantity that the sign names: dBV.
+    if word.starts_with("dB") && unit(word).is_none() {
+        return true;
+    }
     let mut letters = word.chars();
     letters.next();
     let lower = word.to_ascii_lowercase();
     let listed = |list: &str| list.split_ascii_whitespace().any(|known| known == lower);
-    (word.chars().count() >= SHORTEST || lower == "men")
+    word.chars().count() >= SHORTEST
         && word.chars().all(char::is_alphabetic)
         && letters.all(|c| !c.is_ascii_uppercase())
         && unit(word).is_none()
@@ -70,7 +74,20 @@ pub(super) fn may_be_counted(word: &str) -> bool {
 
 /// The words at the end of tokens, and the tokens before them: what is counted, directly behind a number or a bracket.
 fn words_at_end(tokens: &[Token]) -> Option<(&[Token], Vec<&str>)> {
-    let mut rest = trim_space(tokens);
+    let (mut rest, is_remark) = match without_remark(trim_space(tokens)) {
+        Some(rest) => (rest, true),
+        None => (trim_space(tokens), false),
+    };
+    // For what the result is one: $50 per year, $50/member.
+    if let Some((noun, before)) = rest.split_last()
+        && noun.word().is_some_and(|noun| noun.chars().all(char::is_alphabetic))
+        && let Some((sign, number)) = trim_space(before).split_last()
+        && (sign.word() == Some("per") || sign.is_sign('/') && noun.word().is_some_and(is_counted_noun))
+        && let number = trim_space(number)
+        && number.last().is_some_and(|last| last.number().is_some())
+    {
+        return Some((number, Vec::new()));
+    }
     let mut words = Vec::new();
     while let [before @ .., last] = rest
         && let Some(word) = last.word()
@@ -79,10 +96,22 @@ fn words_at_end(tokens: &[Token]) -> Option<(&[Token], Vec<&str>)> {
         rest = trim_space(before);
     }
     words.reverse();
-    let is_counted = !words.is_empty() && words.len() <= MOST_WORDS && words.iter().all(|word| is_counted_noun(word));
+    let is_counted =
+        (is_remark || !words.is_empty()) && words.len() <= MOST_WORDS && words.iter().all(|word| is_counted_noun(word));
     let is_counted = is_counted || matches!(words.as_slice(), [word] if is_abbreviation(word));
     let is_counter = |last: &Token| last.number().is_some() || matches!(last.kind, TokenKind::Power(_));
     (is_counted && rest.last().is_some_and(is_counter)).then_some((rest, words))
+}
+
+/// The tokens before a remark in brackets that says how the number before it is given: `2.51 (rounded)`.
+fn without_remark(tokens: &[Token]) -> Option<&[Token]> {
+    const REMARKS: [&str; 5] = ["rounded", "approximately", "approx", "nearest", "exactly"];
+    let (_, rest) = tokens.split_last().filter(|(last, _)| last.is_sign(')'))?;
+    let open = rest.iter().rposition(|token| token.is_sign('('))?;
+    let says = |token: &Token| token.word().is_some_and(|word| REMARKS.contains(&word));
+    let inside = &rest[open + 1..];
+    let is_text = inside.iter().all(|token| token.is_space() || token.is_sign('.') || token.word().is_some());
+    (is_text && inside.iter().any(says)).then(|| trim_space(&rest[..open]))
 }
 
 /// Whether two words are one noun, in the singular or the plural.
@@ -99,7 +128,7 @@ fn without_nouns(tokens: &[Token], nouns: &[&str]) -> Vec<Token> {
         let is_counter = before.is_some_and(|last| last.number().is_some() || last.is_sign(')'));
         let mut ahead = rest.iter().filter(|token| !token.is_space());
         let is_noun = |noun: &&str| ahead.next().and_then(Token::word).is_some_and(|word| is_one_noun(word, noun));
-        if is_counter && !token.is_space() && nouns.iter().all(is_noun) {
+        if is_counter && !nouns.is_empty() && !token.is_space() && nouns.iter().all(is_noun) {
             let mut words = 0;
             rest = &rest[rest
                 .iter()
@@ -125,7 +154,7 @@ fn without_nouns(tokens: &[Token], nouns: &[&str]) -> Vec<Token> {
 }
 
 fn has_words(tokens: &[Token]) -> bool {
-    any(tokens, &|kind| matches!(kind, TokenKind::Word(_)))
+    any(tokens, &|kind| matches!(kind, TokenKind::Word(word) if currency(word).is_none()))
 }
 
 fn has_division(tokens: &[Token]) -> bool {
@@ -141,7 +170,7 @@ fn may_count_otherwise(side: &ChainSide, value: &SideValue, result: f64) -> bool
     let is_part = divides && computed.abs() < 1.0;
     let is_whole = result.fract() == 0.0 && (computed - result).abs() < 1.0;
     // From one number to another one: pages 5–7 = 3 pages.
-    let is_range = computed * result < 0.0;
+    let is_range = computed * result < 0.0 && !divides;
     is_range
         || is_worth(computed / result)
         || is_worth(result / computed)
@@ -165,13 +194,22 @@ pub(crate) fn without_counted_nouns(chain: &Chain) -> Option<Chain> {
         .collect();
     let span = span_of(&result);
     sides.push(ChainSide { tokens: result, span, relation: chain.sides.last()?.relation });
-    if sides.iter().any(|side| has_words(&side.tokens)) {
+    if sides.iter().any(|side| has_number(&side.tokens) && has_words(&side.tokens)) {
         return None;
     }
-    let numeric: Vec<&ChainSide> = sides.iter().filter(|side| has_number(&side.tokens)).collect();
-    let values: Option<Vec<SideValue>> = numeric.iter().map(|side| evaluate_freely(&side.tokens, None).ok()).collect();
-    let values = values?;
+    // A side with letters says nothing of its own.
+    let mut numeric: Vec<&ChainSide> = Vec::new();
+    let mut values: Vec<SideValue> = Vec::new();
+    for side in sides.iter().filter(|side| has_number(&side.tokens)) {
+        if let Ok(value) = evaluate_freely(&side.tokens, None) {
+            numeric.push(side);
+            values.push(value);
+        }
+    }
     let (result, computed) = values.split_last()?;
+    if numeric.last()?.span != sides.last()?.span {
+        return None;
+    }
     let number = result.number().ok()?.point;
     let is_result = result.literal == Literal::Number && !computed.is_empty();
     let computes =

@@ -8,6 +8,7 @@ use crate::evaluate::printed::Mode;
 use crate::evaluate::reading::ReadingChoices;
 use crate::evaluate::value::{Literal, SideValue};
 use crate::join::chain::{Chain, ChainSeparation, ChainSide, Relation};
+use crate::judge::arrows;
 use crate::judge::bits;
 use crate::judge::bracket_symbols;
 use crate::judge::chain_verdict::ChainVerdict;
@@ -223,7 +224,7 @@ impl PlacedPair<'_> {
         let thousands = surroundings::goes_on_in_thousands(self.text, self.right.span);
         self.ends_chain()
             && (goes_on || wraps || thousands || surroundings::goes_on_in_words(self.text, self.right.span))
-            || surroundings::goes_on_with_arrow(self.text, self.right.span)
+            || arrows::goes_on_with_arrow(self.text, self.right.span)
     }
 
     /// Whether the sides may be written in a way in which their numbers mean something else.
@@ -256,6 +257,7 @@ impl PlacedPair<'_> {
             || notation::has_phasor(right)
             || self.is_minor()
             || other_arithmetic::has_own_operation(self.text, self.left.span)
+            || other_arithmetic::are_codewords(self.text, [left, right], &bare_differences(judgement), self.left.span)
             || other_arithmetic::is_exclusive_or(self.text, left, right, self.left.span)
             || number_marks::is_mark(right)
             || notation::is_bracketed_number(left)

@@ -1,6 +1,7 @@
 //! What may explain that two sides differ, although nothing is wrong: each explanation has a name, and they are tried in order.
 
 use crate::evaluate::expression::NameValues;
+use crate::evaluate::printed::power_of_ten;
 use crate::evaluate::value::{DIVIDES_BY_ZERO, NEGATIVE_ROOT, Obstacle};
 use crate::join::chain::{ChainSide, Relation};
 use crate::judge::chain_verdict::ChainVerdict;
@@ -14,6 +15,7 @@ use crate::judge::unrounded::EarlierResults;
 use crate::judge::verdict::{PairJudgement, evaluate_freely, judge};
 use crate::reader::{Formula, FormulaStyle};
 use crate::token::{Span, Token, TokenKind, any, show, trim_space};
+use crate::unit::has_prefix;
 
 /// An explanation: its name for programs, and what it makes of two sides that differ.
 struct Explanation {
@@ -240,6 +242,16 @@ fn try_unit_behind(pair: &DifferingPair<'_>) -> Option<PairJudgement> {
     // The other numbers of the chain lack their unit, too.
     if agrees(&other) || other.verdict == ChainVerdict::Units {
         return Some(PairJudgement { verdict: other.verdict.min(ChainVerdict::Doubtful), ..other });
+    }
+    // What the formula leaves out may be in thousands of them: 2.5/100 = 25 μA, of milliamperes.
+    if let Some((left, right)) = pair.judgement.values.as_ref()
+        && !left.has_unit
+        && unit.iter().filter_map(Token::word).any(has_prefix)
+        && [-9.0, -6.0, -3.0, 3.0, 6.0, 9.0]
+            .iter()
+            .any(|by| left.scaled(power_of_ten(*by)).meets(right, NEAR_STEP / 2.0))
+    {
+        return pair.with_verdict(ChainVerdict::Units);
     }
     let nearer = other.verdict == pair.judgement.verdict && other.is_nearer(&pair.judgement);
     (nearer || other.verdict < pair.judgement.verdict).then_some(other)

@@ -1,5 +1,6 @@
 //! Judging: whether two neighbouring sides agree, what may explain that they do not, and whether that may be a misreading.
 
+mod arrows;
 mod binary_numbers;
 mod bits;
 mod bracket_symbols;
@@ -29,6 +30,7 @@ pub(crate) mod other_meanings;
 pub(crate) mod permutation;
 mod pi_in_school;
 mod point_coordinates;
+pub(crate) mod question;
 mod ranges;
 mod rounded_operands;
 pub(crate) mod running_calculation;

@@ -6,7 +6,7 @@ use crate::evaluate::value::SideValue;
 use crate::judge::substitution::without_space;
 use crate::judge::surroundings::{self, text_around};
 use crate::judge::verdict::evaluate_freely;
-use crate::token::{Span, Token, TokenKind, show};
+use crate::token::{Span, Token, TokenKind, any, show};
 
 const WORDS: [&str; 24] = [
     "with a borrow",
@@ -46,6 +46,9 @@ const BASES: std::ops::RangeInclusive<f64> = 2.0..=36.0;
 
 /// Words before a modulus.
 const BEFORE_MODULUS: [&str; 4] = ["mod", "pmod", "bmod", "modulo"];
+
+/// The least power of two by which a number of so few bits differs that it has overflowed.
+const LEAST_OVERFLOW: f64 = 4.0;
 
 /// Signs of the ring of remainders or a finite field, before its modulus.
 const RINGS: [&str; 12] = [
@@ -131,7 +134,15 @@ pub(crate) fn may_explain(text: &str, span: Span, differences: &[f64]) -> bool {
             open && !(word.starts_with(letter) && near[..*at].ends_with(letter))
         })
     };
-    if WORDS.iter().any(|word| places(word).next().is_some()) {
+    // What overflows differs by a power of two, unless the digits themselves are bits.
+    let may_overflow = || {
+        let mut numbers = source.split(|c: char| !c.is_ascii_digit());
+        let is_of_bits = |of: &str| of.len() > 2 && of.bytes().all(|c| matches!(c, b'0' | b'1'));
+        let no_others = !source.contains(|c: char| ('2'..='9').contains(&c));
+        no_others || numbers.any(is_of_bits) || differences.is_empty() || are_multiples(differences, LEAST_OVERFLOW)
+    };
+    let fits = |word: &str| !(word.contains("complement") || word.starts_with("overflow")) || may_overflow();
+    if WORDS.iter().any(|word| fits(word) && places(word).next().is_some()) {
         return true;
     }
     let is_ten = |behind: &str| number_at(behind) == Some(10.0) || behind.starts_with(" ten");
@@ -270,6 +281,19 @@ pub(crate) fn has_own_operation(text: &str, side: Span) -> bool {
             && behind.contains(other)
     });
     named || defined
+}
+
+/// Whether bits add to bits where the example speaks of codes of them: `1 + 1 = 0` in each place.
+pub(crate) fn are_codewords(text: &str, sides: [&[Token]; 2], differences: &[f64], place: Span) -> bool {
+    const WORDS: [&str; 5] = ["hamming", "linear code", "codeword", "code word", "parity"];
+    let is_other = |kind: &TokenKind| matches!(kind, TokenKind::Number(digits) if !matches!(&**digits, "0" | "1"));
+    are_multiples(differences, 2.0)
+        && !sides.into_iter().any(|side| any(side, &is_other))
+        && any(sides[0], &|kind| *kind == TokenKind::Operator('+'))
+        && {
+            let example = surroundings::text_before(text, place).to_ascii_lowercase();
+            WORDS.iter().any(|word| example.contains(word))
+        }
 }
 
 /// Whether two sides are what holds among truth values and remainders, or is often printed because it is false, if the text speaks of

@@ -10,6 +10,11 @@ const YEARS: std::ops::Range<f64> = 1700.0..2200.0;
 
 /// Whether a side is two years or other numbers with a dash between them: `1914–1918`, `1982-1984`.
 pub(crate) fn is_range(text: &str, side: &[Token]) -> bool {
+    // In brackets, years belong to the words before them.
+    let side = match side {
+        [open, years @ .., close] if open.is_sign('(') && close.is_sign(')') => years,
+        _ => side,
+    };
     let [one, dash, other] = side else { return false };
     let ends = integer(one).zip(integer(other)).map(|(one, other)| [f64::from(one), f64::from(other)]);
     let from_to = ends.is_some_and(|[one, other]| one < other);

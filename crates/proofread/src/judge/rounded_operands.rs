@@ -11,6 +11,7 @@ use crate::evaluate::value::SideValue;
 use crate::judge::doubt::PlacedPair;
 use crate::judge::lost_digits::{is_plain_sum, significant};
 use crate::judge::money::has_money;
+use crate::judge::substitution::without_space;
 use crate::judge::surroundings::speaks_around;
 use crate::judge::verdict::PairJudgement;
 use crate::token::{MathFunction, Token, TokenKind};
@@ -49,7 +50,9 @@ impl PlacedPair<'_> {
     /// error.
     pub(crate) fn may_be_of_rounded_numbers(&self, judgement: &PairJudgement) -> bool {
         let Some((left, right)) = &judgement.values else { return false };
-        if left.dimension != right.dimension || !judgement.used.is_empty() {
+        // The terms of a multiple may lack the unit of the result.
+        let is_multiple = is_multiple_of_sum(&self.left.tokens);
+        if (left.dimension != right.dimension && !is_multiple) || !judgement.used.is_empty() {
             return false;
         }
         if left.difference(right) < SLIGHT && self.is_put_down_to_rounding() {
@@ -73,6 +76,10 @@ impl PlacedPair<'_> {
             let largest = decimals.iter().filter_map(|of| parse_decimal(of)).fold(0.0, f64::max);
             let lost = decimals.len() > 1 && places(&result.printed) > most && result.size < SMALL * largest;
             return of_shares || lost;
+        }
+        if is_multiple && result.units < 1.001 {
+            let most = decimals.iter().map(|of| places(of)).max().unwrap_or(0);
+            return most >= COMPUTED && places(&result.printed) == most;
         }
         // Two digits of a result hold nearly anything.
         if digits < THREE {
@@ -138,6 +145,25 @@ impl PlacedPair<'_> {
         ];
         speaks_around(self.text, self.formula.span, &WORDS)
     }
+}
+
+/// Whether a side is a whole number times a sum of decimals: 2(0.783 + 0.026).
+fn is_multiple_of_sum(side: &[Token]) -> bool {
+    let solid = without_space(side);
+    let (factor, open, sum, close) = match solid.as_slice() {
+        [factor, sign, open, sum @ .., close] if sign.is_one_of("·×") => (factor, open, sum, close),
+        [factor, open, sum @ .., close] => (factor, open, sum, close),
+        _ => return false,
+    };
+    let is_term = |(at, token): (usize, &&Token)| match at % 2 {
+        0 => token.number().is_some_and(|digits| digits.contains('.')),
+        _ => token.is_one_of("+-"),
+    };
+    factor.number().is_some_and(|digits| !digits.contains('.'))
+        && open.is_sign('(')
+        && close.is_sign(')')
+        && sum.len() > 2
+        && sum.iter().enumerate().all(is_term)
 }
 
 /// A side with its whole numbers exact; none if it has none.

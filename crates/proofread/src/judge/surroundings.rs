@@ -313,7 +313,7 @@ const INFERRING: [&str; 11] =
     ["so", "thus", "hence", "therefore", "then", "which", "is", "that", "ie", "giving", "gives"];
 
 /// The text behind a place, without marks of formulas and tags at its start.
-fn text_behind(text: &str, span: Span) -> &str {
+pub(super) fn text_behind(text: &str, span: Span) -> &str {
     let start = text.len().min(span.end as usize);
     let mut end = text.len().min(start + NEAR);
     while !text.is_char_boundary(end) {
@@ -458,17 +458,6 @@ pub(crate) fn goes_on_in_thousands(text: &str, span: Span) -> bool {
     let number = text.get(span.range()).unwrap_or_default();
     let next = text_behind(text, span).strip_prefix(", ");
     (1..=3).contains(&number.len()) && digits(number) == number.len() && next.is_some_and(|next| digits(next) == 3)
-}
-
-/// Whether an arrow behind a place leads to another number, as in a range or a rounder one: `0.5 --> 1.49`.
-pub(crate) fn goes_on_with_arrow(text: &str, span: Span) -> bool {
-    let rest = text_behind(text, span).trim_start();
-    let arrows = ["-->", "->", "→", "\\to ", "\\rightarrow "];
-    let next = arrows.iter().find_map(|arrow| rest.strip_prefix(arrow));
-    next.is_some_and(|next| {
-        let next = next.trim_start();
-        next.strip_prefix("about ").unwrap_or(next).starts_with(|c: char| c.is_ascii_digit())
-    })
 }
 
 /// Whether an operator joins a number in running text to what stands before it, on the line before or with words between: the

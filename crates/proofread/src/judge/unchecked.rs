@@ -3,7 +3,7 @@
 use crate::evaluate::binding::single_name;
 use crate::evaluate::value::Obstacle;
 use crate::join::chain::{Chain, ChainSide, Relation};
-use crate::token::{Token, TokenKind, any, has_number};
+use crate::token::{NamedOperation, Token, TokenKind, any, has_number};
 use crate::unit::unit;
 
 /// Why a chain was not checked.
@@ -73,11 +73,21 @@ pub(crate) fn is_numeric(side: &ChainSide) -> bool {
 
 /// The first letter in tokens that stands for a quantity.
 fn first_letter(tokens: &[Token]) -> Option<&str> {
+    first_letter_but(tokens, &[])
+}
+
+/// The first such letter that is none of these indices, nor one of a sum or a product among the tokens.
+fn first_letter_but<'t>(tokens: &'t [Token], indices: &[&'t str]) -> Option<&'t str> {
+    let own = tokens.iter().filter_map(|token| match &token.kind {
+        TokenKind::Call(NamedOperation::Sum | NamedOperation::Product, limits) => single_name(limits.first()?),
+        _ => None,
+    });
+    let indices: Vec<&str> = own.chain(indices.iter().copied()).collect();
     tokens.iter().enumerate().find_map(|(at, token)| match &token.kind {
-        TokenKind::Name(name) if matches!(name.as_str(), "π" | "e" | "c") => None,
+        TokenKind::Name(name) if matches!(name.as_str(), "π" | "e" | "c") || indices.contains(&name.as_str()) => None,
         TokenKind::Name(name) if is_called(name, tokens, at) => None,
         TokenKind::Name(name) => Some(name.as_str()),
-        _ => token.inner().find_map(first_letter),
+        _ => token.inner().find_map(|inner| first_letter_but(inner, &indices)),
     })
 }
 

@@ -35,6 +35,8 @@ pub(crate) struct Macros<'d> {
     left: Cell<usize>,
     /// Those that added too many to a formula, and are not used any more.
     endless: RefCell<NamedMacros>,
+    /// Whether the text is in Markdown, where a sign of per cent may lack its backslash.
+    markdown: bool,
 }
 
 impl<'d> Macros<'d> {
@@ -43,6 +45,16 @@ impl<'d> Macros<'d> {
         let [some, each] = MOST_IN_ALL;
         let left = Cell::new(bytes.saturating_mul(each).saturating_add(some));
         Self { own: named_macros(part), elsewhere, left, ..Self::default() }
+    }
+
+    /// These of a text in Markdown.
+    pub(super) fn in_markdown(self) -> Self {
+        Self { markdown: true, ..self }
+    }
+
+    /// Whether the text is in Markdown.
+    pub(super) fn is_markdown(&self) -> bool {
+        self.markdown
     }
 
     /// Whether they may add so many characters, `expanded` of them in the formula at hand; these are counted.

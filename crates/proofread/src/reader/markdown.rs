@@ -1,6 +1,7 @@
 //! Markdown with TeX, the sources of an mdBook among it.
 
 use super::adjoining::Joiner;
+use super::comments::note_comments;
 use super::definitions::{Macros, NamedMacros};
 use super::delimited::{self, Dollars};
 use super::fences::{Fences, name_of_fence, with_plain_fences};
@@ -22,7 +23,7 @@ pub(crate) fn read(
     elsewhere: Option<&NamedMacros>,
     each: &mut FormulaSink<'_>,
 ) -> UnreadParts {
-    let macros = Macros::from_text(text, text.len(), elsewhere);
+    let macros = Macros::from_text(text, text.len(), elsewhere).in_markdown();
     let mut unread = UnreadParts::default();
     let mut joiner = Joiner::new(text);
     for piece in pieces(text) {
@@ -153,6 +154,7 @@ fn piece_of(
             fence.start += end + 1;
         }
         let source = &text[fence.clone()];
+        note_comments(source, unread);
         let tokens = tex::formula(&signs(source, fence.start), macros);
         each(Formula::new(tokens, Span::new(fence.start, fence.end)));
     }
@@ -161,7 +163,9 @@ fn piece_of(
     let marked = delimited::formulas(text, &skip, dollars);
     let mut taken = skip;
     for of in marked {
-        let tokens = tex::formula(&signs(&text[of.inside.clone()], of.inside.start), macros);
+        let source = &text[of.inside.clone()];
+        note_comments(source, unread);
+        let tokens = tex::formula(&signs(source, of.inside.start), macros);
         each(Formula::new(tokens, Span::new(of.whole.start, of.whole.end)));
         taken.push(of.whole);
     }

@@ -308,7 +308,11 @@ pub(crate) fn side_by_side(rows: Vec<Vec<Vec<Token>>>) -> Vec<Vec<Token>> {
     let mut out: Vec<Vec<Token>> = vec![Vec::new(); columns * rows.len()];
     let height = rows.len();
     for (at, row) in rows.into_iter().enumerate() {
-        for (column, cell) in row.into_iter().enumerate() {
+        for (column, mut cell) in row.into_iter().enumerate() {
+            // What stands below an equation does not go on with it, be it a sign or a bracket.
+            if owns(&cell) {
+                cell.push(Token::new(TokenKind::Space(20), cell[0].span));
+            }
             out[column * height + at] = cell;
         }
     }

@@ -2,9 +2,11 @@
 
 mod adjoining;
 mod commas;
+mod comments;
 mod continued;
 mod definitions;
 mod delimited;
+mod digits;
 mod expansion;
 mod fences;
 mod formatting;

@@ -84,13 +84,15 @@ pub(crate) fn read(text: &str, skip: &[Range<usize>], each: &mut FormulaSink<'_>
 fn goes_on_in(line: &str, next: &str) -> bool {
     /// Characters from which on a line is full: pieces of a formula in lines of their own are shorter.
     const FULL: usize = 30;
-    const BREAKS: [char; 8] = ['=', '≈', '+', '×', '·', '−', '/', '*'];
+    const BREAKS: [char; 9] = ['=', '≈', '+', '×', '·', '−', '/', '*', 'x'];
     let (line, next) = (line.trim(), next.trim());
     let last = line.rsplit('\n').next().unwrap_or(line);
     let is_full = last.chars().count() >= FULL && next.split_whitespace().nth(1).is_some();
     let is_text = |of: &str| !of.contains('|') && !of.starts_with(['#', '>', '<', '`', '~', ':', '+', '-', '*']);
     let ends = last.strip_suffix(BREAKS).is_some_and(|rest| {
-        rest.ends_with(' ') && rest.trim_end().ends_with(|c: char| c.is_alphanumeric() || "%°²³)".contains(c))
+        let before =
+            |c: char| c.is_ascii_digit() || "%°²³)".contains(c) || (!last.ends_with('x') && c.is_alphanumeric());
+        rest.ends_with(' ') && rest.trim_end().ends_with(before)
     });
     let begins = next.strip_prefix(['=', '≈', '×', '·']).is_some_and(|rest| rest.starts_with(' '));
     let has_digit = |of: &str| of.contains(|c: char| c.is_ascii_digit());

@@ -149,11 +149,10 @@ fn unit_within(signs: &[SourceChar], macros: &Macros<'_>, quotients: u8) -> Vec<
                     prefix = known;
                     continue;
                 }
-                // Behind the command of one letter, the sign has a prefix: \m\Omega.
+                // Behind the command of one letter, the sign has a prefix: \m\Omega. So it has behind one that is no unit: k\Omega.
                 if name == "Omega"
                     && let [letter] = out.as_slice()
-                    && at_command(signs, letter)
-                    && ["k", "M", "G", "m", "μ", "n"].iter().any(|of| of.starts_with(letter.c))
+                    && ("kGμ".contains(letter.c) || (at_command(signs, letter) && "Mmn".contains(letter.c)))
                 {
                     write("Ω", sign, &mut out);
                     continue;

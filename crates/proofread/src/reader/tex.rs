@@ -1,10 +1,11 @@
 //! Formulas in TeX to tokens. Whatever it does not know becomes a token that says so; it never fails.
 
+use super::comments;
 use super::definitions::Macros;
 use super::formatting::{self, with_over_fractions};
 use super::siunitx;
 use super::symbols::{attach_script, merge_letters, pifont_sign, symbol};
-use super::words::{number, number_length, plain_char, span_of_chars, tokenise_words};
+use super::words::{number, plain_char, span_of_chars, tokenise_words};
 use crate::effort;
 use crate::token::{
     ENDLESS, NamedOperation, SourceChar, Span, TOO_DEEP, TOO_LONG, Token, TokenKind, has_number, show, trim_space,
@@ -12,19 +13,6 @@ use crate::token::{
 
 /// Deepest nesting of braces, fractions and scripts that is read.
 const DEEPEST: usize = 40;
-/// What may part the thousands of a number.
-const SEPARATORS: [&[char]; 9] = [
-    &[','],
-    &['{', ',', '}'],
-    &['\\', ','],
-    &['\\', ':'],
-    &['\\', ';'],
-    &['\\', ' '],
-    &['~'],
-    &['{', ' ', '}'],
-    &['\''],
-];
-
 /// Longest formula that is read, in characters.
 const LONGEST: usize = 20_000;
 
@@ -203,6 +191,10 @@ impl Tex<'_> {
                     self.stack.pop();
                     out.push(token(if c == '~' { TokenKind::Space(2) } else { TokenKind::Word("%".to_owned()) }, span));
                 }
+                '%' if self.is_percent(&out) => {
+                    self.stack.pop();
+                    out.push(token(TokenKind::Word("%".to_owned()), span));
+                }
                 '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
                 '&' => {
                     self.stack.pop();
@@ -262,57 +254,13 @@ impl Tex<'_> {
         with_over_fractions(out)
     }
 
-    /// Takes a number with `,`, `{,}` or `\,` between its thousands.
-    fn number(&mut self, out: &mut Vec<Token>) -> bool {
-        let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
-        let starts = digit(self.ahead(0)) || (self.ahead(0) == Some('.') && digit(self.ahead(1)));
-        if !starts {
-            return false;
+    /// Whether the sign of per cent ahead lacks its backslash, as it may in Markdown behind a digit.
+    fn is_percent(&self, before: &[Token]) -> bool {
+        let is_behind_digit = before.last().is_some_and(|last| last.number().is_some());
+        self.macros.is_markdown() && is_behind_digit && {
+            let ahead = self.stack.iter().rev().skip(1).map(|sign| sign.c);
+            comments::is_percent_behind_digit(&ahead.take(comments::FAR).take_while(|c| *c != '\n').collect::<String>())
         }
-        let mut taken = Vec::new();
-        let (mut groups, mut leading) = (true, None);
-        loop {
-            while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit()) {
-                taken.push(sign);
-                self.stack.pop();
-            }
-            let leading = *leading.get_or_insert(taken.len());
-            let separator: &[char] = SEPARATORS
-                .into_iter()
-                .find(|of| of.iter().enumerate().all(|(at, c)| self.ahead(at) == Some(*c)))
-                .unwrap_or(&[]);
-            let n = separator.len();
-            let three = (n..n + 3).all(|at| digit(self.ahead(at))) && !digit(self.ahead(n + 3));
-            let zero = taken.first().is_some_and(|sign| sign.c == '0');
-            groups &= n > 0 && three && (1..=3).contains(&leading) && !zero;
-            if !groups {
-                break;
-            }
-            let span = self.peek().map_or(Span::default(), |sign| sign.span);
-            self.stack.truncate(self.stack.len() - n);
-            // Space parts thousands in texts with decimal commas, too.
-            if separator.contains(&',') && separator[0] != '\\' {
-                taken.push(SourceChar { c: ',', span });
-            }
-        }
-        // A comma in braces before other than three digits is a decimal comma.
-        let comma = [Some('{'), Some(','), Some('}')] == [self.ahead(0), self.ahead(1), self.ahead(2)];
-        let whole = taken.iter().all(|sign| sign.c.is_ascii_digit());
-        if comma && whole && digit(self.ahead(3)) {
-            let span = self.peek().map_or(Span::default(), |sign| sign.span);
-            self.stack.truncate(self.stack.len() - 3);
-            self.stack.push(SourceChar { c: '.', span });
-        }
-        if self.ahead(0) == Some('.') && digit(self.ahead(1)) {
-            taken.extend(self.stack.pop());
-            while let Some(sign) = self.peek().filter(|sign| sign.c.is_ascii_digit()) {
-                taken.push(sign);
-                self.stack.pop();
-            }
-        }
-        debug_assert!(number_length(&taken) > 0);
-        out.push(number(&taken));
-        true
     }
 
     fn command(&mut self, depth: usize, out: &mut Vec<Token>) {
@@ -520,7 +468,7 @@ impl Tex<'_> {
             siunitx::number(&number, out);
         }
         if command != "num" {
-            let raw = self.raw_group();
+            let raw = comments::without_comments(&self.raw_group());
             let place = span_of_chars(&raw);
             let unit = siunitx::unit(&siunitx::expand_named_units(raw, self.macros), self.macros);
             let inner = self.read_inside(unit.into_iter().rev().collect(), depth);

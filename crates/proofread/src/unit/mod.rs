@@ -275,6 +275,14 @@ const PREFIXES: &[(char, f64)] = &[
     ('a', 1e-18),
 ];
 
+/// Prefixes of units that are written out.
+const PREFIX_WORDS: &[(&str, f64)] =
+    &[("pico", 1e-12), ("nano", 1e-9), ("micro", 1e-6), ("milli", 1e-3), ("kilo", 1e3), ("mega", 1e6)];
+
+/// Units that are written out behind such a prefix.
+const PREFIXED_WORDS: &str = " meter meters metre metres gram grams second seconds amp amps ampere amperes mole moles newton newtons \
+    joule joules watt watts volt volts liter liters litre litres ohm ohms ";
+
 /// Letters that are a product of quantities, or nothing, more often than a unit with a prefix.
 const NO_UNITS: &str = " as am aA aK aN aJ aV aT aH aC aF aL al ds dA dV dN dK dW dT dF dH dC dJ dS hm hs hA hV hT hH hF hN hK \
     hJ hS hC PV PA PT PF PH pH PC PS PN PK Pm Ps ES EA EV ET EF EH EC EN EK Em Es TH TC TA TF TK TL Ts TS MA MT MC MF GM Mm cH cA \
@@ -315,6 +323,12 @@ static TABLE: LazyLock<HashMap<String, MeasurementUnit>> = LazyLock::new(|| {
                 name.to_owned(),
                 MeasurementUnit { factor: *factor, dimension: UnitDimension::from_exponents(*exponents) },
             );
+        }
+    }
+    for name in PREFIXED_WORDS.split_ascii_whitespace() {
+        let Some(one) = table.get(name).copied() else { continue };
+        for (prefix, times) in PREFIX_WORDS {
+            table.insert(format!("{prefix}{name}"), MeasurementUnit { factor: one.factor * times, ..one });
         }
     }
     for (word, one, other) in PAIRS {
@@ -377,6 +391,12 @@ pub(crate) fn without_prefix(word: &str) -> Option<&str> {
         .filter(|(base, whole)| base.dimension == whole.dimension)
         .filter(|(base, whole)| (whole.factor / (base.factor * factor) - 1.0).abs() < 1e-9)
         .map(|_| rest)
+}
+
+/// Whether a unit has a prefix, be it a sign or written out.
+pub(crate) fn has_prefix(word: &str) -> bool {
+    without_prefix(word).is_some()
+        || PREFIX_WORDS.iter().any(|(prefix, _)| word.strip_prefix(prefix).is_some_and(|rest| unit(rest).is_some()))
 }
 
 /// Whether a sign takes a prefix that stands apart from it.
