@@ -15,10 +15,11 @@ fn steps(text: &str, (name, format, _): &Structure) -> u64 {
     }
 }
 
-/// Bytes of the shorter of two texts, how often as long the other one is, and below how often as much its work must be.
+/// Bytes of the shorter of two texts, how often as long the other one is, and below how often as much its work must be: the shorter one
+/// has less around each formula than is looked at.
 const SHORT: usize = 2_000;
 const TIMES: usize = 8;
-const WORK: u64 = 14;
+const WORK: u64 = 16;
 
 /// Grows every second structure, from this one on.
 fn grow_every_second(first: usize) {
@@ -43,12 +44,12 @@ fn grow_every_second(first: usize) {
 
 // In two halves, which run side by side.
 #[test]
-fn eight_times_the_text_is_less_than_fourteen_times_the_work() {
+fn eight_times_the_text_is_less_than_sixteen_times_the_work() {
     grow_every_second(0);
 }
 
 #[test]
-fn eight_times_the_text_is_less_than_fourteen_times_the_work_in_other_structures() {
+fn eight_times_the_text_is_less_than_sixteen_times_the_work_in_other_structures() {
     grow_every_second(1);
 }
 
