@@ -15,21 +15,25 @@ fn number(report: &MechanismReport, key: &str) -> f64 {
     report.field(key).and_then(ReportField::number).expect(key)
 }
 
-/// Volume in mm³ and second moment in mm⁵ about the middle of a mesh along x, from its triangles.
-fn of_mesh(mesh: &Mesh) -> [f64; 2] {
+/// The middle of a mesh along x.
+pub(super) fn middle_of(mesh: &Mesh) -> f64 {
     let xs = || mesh.triangles.iter().flatten().map(|p| p.x);
-    let middle = f64::midpoint(xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max));
+    f64::midpoint(xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max))
+}
+
+/// Volume in mm³ and second moment in mm⁵ of a mesh about an axis along z at this x, from its triangles.
+pub(super) fn of_mesh(mesh: &Mesh, axis: f64) -> [f64; 2] {
     let (mut volume, mut moment) = (0.0, 0.0);
     for corners in &mesh.triangles {
         let [a, b, c] = corners.map(|mut p| {
-            p.x -= middle;
+            p.x -= axis;
             p
         });
+        // ∫ (x² + y²) dV of the tetrahedron with the origin.
         let of = |k: usize| {
             let (x, y, z) = (a[k], b[k], c[k]);
             x * x + y * y + z * z + x * y + y * z + z * x
         };
-        // Of the tetrahedron with the origin.
         volume += a.dot(&b.cross(&c)) / 6.0;
         moment += a.dot(&b.cross(&c)) * (of(0) + of(1)) / 60.0;
     }
@@ -52,7 +56,7 @@ fn masses_and_the_drivers_inertia_are_those_of_the_meshes() {
         let all = meshes(&list, 2e-3).expect(question);
         let (mut wheel, mut driver, mut moment) = (0.0, 0.0, 0.0);
         for (name, mesh) in &all {
-            let [volume, second] = of_mesh(mesh);
+            let [volume, second] = of_mesh(mesh, middle_of(mesh));
             match *name {
                 "driver" => (driver, moment) = (driver + volume, moment + second),
                 _ => wheel += volume,

@@ -1,6 +1,7 @@
 //! Numbers of designs as another program computed them from the sizes that the sheet tells: outlines as polygons, loads by finite
 //! differences of the pin's place, and meshes measured.
 
+use super::masses_tests::{middle_of, of_mesh};
 use super::{WheelDesign, WheelQuestion, looseness, ring_rows};
 use crate::{MechanismReport, ReportField, answer};
 use approx::assert_relative_eq;
@@ -81,25 +82,9 @@ fn the_wheels_own_inertia_is_that_of_its_mesh_with_all_holes() {
         let list = design.part_list().expect(question).expect("a size").parts;
         let mut moment = 0.0;
         for (_, mesh) in meshes(&list, 2e-3).expect(question).into_iter().take(pieces) {
-            let xs = || mesh.triangles.iter().flatten().map(|p| p.x);
             // Round, or of a polygon that has a corner at either end.
-            let middle = if pieces == 1 {
-                0.0
-            } else {
-                f64::midpoint(xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max))
-            };
-            for corners in &mesh.triangles {
-                let [a, b, c] = corners.map(|mut p| {
-                    p.x -= middle;
-                    p
-                });
-                let of = |k: usize| {
-                    let (x, y, z) = (a[k], b[k], c[k]);
-                    x * x + y * y + z * z + x * y + y * z + z * x
-                };
-                // ∫ (x² + y²) dV of the tetrahedron with the origin.
-                moment += a.dot(&b.cross(&c)) * (of(0) + of(1)) / 60.0;
-            }
+            let axis = if pieces == 1 { 0.0 } else { middle_of(&mesh) };
+            moment += of_mesh(&mesh, axis)[1];
         }
         let own = design.wheel_inertia.expect("a size");
         assert_relative_eq!(own, moment * design.materials.wheel.density * 1e-15, max_relative = 3e-4);
